@@ -88,7 +88,8 @@ static bool correct_glass(struct correction *correction, unsigned allowances,
     return true;
 }
 
-/* Lists the corrections that figures with these allowances lack; their number. */
+/* Lists the corrections that figures with these allowances lack; returns their
+ * number. */
 static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances,
                    const struct pp_opening *opening)
 {

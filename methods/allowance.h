@@ -86,18 +86,18 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances);
 void pp_allowance_sentence(char *text, size_t room, const char *source,
                            unsigned allowances);
 
-/* The diffuse transmittance by the scale on which clear single glass has 0.85: 0.85 G, 1
- * for an unglazed opening. */
+/* Diffuse transmittance for formulae of the internally reflected component, in which
+ * clear single glass has 0.85: 0.85 G; 1 for an unglazed opening. */
 double pp_allowance_reflected_glass(const struct pp_opening *opening);
 
-/* Net glass area of an opening (m2), for whoever needs no steps. */
+/* Net glass area of an opening (m2), without recording steps. */
 double pp_allowance_net_glass_m2(const struct pp_opening *opening);
 
-/* The same as a formula, under the two symbols that it has in print. */
+/* Net glass area as a formula, under its two published symbols, W and Ag. */
 extern const struct pp_formula pp_allowance_glass_W, pp_allowance_glass_Ag;
 
-/* Puts down the opening's area and frame factor, calculates the net glass area by one
- * of these, and returns it (m2). */
+/* Puts the opening's area and frame factor on the worksheet, calculates the net glass
+ * area by one of these formulae, and returns it (m2). */
 double pp_allowance_net_glass(struct pp_worksheet *sheet,
                               const struct pp_formula *formula,
                               const struct pp_opening *opening);

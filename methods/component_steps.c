@@ -1,5 +1,5 @@
-/* component_steps.c - symbols and words of the components, and the steps that every
- * method's have in common. */
+/* component_steps.c - symbols and words of the components, and the steps that all
+ * methods share. */
 #include "methods/component_steps.h"
 
 #include <stdio.h>
@@ -12,7 +12,7 @@ const char *const pp_component_steps_names[PP_COMPONENT_COUNT] = {
     [PP_DF] = "daylight factor",
 };
 
-/* Symbols in formulae: of one opening by the method itself, and with all
+/* Symbols in formulae: for one opening as the method gives them, and with all
  * corrections. */
 static const char *const own_symbols[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT] = {"SC", "ERC", "IRC",

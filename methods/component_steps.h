@@ -10,7 +10,7 @@
 extern const char *const pp_component_steps_names[PP_COMPONENT_COUNT];
 extern const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT];
 
-/* The component in a method's part.sky or part.value. */
+/* The component that a method returns in part.sky or part.value. */
 enum pp_component pp_component_steps_given(const struct pp_method *method);
 
 double pp_component_steps_figure(const struct pp_amounts *amounts,
@@ -23,7 +23,7 @@ void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *meth
                             const struct pp_part *part,
                             const struct pp_amounts *corrected, int first);
 
-/* Records the sums over the openings, where there is not just one. */
+/* Records the sums over the openings if there is more than one. */
 void pp_component_steps_add_sums(struct pp_steps *steps, const struct pp_method *method,
                                  const struct pp_world *world,
                                  const struct pp_amounts *sum);

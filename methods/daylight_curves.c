@@ -17,8 +17,8 @@
  * micrometre at 30 m. */
 #define NO_SKY_SR 1e-9
 
-/* Nearer to the plane's edge the view of the sky is taken as at this distance (m), so that
- * lines meet walls as they are. */
+/* Least distance (m) from the plane's edge at which the view of the sky is evaluated;
+ * nearer points use the value there, so that contours reach the walls. */
 #define SKY_INSET_M 0.001
 
 /* A direct component, and a constant that is added everywhere. */
@@ -53,8 +53,7 @@ static enum pp_status sky_seen_at(void *context, double x, double y, double *val
 
 enum { LEVELS_USUAL = 9, LEVELS_MOST = 14 };
 
-/* The most of the plane that is left without a line through it where a round level is at
- * hand. */
+/* Largest share of the plane without a contour, unless no round level divides it. */
 static const double largest_gap = 0.2;
 
 /* Chooses the usual levels within the range, the highest LEVELS_USUAL of them; if fewer
@@ -115,7 +114,8 @@ static double level_between(const struct pp_field *field, double low, double hig
     return best > 0.25 * (to - from) ? found : 0.0;
 }
 
-/* Puts levels between the usual ones as long as much of the plane has none. */
+/* Inserts levels between the usual ones while a share of the plane above largest_gap
+ * has no contour. */
 static int divide_gaps(double levels[LEVELS_MOST], int count,
                        const struct pp_field *field, double low, double high)
 {
@@ -145,7 +145,7 @@ struct contours_wanted {
     int level_count; /* 0: to be chosen */
 };
 
-/* The function plus or less its error, for a band's two edges. */
+/* The function plus or minus its standard error: the two edges of a band. */
 struct band_edge {
     const struct contours_wanted *of;
     double errors;
@@ -163,8 +163,8 @@ static enum pp_status edge_at(void *context, double x, double y, double *value,
     return status;
 }
 
-/* The part of the plane that is below a level with the errors taken off and not with them
- * added lies within one of it: both outlines filled even-odd. */
+/* Adds uncertainty bands: the area where the level lies between value - error and value
+ * + error. Both outlines are filled by the even-odd rule. */
 static enum pp_status add_bands(struct pp_daylight_plan *plan,
                                 const struct contours_wanted *wanted,
                                 const double *levels, int level_count,

@@ -34,10 +34,10 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   const char *irc_name, const double *levels,
                                   int level_count, struct pp_error *err);
 
-/* The same with the direct component by any method that speaks for a point and does not
- * count (squares, dots), to another tolerance (m; 0: as above); the plan's name is "direct+irc_name". Without irc_name, the figures
- * are the direct component only. A method that does not cover the room is PP_BAD_INPUT, with
- * the reason. */
+/* The same with the direct component by any method that gives values at points and does
+ * not count squares or dots, to another tolerance (m; 0: as above); the plan's name is
+ * "direct+irc_name". Without irc_name, the figures are the direct component only. A
+ * method that does not cover the room is PP_BAD_INPUT, with the reason. */
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,
@@ -46,8 +46,9 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      int level_count, double tolerance_m,
                                      struct pp_error *err);
 
-/* Contours of any daylight factor over the working plane, as above, and the no-sky line.
- * `errors` gives its standard error, for the bands; NULL: none. Both take the context. */
+/* Contours of any daylight factor over the working plane, as above, and the no-sky
+ * line. `errors` gives its standard error, for the bands; NULL: none. Both functions
+ * are called with `context`. */
 enum pp_status pp_daylight_curves_of(struct pp_daylight_plan *plan,
                                      const struct pp_world *world, const char *name,
                                      pp_field_function values, pp_field_function errors,

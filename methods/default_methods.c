@@ -13,8 +13,8 @@ static const struct {
 } pairs[] = {{"exact+bre", &pp_method_bre},
              {"exact+split-flux", &pp_method_split_flux}};
 
-/* Does the method refuse the room, seen from a receiver (NULL: as a whole)? Then the
- * reason. */
+/* Returns true if the method does not cover the room for a receiver (NULL: the room as
+ * a whole), and writes the reason. */
 static bool is_refused(char *why, size_t size, const struct pp_method *method,
                        const struct pp_world *world,
                        const struct pp_outside_light *light,

@@ -13,8 +13,8 @@
 
 struct pp_default_methods {
     const char *name;    /* as in a selection: "exact+bre"; static */
-    const char *instead; /* the first choice that it replaces, static; NULL: it is the
-                          * first choice itself */
+    const char *instead; /* the first choice, if another pair replaces it, static; NULL:
+                          * the pair is the first choice */
     char why[256];       /* the reason: "bre: window W1 slopes ..."; empty
                           * without `instead` */
 };

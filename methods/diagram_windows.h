@@ -33,8 +33,8 @@ struct pp_board_face pp_diagram_windows_face(const struct pp_world *world,
                                              const struct pp_opening *opening);
 
 /* Draws an opening as seen from the point and begins the sheet's window for it: its
- * line, corrections, distance, and room for a piece for each part of the drawing. On
- * success the drawing is the caller's to clear. */
+ * line in the room file, corrections, distance, and an array with one piece for each
+ * part of the drawing. On success the drawing is the caller's to clear. */
 enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         struct pp_window_drawing *drawing,
                                         const struct pp_method *method,

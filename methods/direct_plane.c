@@ -8,12 +8,12 @@
 #include "methods/method.h"
 #include "model/geometry/bounds.h"
 
-/* The distance from an upright opening at which the places before it are evaluated, over
- * the plane's diagonal, and at most (m). Just before it all contours crowd together; the
- * distance is less than the thickness of a wall on the drawing. */
+/* Least distance at which points in front of a vertical opening are evaluated: a share
+ * of the plane's diagonal, and its maximum (m). Contours crowd together close to an
+ * opening; the distance is less than the thickness of a wall on the drawing. */
 static const double opening_inset = 1.0 / 500.0, opening_inset_most_m = 0.02;
 
-/* The same from a wall (m): lines meet walls as they are. */
+/* Least distance from a wall (m): contours reach the wall. */
 static const double wall_inset_m = 0.001;
 
 struct pp_direct_plane {
@@ -45,7 +45,7 @@ struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double 
     return moved;
 }
 
-/* The place moved off the upright openings that it lies before. */
+/* The place, moved to that distance from the vertical openings near it. */
 static struct pp_vec3 off_openings(const struct pp_world *world, double inset_m,
                                    struct pp_vec3 place)
 {
@@ -70,7 +70,7 @@ static struct pp_vec3 off_openings(const struct pp_world *world, double inset_m,
     return place;
 }
 
-/* Why the method does not cover the room. */
+/* PP_BAD_INPUT, with the reason, if the method does not cover the room. */
 static enum pp_status check_method(const struct pp_method *method,
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,
@@ -90,7 +90,8 @@ static enum pp_status check_method(const struct pp_method *method,
     return PP_OK;
 }
 
-/* Contours over the plane take 1.0 s before 200 triangles and 3.4 s before 500. */
+/* Most triangles times openings. Contours over the plane take 1.0 s with 200 triangles
+ * and 3.4 s with 500. */
 static const double mesh_triangles_most = 700.0;
 
 static enum pp_status check_meshes(const struct pp_world *world, struct pp_error *err)

@@ -1,9 +1,9 @@
 /* direct_plane.h - the direct component by a method at any place of a room's working plane,
  * facing up.
  *
- * Before an upright opening, in its plane or under it, the direct component is not defined:
- * nearer to one than 20 mm or 1/500 of the plane's diagonal, whichever is less, it is taken
- * as at that distance, nearer to a wall than 1 mm as there.
+ * The direct component is not defined in the plane of a vertical opening. Points nearer
+ * to one than 20 mm or 1/500 of the plane's diagonal, whichever is less, have the value
+ * at that distance; points nearer to a wall than 1 mm have the value at 1 mm.
  */
 #ifndef PP_METHODS_DIRECT_PLANE_H
 #define PP_METHODS_DIRECT_PLANE_H
@@ -25,7 +25,8 @@ enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
                                       struct pp_error *err);
 void pp_direct_plane_destroy(struct pp_direct_plane *plane); /* NULL is allowed */
 
-/* The sky and the externally reflected component (fractions), with glass, frame and dirt. */
+/* Sky component and externally reflected component (fractions), corrected for glass,
+ * frame and dirt. */
 enum pp_status pp_direct_plane_at(const struct pp_direct_plane *plane, double x,
                                   double y, double *sky, double *external,
                                   struct pp_error *err);

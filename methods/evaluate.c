@@ -1,5 +1,5 @@
-/* evaluate.c - asks the methods of a selection for each receiver and for the average,
- * and enters the readings in the report. */
+/* evaluate.c - runs the methods of a selection for each receiver and for the average,
+ * and adds the readings to the report. */
 #include "methods/evaluate.h"
 
 #include <math.h>
@@ -18,7 +18,8 @@
 /* Below this, starting threads costs more than it saves. */
 enum { SERIAL_MAX = 64 };
 
-/* One component of an answer as a reading; the report keeps the text of its why. */
+/* Converts one component of an answer to a reading; the report stores a copy of
+ * `why`. */
 static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *report,
                                  const char *name,
                                  const struct pp_method_answer *answer,
@@ -27,8 +28,7 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
     if (!answer->why) {
         *reading =
             pp_reading_of(pp_component_steps_figure(&answer->amounts, component));
-        /* Both direct components have one list of steps, which stands with the
-         * first. */
+        /* Both direct components share one list of steps, kept with the first. */
         if (component != PP_ERC)
             reading->steps = answer->steps;
         return PP_OK;
@@ -73,7 +73,8 @@ static enum pp_status answer_points(const struct pp_method_run *run,
     int count = report->receiver_count;
     if (count > SERIAL_MAX)
         pp_thread_pool_run(run->shared.pool, 0, count, answer_one, &answering);
-    /* In order where they are few, or again, for the message of the first failure. */
+    /* Few receivers are evaluated in order; many again in order after a failure, so
+     * that the message is that of the first one. */
     bool ordered = count <= SERIAL_MAX || answering.failed;
     enum pp_status status = PP_OK;
     for (int i = 0; ordered && i < count && status == PP_OK; i++)
@@ -81,8 +82,8 @@ static enum pp_status answer_points(const struct pp_method_run *run,
     return status;
 }
 
-/* The average of a method whose figures are those of another in this world, if that has
- * a column. */
+/* Finds the average in the column of another method, if that method has the same
+ * figures in this world and has been evaluated. */
 static bool found_average(const struct pp_method_run *run,
                           const struct pp_report *report,
                           struct pp_method_answer *average)
@@ -129,7 +130,8 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
-/* Makes a figure of the whole room null that needs more light than enters. */
+/* Replaces a figure for the whole room by a null value if it needs more light than
+ * enters the room. */
 static enum pp_status check_light(struct pp_method_answer *answer,
                                   const struct pp_light_bound *bound,
                                   const struct pp_method *method,
@@ -150,7 +152,7 @@ static enum pp_status check_light(struct pp_method_answer *answer,
     return answer->why ? PP_OK : pp_fail_memory(err);
 }
 
-/* The same of all answers that speak of the room as a whole. */
+/* The same check for all answers that describe the whole room. */
 static enum pp_status check_room(struct pp_method_answer *answers,
                                  const struct pp_method *method,
                                  struct pp_report *report, struct pp_error *err)
@@ -189,7 +191,7 @@ static enum pp_status add_component_column(struct pp_report *report,
     return status;
 }
 
-/* Where steps are asked for, makes their lists: one for each receiver or one for the
+/* If steps are requested, creates their lists: one for each receiver or one for the
  * room. */
 static bool create_steps(struct pp_method_answer *answers, struct pp_report *report,
                          const struct pp_method *method)
@@ -257,7 +259,7 @@ static void add_column_step(struct pp_steps *steps, const struct pp_column *colu
                        pp_component_steps_names[column->component], column->name);
 }
 
-/* Adds the column "direct+internal" from the columns of these names, which are there,
+/* Adds the column "direct+internal" from the columns of these names, which must exist,
  * unless the report has it already. */
 static enum pp_status add_pair(struct pp_report *report, const char *direct,
                                const char *internal, struct pp_error *err)
@@ -313,7 +315,7 @@ static enum pp_status add_choice(struct pp_report *report,
                : status;
 }
 
-/* The pair in place of the usual one, where that does not cover the room. */
+/* Adds the default pair for this room if the first choice does not cover the room. */
 static enum pp_status stand_in(struct pp_report *report, struct pp_error *err)
 {
     const struct pp_default_methods pair = pp_default_methods(

@@ -10,12 +10,12 @@
  *
  * An opening that a method does not cover makes the method's value at that receiver
  * NAN, and `why` names the opening. An internally reflected component that is an
- * average of the room stands for each point of the room.
+ * average of the room is used for each point of the room.
  *
- * The average over the working plane of a method that speaks for a point is the mean
- * reading of receivers that face up: an integral over directions where the method has
- * one (pp_method.average), else by adaptive cubature (method_run.h). A method with an average of
- * its own (has_average) gives that one.
+ * The average over the working plane of a method for points is the mean reading of
+ * receivers that face up: an integral over directions where the method has one
+ * (pp_method.average), else by adaptive cubature (method_run.h). A method with an
+ * average of its own (has_average) gives that one.
  */
 #ifndef PP_METHODS_EVALUATE_H
 #define PP_METHODS_EVALUATE_H
@@ -29,12 +29,12 @@
  * have been added; pp_report_clear frees them. The points are shared among
  * report->threads threads; the numbers do not depend on how many there are.
  *
- * With report->explain the readings of each point (and, of methods that speak for the
- * room, of the average) have the steps of their sum: for each opening the method's own
- * steps (ending in sc, erc, irc or df), then the corrections factor by factor, `SC_1 =
- * sc M G B`, then the sum, `SC = SC_1 + SC_2` (with one opening `SC = sc M G B`), and
- * `DF = SC + ERC + IRC`. The steps of the externally reflected component stand with
- * those of the sky component. */
+ * With report->explain the readings of each point (and, for methods that give room
+ * averages, of the average) have the steps of their sum: for each opening the method's
+ * own steps (ending in sc, erc, irc or df), then the corrections factor by factor,
+ * `SC_1 = sc M G B`, then the sum, `SC = SC_1 + SC_2` (with one opening `SC = sc M G
+ * B`), and `DF = SC + ERC + IRC`. The steps of the externally reflected component are
+ * listed with those of the sky component. */
 enum pp_status pp_methods_evaluate(struct pp_report *report, const char *selection,
                                    struct pp_error *err);
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* The first of the four entries that a place between entries is interpolated from. */
+/* Index of the first of the four entries used to interpolate between two entries. */
 static int first_of_four(int below, int count)
 {
     return below < 1 ? 0 : below > count - 3 ? count - 4 : below - 1;
@@ -50,7 +50,7 @@ void pp_interpolate_tabulate_integral(double *values, int count, double low,
 double pp_interpolate_inverse(const double *values, int count, double low, double high,
                               double value)
 {
-    /* The step that holds the value, then the place within that step. */
+    /* Finds the step that contains the value, then the position within it. */
     int below = 0, above = count - 1;
     while (above - below > 1) {
         int middle = (below + above) / 2;
@@ -64,8 +64,8 @@ double pp_interpolate_inverse(const double *values, int count, double low, doubl
     double off_left = values[below] - value, off_right = values[above] - value;
     if (off_left >= 0.0 || off_right <= 0.0)
         return low + (off_left >= 0.0 ? below : above) * step;
-    /* Solves by regula falsi; the value at the end that stays is halved. Takes some six
-     * evaluations of the cubic. */
+    /* Regula falsi; the value at the end that is kept is halved (Illinois method).
+     * Needs some six evaluations of the cubic. */
     double t = left, last;
     do {
         last = t;

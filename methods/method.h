@@ -42,21 +42,21 @@ struct pp_amounts {
     double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
 };
 
-/* The components of one opening (fractions), before the corrections for glass, frame and
- * dirt. A method that records its steps names the last step of each component "sc", "erc",
- * "irc" or "df", which later formulae refer to; for a method that does not,
- * methods/component_steps.c adds a step of that name. pp_steps.line tells which opening the
- * steps belong to. */
+/* The components of one opening (fractions), before the corrections for glass, frame
+ * and dirt. A method that records its steps names the last step of each component "sc",
+ * "erc", "irc" or "df", which later formulae refer to; for a method that does not,
+ * methods/component_steps.c adds a step of that name. pp_steps.line is the line of the
+ * opening that the steps belong to. */
 struct pp_part {
     double sky;      /* of PP_GIVES_DIRECT */
     double external; /* of PP_GIVES_DIRECT */
     double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
-    const char *why; /* set instead of a value: why there is none, as the end of
-                             * a sentence that begins with "window W1";
-                             * static, or valid as long as the tools */
+    const char *why; /* the reason, if there is no value, as the end of a sentence that
+                      * begins with "window W1"; static, or valid as long
+                      * as the tools */
     struct pp_worksheet
-        sheet; /* where figures are put down and formulae worked out; its
-                                * steps are where they are recorded, which may be NULL */
+        sheet; /* where figures are recorded and formulae evaluated; sheet.steps, which
+                * may be NULL, receives the steps */
 };
 
 /* A user's choices that change the figures of a method; all zero: none. */
@@ -72,32 +72,34 @@ struct pp_method {
     const char *summary; /* one line, without a full stop */
     const char *source;  /* key in docs/SOURCES.md */
     const struct pp_formula *const
-        *formulae; /* that evaluate works out, in their order;
-                                               * ends with NULL. NULL: none */
+        *formulae; /* evaluated by `evaluate`, in this order; ends with NULL. NULL:
+                    * none */
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
-    bool of_real_room; /* fitted to real rooms: obstructions and the ground enter as in
-                       * the room, and the method's own world is the room */
+    bool of_real_room; /* fitted to real rooms: obstructions and ground have the room's
+                        * own values, not the ones of a standard room */
     bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
                            * not to be compared with one */
     unsigned allowances;  /* corrections already contained in its figures, enum
                            * pp_allowance */
     double own_ground;    /* ground reflectance built into its figures, whatever the
                            * room's; 0: none */
-    bool by_name; /* "all" leaves it out: it is made for points that few rooms have */
-    bool counts;  /* counts squares or dots: readings are multiples of one */
+    bool by_name;         /* left out of "all": made for points that few rooms have */
+    bool counts;      /* counts squares or dots: readings are multiples of the worth of
+                   * one */
     bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
                        * over the working plane, in place of an integral over points */
 
-    /* Why the method does not apply to this room, or to this receiver in the room
-     * (NULL: to the room as a whole): a static sentence ("the table holds the overcast
-     * sky only"), or NULL where the method applies. NULL function: it always does. */
+    /* Reason why the method does not apply to this room, or to this receiver in the
+     * room (NULL: the room as a whole): a static sentence ("the table holds the
+     * overcast sky only"), or NULL where the method applies. NULL function: it always
+     * does. */
     const char *(*refuses_room)(const struct pp_world *world,
                                 const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver);
 
-    /* Why the method does not cover this opening for this receiver (NULL for the room),
-     * as the static end of a sentence that begins with "window W1"
+    /* Reason why the method does not cover this opening for this receiver (NULL for the
+     * room), as the static end of a sentence that begins with "window W1"
      * ("slopes; the table holds vertical openings only"), or NULL where the method
      * covers the opening. NULL function: it covers all. */
     const char *(*refuses)(const struct pp_world *world,
@@ -134,18 +136,19 @@ struct pp_method {
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err);
 
-    /* ---- short cuts to the same figures; --plain leaves them out, and all may be NULL ---- */
+    /* ---- fast ways to the same figures; not used with --plain, and all may be NULL
+     * ---- */
 
     /* Replaces prepare, for a method whose tools only save time. */
     enum pp_status (*prepare_fast)(void **tools, const struct pp_world *world,
                                    const struct pp_outside_light *light,
                                    struct pp_error *err);
-    /* Replaces both for very many points of the working plane, facing up, evaluated by
-     * evaluate_roughly; may take some milliseconds more. */
+    /* Replaces both `prepare` functions for many points of the working plane, facing
+     * up, evaluated by evaluate_roughly; may take some milliseconds more. */
     enum pp_status (*prepare_for_plane)(void **tools, const struct pp_world *world,
                                         const struct pp_outside_light *light,
                                         struct pp_error *err);
-    /* Replaces evaluate, faster: accurate to 1e-6 of the open sky or to a relative
+    /* Replaces evaluate; faster, accurate to 1e-6 of the open sky or to a relative
      * error of about 1e-4. */
     enum pp_status (*evaluate_roughly)(const struct pp_world *world,
                                        const struct pp_outside_light *light,
@@ -191,7 +194,7 @@ extern const struct pp_method pp_method_dresler;
 extern const struct pp_method pp_method_k_factor;
 extern const struct pp_method pp_method_nomogram;
 
-/* The same by position, fitted to traced rooms: */
+/* The same by position, fitted to simulated rooms: */
 extern const struct pp_method pp_method_irc_atlas;
 extern const struct pp_method pp_method_bre_atlas;
 extern const struct pp_method pp_method_split_flux_atlas;

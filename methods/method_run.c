@@ -61,7 +61,7 @@ void pp_method_run_clear(struct pp_method_run *run)
     free(run->factors);
 }
 
-/* Adds the components of one opening times its corrections, which it returns. */
+/* Adds the components of one opening times its corrections; returns the product. */
 static struct pp_amounts add_part(struct pp_amounts *sum, const struct pp_part *part,
                                   double factor)
 {
@@ -74,8 +74,8 @@ static struct pp_amounts add_part(struct pp_amounts *sum, const struct pp_part *
     return own;
 }
 
-/* Adds the components of one opening by the method; *used: a variant's formula was worked
- * out. The opening is without figures where the answer has a why. */
+/* Adds the components of one opening; *used: a formula of the variant was evaluated. If
+ * answer->why is set, the opening has no figures. */
 static enum pp_status add_opening_components(const struct pp_method_run *run, int i,
                                              const struct pp_receiver *receiver,
                                              struct pp_method_answer *answer,
@@ -85,7 +85,8 @@ static enum pp_status add_opening_components(const struct pp_method_run *run, in
     const struct pp_world *world = run->world;
     bool roughly = run->roughly && method->evaluate_roughly;
     struct pp_part part;
-    memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* no figure is there */
+    memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* there are no figures
+                                                             * yet */
     part.sheet.steps = answer->steps;
     part.sheet.formulary = run->formulary;
     int first = 0;
@@ -126,15 +127,16 @@ static enum pp_status add_openings(const struct pp_method_run *run,
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK && !answer->why; i++)
         status = add_opening_components(run, i, receiver, answer, &used, err);
-    /* A point may see nothing of the openings; a room has all of them. */
+    /* A point may not see some openings, but a room has them all: if no opening used
+     * the variant, there is no value. */
     if (status == PP_OK && !answer->why && run->varied && !used
         && run->method->speaks_for != PP_FOR_POINT && world->opening_count > 0)
         answer->why = "the formula applies to none of the room's openings";
     return status;
 }
 
-/* Sets down why the method does not cover the room or one of its openings; false: it
- * does. */
+/* Writes the reason why the method does not cover the room or one of its openings;
+ * false if it covers them. */
 static bool method_refuses(const struct pp_method_run *run,
                            const struct pp_receiver *receiver,
                            struct pp_method_answer *answer)
@@ -172,11 +174,11 @@ enum pp_status pp_method_run_answer(const struct pp_method_run *run,
 struct plane_sum {
     const struct pp_method_run *run;
     struct pp_method_answer
-        refusal; /* of the first opening, and column, that has one */
+        refusal; /* the reason of the first opening, and column, that has one */
     bool failed;
 };
 
-/* Decides between two reasons, whatever the order of the points. */
+/* Orders two reasons, so that the result does not depend on the order of the points. */
 static bool comes_before(const struct pp_method_answer *a,
                          const struct pp_method_answer *b)
 {
@@ -207,7 +209,7 @@ static bool plane_sum_at(void *data, int opening, const struct pp_receiver *rece
     return true;
 }
 
-/* One opening after another, or several at once, by the method. */
+/* Average of each opening by the method itself; openings are shared among threads. */
 struct opening_averages {
     struct pp_part *parts;
     const struct pp_method *method;
@@ -216,7 +218,7 @@ struct opening_averages {
     const void *tools;
     struct pp_thread_pool *pool;
 
-    /* The first opening without an average, and what became of it; by the lock. */
+    /* The first opening without an average, and its status; written under the lock. */
     int first;
     enum pp_status status;
     struct pp_error err;
@@ -243,10 +245,11 @@ static bool average_one_opening(void *data, int worker, int i)
     return false;
 }
 
-/* The averages over the working plane that a method has for itself (pp_method.average).
- * parts[i], zero before, is that of opening i of the beams' world, before the corrections
- * for glass, frame and dirt. *known is false where the method has none for one of them; the
- * parts are then not valid. The pool's workers share the openings. */
+/* The averages over the working plane that a method calculates itself
+ * (pp_method.average). parts[i], zero before, is that of opening i of the beams' world,
+ * before the corrections for glass, frame and dirt. *known is false where the method
+ * has none for one of them; the parts are then not valid. The pool's workers share the
+ * openings. */
 static enum pp_status average_openings(struct pp_part *parts, bool *known,
                                        const struct pp_method *method,
                                        struct pp_beams *beams,
@@ -285,8 +288,8 @@ static enum pp_status sum_averages(const struct pp_method_run *run,
     return status;
 }
 
-/* Whether a method refuses an average turns on the plane's height and normal: any of its
- * points tells. */
+/* A method's refusal of an average depends only on the plane's height and normal, so
+ * any of its points can be tested. */
 static bool refuse_plane(const struct pp_method_run *run,
                          struct pp_method_answer *answer)
 {

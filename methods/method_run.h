@@ -9,8 +9,7 @@
 #include "model/base/thread_pool.h"
 #include "model/results/report.h"
 
-/* The relative error that an average by points is estimated to have, and the most of
- * these. */
+/* Estimated relative error of an average over points, and the most points. */
 #define PP_AVERAGE_ERROR 1e-3
 enum { PP_AVERAGE_POINTS = 2000 };
 
@@ -31,7 +30,7 @@ struct pp_method_run {
     void *tools;     /* made by the method; NULL for a room that it refuses */
     struct pp_formulary *formulary;
     struct pp_method_shared shared;
-    bool plain;   /* without short cuts */
+    bool plain;   /* without tables, beams and other fast methods */
     bool roughly; /* by evaluate_roughly, for an average */
 };
 
@@ -40,7 +39,8 @@ struct pp_method_answer {
     struct pp_amounts amounts;
     const char *why;                  /* not owned; NULL: the amounts are valid */
     const struct pp_opening *opening; /* the subject of why; NULL: the room */
-    int column;                       /* of why in a variant's text, from 1; 0: none */
+    int column;                       /* column of the mistake in a variant's text, from
+                                       * 1; 0: none */
     struct pp_steps *steps;           /* where the sum is recorded; may be NULL */
 };
 
@@ -54,13 +54,13 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
 void pp_method_run_clear(struct pp_method_run *run);
 
 /* The sum over the openings for a receiver (NULL: for the room), or why there is none.
- * The caller sets answer->steps, and owns them. Several threads may ask. */
+ * The caller sets answer->steps, and owns them. Several threads may call it. */
 enum pp_status pp_method_run_answer(const struct pp_method_run *run,
                                     const struct pp_receiver *receiver,
                                     struct pp_method_answer *answer,
                                     struct pp_error *err);
 
-/* The average over the working plane by a method that speaks for a point. */
+/* The average over the working plane by a method that gives values at points. */
 enum pp_status pp_method_run_average(const struct pp_method_run *run,
                                      struct pp_method_answer *answer,
                                      struct pp_error *err);

@@ -12,7 +12,7 @@
 
 struct pp_part_steps {
     struct pp_steps *steps;     /* NULL: no steps are recorded */
-    struct pp_worksheet *sheet; /* NULL: figures are set down as steps only */
+    struct pp_worksheet *sheet; /* NULL: figures are recorded as steps only */
     int first;                  /* index of the opening's first step */
     int parts;  /* of the opening; symbols of a single part have no number */
     int number; /* of the current part, from 1 */
@@ -20,7 +20,8 @@ struct pp_part_steps {
     double sky;                  /* sum of the sky components so far */
 };
 
-/* Before the first of `parts` parts; on a sheet, or for steps alone. */
+/* To be called before the first of `parts` parts; with a worksheet, or for steps
+ * alone. */
 struct pp_part_steps pp_part_steps_on(struct pp_worksheet *sheet, int parts);
 struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 
@@ -28,8 +29,8 @@ struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
  * names of all quantities put on the sheet from here on. */
 void pp_part_steps_next(struct pp_part_steps *terms);
 
-/* Works out the sky component of the current part or, of a `hidden` part, the externally
- * reflected component, by a formula of that symbol; returns it. */
+/* Evaluates a formula for the sky component of the current part or, if `hidden`, for
+ * the externally reflected component; returns the value. */
 double pp_part_steps_work(struct pp_part_steps *terms, bool hidden,
                           const struct pp_formula *formula, const char *what);
 
@@ -44,7 +45,7 @@ void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
                           double value, const char *name, const char *formula,
                           const char *what);
 
-/* Records the sky component of the current part or, of a `hidden` part, the externally
+/* Records the sky component of the current part or, if it is `hidden`, the externally
  * reflected component; the formula is written as above. */
 void pp_part_steps_component(struct pp_part_steps *terms, bool hidden, double share,
                              const char *formula, const char *what);

@@ -1,7 +1,8 @@
 /* selection.h - the methods selected by a user: a list separated by commas of
  *
- *     default   exact+bre, brs-table+bre, average-df; the same as NULL. Where exact+bre does
- *               not cover the room, the pair that stands in its place too (default_methods.h)
+ *     default   exact+bre, brs-table+bre, average-df; the same as NULL. If exact+bre
+ *               does not cover the room, also the pair that replaces it
+ *               (default_methods.h)
  *     all       every direct method with bre, exact with every internal one, all whole
  *     A+B       direct component by A, internally reflected by B, and both components
  *     NAME      one method, with the components that it gives
@@ -22,7 +23,7 @@ struct pp_choice {
 struct pp_selection {
     int count;
     struct pp_choice *choices;
-    bool usual; /* "default" is among them */
+    bool usual; /* the selection contains "default" */
 };
 
 /* Reads a list of that form; NULL is the default. A wrong name or pair is PP_BAD_INPUT,

@@ -10,8 +10,8 @@
 
 enum { TEXT_MOST = PP_EXPRESSION_MOST + 60, NAMES_MOST = 64 };
 
-/* Fails with the text and a caret under a column (from 0). No letter of several bytes
- * stands before the caret: such a one is a mistake itself. */
+/* Fails with the text and a caret under a column (from 0). Text before the caret is
+ * ASCII: a letter of several bytes would be a mistake itself. */
 static enum pp_status fail_at(struct pp_error *err, const char *text, int column,
                               const char *what)
 {
@@ -26,7 +26,7 @@ static enum pp_status fail_at(struct pp_error *err, const char *text, int column
 
 /* ---- the replaced formula ---- */
 
-/* The text in its parts; columns from 0. */
+/* The text split into its parts; columns from 0. */
 struct parts {
     const char *text;
     bool names_method;
@@ -95,14 +95,14 @@ static enum pp_status find_method(const struct pp_method **method,
 
 /* ---- the formula ---- */
 
-/* Mistake in a variant's text: the one farthest to the right, which belongs to the most
- * similar formula. */
+/* Mistake in a variant's text: the one farthest to the right of all formulae tried,
+ * which belongs to the most similar formula. */
 struct misfit {
     const struct pp_method *method; /* NULL: no formula of the symbol can be replaced */
     struct pp_expression_mistake mistake;
 };
 
-/* True if the text is a variant of this formula. A component has no metres. */
+/* True if the text is a variant of this formula. A component has no part in metres. */
 static bool fits_formula(const struct pp_formula *formula,
                          const struct pp_formula_variant *variant,
                          struct pp_expression_mistake *mistake)

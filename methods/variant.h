@@ -4,8 +4,8 @@
  *     irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)
  *     split-flux: irc = ...
  *
- * The left side names the replaced formula. Without a method's name that is the formula
- * of the first method, in list order, that has one for the symbol with all the
+ * The left side names the replaced formula. Without a method's name it is the formula
+ * of the first method, in list order, that has a formula for the symbol with all the
  * quantities used.
  */
 #ifndef PP_METHODS_VARIANT_H
@@ -24,8 +24,8 @@ struct pp_variant_list {
     struct pp_variant *list;
 };
 
-/* Reads one more variant from a text. A mistake in it is PP_BAD_INPUT with the column,
- * and on two more lines the text and a caret below the place. */
+/* Parses and adds one more variant. A mistake is PP_BAD_INPUT with the column, followed
+ * on two more lines by the text and a caret below the place. */
 enum pp_status pp_variant_add(struct pp_variant_list *variants, const char *text,
                               struct pp_error *err);
 void pp_variant_clear(struct pp_variant_list *variants);

@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The points of the cubature rule: the least that a piece takes. */
+/* Points of one evaluation of the cubature rule, the fewest that a piece needs. */
 enum { FIRST_POINTS = 17 };
 
-/* Integral over one piece, and the function's values at the points of the rule, with
- * which every cubature of the piece begins. */
+/* Integral over one piece. The function's values at the points of the first evaluation
+ * of the rule are kept, since every cubature of the piece begins with them. */
 struct piece_integral {
     double values[PP_PLANE_VALUES];
-    double error; /* estimated, in the sum of the values; INFINITY: nothing is known */
+    double error; /* of all values together; INFINITY: not yet estimated */
     double first[FIRST_POINTS][PP_PLANE_VALUES];
     bool stopped;
 };
@@ -26,14 +26,14 @@ struct integral {
     pp_plane_function *function;
     void *data;
     struct piece_integral *of;
-    int points; /* asked so far */
-    int known;  /* number of those at the beginning */
+    int points; /* evaluated so far */
+    int known;  /* values kept from the first estimate, 0 if none */
     bool stopped;
 };
 
 /* The values at a point of the unit square times the area element. Once the function
- * has stopped they are zero, which ends the integration at once (hcubature leaks memory
- * when its integrand fails). */
+ * has stopped they are set to zero, which ends the integration at once (hcubature leaks
+ * memory when its integrand fails). */
 static int integrand_at(unsigned dim, const double *square, void *data, unsigned fdim,
                         double *values)
 {
@@ -61,13 +61,14 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
 struct piece_integrals {
     const struct pp_plane_wedges *pieces;
     const struct integral *like;
-    double absolute; /* the error allowed for a piece, in the sum of its values */
-    int points;      /* the most of a piece */
+    double absolute; /* error bound of a piece, all its values together */
+    int points;      /* most evaluations in a piece */
     struct piece_integral *of;
 };
 
 /* Integrates a piece again if it is not accurate enough. All pieces are processed even
- * after a failure: what a function notes on the way is then the same each time. */
+ * after a failure, so that the side effects of the function do not depend on
+ * threads. */
 static bool integrate_piece(void *data, int worker, int i)
 {
     (void)worker;

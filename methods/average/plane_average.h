@@ -9,8 +9,8 @@
 
 enum { PP_PLANE_VALUES = 2 };
 
-/* The values (not negative) that a centre's light has at a point of the working plane, for
- * a receiver that faces up. Called from several threads at once; false stops the
+/* Light of one centre at a point of the working plane: values, not negative, for a
+ * receiver that faces up. Called from several threads at once; false stops the
  * integration. */
 typedef bool pp_plane_function(void *data, int centre,
                                const struct pp_receiver *receiver,
@@ -18,17 +18,18 @@ typedef bool pp_plane_function(void *data, int centre,
 
 /* mean[k] is the mean over world->plane of the sum of values[k] over the centres.
  *
- * Each centre's light is integrated in its own wedges (plane_wedges.h). A wedge is refined
- * until its estimated error is its part of relative_error/8 times the sum of all
- * integrals, or until it has had about most_points. The workers of `pool` share the
- * wedges; the points and the sum do not depend on how many there are.
+ * Each centre's light is integrated in its own wedges (plane_wedges.h). A wedge is
+ * refined until its estimated error is its share of relative_error/8 times the sum of
+ * all integrals, or until about most_points points of it are evaluated. The workers of
+ * `pool` share the wedges; the points and the sum do not depend on how many there are.
  *
- * With a relative error of 1e-3 and 2000 points, averages by brs-table and protractor in 50
- * random boxes with 1 to 4 windows from 0.08 m wide differed by 2.4e-3 rms from midpoint
- * sums of 150 x 150 cells, 95 of 100 by less than 4.4e-3, the worst by 1.1e-2, most of it
- * the sums'. Rectangles of the plane, as here before, missed by 2.5e-2 rms, 19 % at worst.
+ * With a relative error of 1e-3 and 2000 points, averages by brs-table and protractor
+ * in 50 random boxes with 1 to 4 windows from 0.08 m wide differed by 2.4e-3 rms from
+ * midpoint sums of 150 x 150 cells, 95 of 100 by less than 4.4e-3, the worst by 1.1e-2,
+ * mostly the error of the midpoint sums. Cubature over rectangles of the plane had
+ * errors of 2.5e-2 rms and 19 % at worst.
  *
- * *stopped: the function stopped it, and mean is void. */
+ * *stopped: the function has stopped the integration; mean is then undefined. */
 enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                                 const struct pp_world *world,
                                 const struct pp_plane_centre *centres, int count,

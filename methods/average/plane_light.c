@@ -9,8 +9,8 @@
 
 /* ---- plain: an integral over points of the plane ---- */
 
-/* The error of the mean that the cubature over the plane aims at, relative to both
- * components together; at each point the view is integrated to PP_QUADRATURE_GLAZED. */
+/* The error of the mean that the cubature over the plane aims at, relative to the sum
+ * of both components; at each point the view is integrated to PP_QUADRATURE_GLAZED. */
 static const double POINT_AVERAGE_ERROR = 1e-3;
 
 enum { MOST_POINTS = 2000 };

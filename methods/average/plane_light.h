@@ -1,7 +1,7 @@
 /* plane_light.h - the mean over the working plane of the light through an opening.
  *
- * Plainly it is an integral over points of the plane. By beams it is an
- * integral over directions (beam_average.h), which is sooner. pp_beams_create says which.
+ * The plain implementation is an integral over points of the plane. The fast one
+ * (beam_average.h) is an integral over directions. pp_beams_create chooses.
  */
 #ifndef PP_METHODS_AVERAGE_PLANE_LIGHT_H
 #define PP_METHODS_AVERAGE_PLANE_LIGHT_H
@@ -13,11 +13,11 @@
 /* Light of one direction: luminances through the glass, over Eh. */
 struct pp_plane_light {
     pp_luminance_function *sky;      /* of the sky there, seen or hidden */
-    pp_luminance_function *exitance; /* of an exitance of 1; NULL: of none */
+    pp_luminance_function *exitance; /* seen, for an exitance of 1; NULL: no glow */
     const void *context;
-    double grain_rad;      /* of sky(), as for struct pp_integrand */
+    double grain_rad;      /* resolution of sky(), see struct pp_integrand */
     double of_reflectance; /* luminance factor of an obstruction of reflectance 1 */
-    bool with_outside;     /* else nothing outside hides the sky */
+    bool with_outside;     /* false: obstructions outside are left out */
 };
 
 /* The means over the beams' working plane, for receivers that face up, of sky component and

@@ -9,15 +9,16 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* A wedge's part of the root of the distance begins at these. */
+/* Limits of a wedge's parts along the coordinate of the distance, the root of its
+ * share. */
 static const double cuts[] = {0.0, 0.45, 1.0};
 enum { CUTS = 2 };
 
-/* Corners and angles nearer than this are the same (m, radians). */
+/* Corners and angles nearer than this count as equal (m, radians). */
 static const double same = 1e-9;
 
-/* An opening that slopes by more than this lights places on both sides of it in the plan:
- * the sine of 0.06 degrees. */
+/* Sine of the slope (0.06 degrees) above which an opening counts as sloping: it lights
+ * places on both sides of it in the plan. */
 static const double upright = 1e-3;
 
 /* ---- where light spreads from ---- */
@@ -70,8 +71,8 @@ struct convex {
     double (*xy)[2];
 };
 
-/* Cuts it to normal . p >= offset, into an array with space for one corner
- * more. */
+/* Cuts a polygon to normal . p >= offset. The output array needs space for one corner
+ * more than the input. */
 static int keep_side(double (*out)[2], const double (*xy)[2], int count,
                      const double normal[2], double offset)
 {
@@ -120,8 +121,8 @@ static double distance_to(const double edge[2][2], const double apex[2],
     return cross(off, along) / cross(u, along);
 }
 
-/* The edges of a piece that the direction meets, the nearer one first; returns their
- * number, 0 to 2. */
+/* The edges of a piece that a ray from the apex meets, the nearer one first; returns
+ * their number, 0 to 2. */
 static int edges_met(double edges[2][2][2], const struct convex *piece,
                      const double apex[2], const double u[2])
 {
@@ -192,7 +193,7 @@ static bool holds(const struct convex *piece, const double point[2])
     return true;
 }
 
-/* angles: space for one more than the piece's corners. */
+/* Adds the wedges of a piece. angles: space for one more than the piece's corners. */
 static enum pp_status add_wedges(struct pp_plane_wedges *wedges, int centre,
                                  const struct convex *piece, const double apex[2],
                                  double *angles, struct pp_error *err)
@@ -201,7 +202,8 @@ static enum pp_status add_wedges(struct pp_plane_wedges *wedges, int centre,
     for (int i = 0; i < piece->count; i++)
         for (int axis = 0; axis < 2; axis++)
             middle[axis] += piece->xy[i][axis] / piece->count;
-    /* Seen from outside, all corners are within about a right angle of the middle. */
+    /* From an apex outside the piece all corners are within about 90 degrees of its
+     * middle. */
     double straight = atan2(middle[1] - apex[1], middle[0] - apex[0]);
     int count = 0;
     for (int i = 0; i < piece->count; i++) {
@@ -221,7 +223,8 @@ static enum pp_status add_wedges(struct pp_plane_wedges *wedges, int centre,
     return status;
 }
 
-/* The part of a piece that an opening lights. buffers: two of five corners more. */
+/* The part of a piece that an opening lights. buffers: two arrays, each of five corners
+ * more than the piece. */
 static struct convex lit_part(const struct convex *piece,
                               const struct pp_plane_centre *centre,
                               double (*buffers[2])[2])

@@ -12,8 +12,9 @@ static double interpolation_share(double x, double low, double high)
     return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
 }
 
-/* The last of the columns that `aside` is read in, from 1, and how far it is from the
- * one before, which is zero before the first. */
+/* Finds the table column at or above `aside` (counted from 1; the last column if none).
+ * *t is the interpolation share between the column before, taken as zero before the
+ * first, and that column. */
 static int brs_column(const struct pp_brs_cells *table, double aside, double *t)
 {
     const double *head = table->cells;
@@ -29,7 +30,8 @@ static double up_of(const struct pp_brs_cells *table, int row)
     return table->cells[row * table->columns];
 }
 
-/* The upper one of the rows, from 1, and how far `up` is from the lower. */
+/* Finds the table row at or above `up` (counted from 1; row 1 if none). *t is the
+ * interpolation share between the row below it in height and that row. */
 static int row_of(const struct pp_brs_cells *table, double up, double *t)
 {
     int i = table->rows - 1;
@@ -152,8 +154,8 @@ static const struct edge {
 } upper = {"h", "T_hl", "T_hr", "upper edge", pp_brs_edges_upper},
   lower = {"s", "T_sl", "T_sr", "lower edge", pp_brs_edges_lower};
 
-/* Works out an edge: the readings on both sides of the normal added, else the wider less
- * the narrower. */
+/* Records the readings of an edge and their sum: both sides of the normal added, else
+ * the wider less the narrower. */
 static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
                       const struct pp_brs_cells *table, double up,
                       const struct pp_brs_rectangle *at, const char *measure)
@@ -175,7 +177,8 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
                            : "wider part minus narrower part");
 }
 
-/* The sum of both edges, by where the table begins. */
+/* Formula for the sum of both edges: depends on whether the rectangle extends across
+ * the origin of the table. */
 static const struct pp_formula *sum_of(const struct pp_brs_rectangle *at)
 {
     if (at->low < 0.0)

@@ -38,9 +38,10 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
 /* Edges over d, as the table measures them; right is positive. */
 struct pp_brs_rectangle {
     double left, right, low, high;
-    bool hidden;   /* shows an obstruction; else the sky */
+    bool hidden;   /* this rectangle is an obstruction; else sky */
     double factor; /* its luminance factor */
-    bool off_sky;  /* the hidden part is in the sky's rectangle, too, and subtracted */
+    bool off_sky;  /* the sky's rectangle includes this obstruction, which is
+                    * subtracted */
 };
 
 /* Calculates the next part and adds it to *sum. `measure` is the name of `up` in the
@@ -49,8 +50,9 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
                        const struct pp_brs_cells *table,
                        const struct pp_brs_rectangle *rectangle, const char *measure);
 
-/* Rows of a method's list of formulae: of all tables, and of tables whose edges lie on
- * both sides and whose obstructions are subtracted. */
+/* Rows for a method's list of formulae. _FORMULAE: for all tables. The others are for
+ * tables with edges on both sides of the origin, and for obstructions that are
+ * subtracted. */
 extern const struct pp_formula pp_brs_edges_upper[3], pp_brs_edges_lower[3],
     pp_brs_edges_sky[2], pp_brs_edges_equivalent[2], pp_brs_edges_reflected,
     pp_brs_edges_across[4], pp_brs_edges_less;

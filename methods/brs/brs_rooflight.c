@@ -1,12 +1,12 @@
 /* brs_rooflight.c - `brs-table-rooflight`: sky component and externally reflected
  * component of rooflights by simplified daylight tables.
  *
- * The tables are in the manner of the vertical one (brs_table.c), whose source has such
- * tables too [HLG58]; those were not available. These were calculated by quadrature
- * under the same conditions: CIE overcast sky, clear single glass, a point that faces
- * up (bench/make_rooflight_tables.c). There is one for level glass and one each for
- * glass at 30 and 60 degrees. With d the perpendicular distance of the plane of the
- * glass:
+ * The tables have the form of the vertical one (brs_table.c). Its source [HLG58]
+ * contains tables of rooflights, too, but they were not available. The tables here were
+ * calculated by quadrature under the same conditions: CIE overcast sky, clear single
+ * glass, a point that faces up (bench/make_rooflight_tables.c). There is one for level
+ * glass and one each for glass at 30 and 60 degrees. With d the perpendicular distance
+ * of the plane of the glass:
  *
  *     level    T(l/d, w/d)  from straight above the point, to both sides alike
  *     sloping  T(s/d, w/d)  s up the slope, from where the plane of the glass meets the

@@ -1,6 +1,6 @@
-/* brs_sheet_fill.c - copies the table, and sets down the readings of each rectangle of sky
- * or obstruction: upper edge less lower, both sides of the normal added, else the wider
- * less the narrower. */
+/* brs_sheet_fill.c - copies the table, and records the readings of each rectangle of
+ * sky or obstruction: upper edge less lower, both sides of the normal added, else the
+ * wider less the narrower. */
 #include "methods/brs/brs_sheet_fill.h"
 
 #include <math.h>

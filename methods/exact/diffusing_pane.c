@@ -11,11 +11,12 @@
 
 enum { NODES = 7, CELLS_MOST = 96 };
 
-/* The most evaluations times the square of the number of surfaces before the pane: some
- * seconds. */
+/* Bound of the number of evaluations times the square of the number of surfaces in
+ * front of the pane; at the bound a pane takes some seconds. */
 static const double WORK_MOST = 2e6;
 
-/* Error at which no cell is divided further, relative to the flux on the whole pane. */
+/* Cells with less error than this are not divided further, relative to the flux on the
+ * whole pane. */
 static const double RELATIVE_ERROR = 1e-6;
 
 /* Coordinates are along the opening's own axes (m, from the room's origin). */

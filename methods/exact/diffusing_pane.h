@@ -21,10 +21,10 @@
 struct pp_diffusing_pane {
     struct pp_pane_cell *cells;
     int cell_count;
-    double error; /* estimated, of the flux on the pane, relative */
+    double error; /* estimated error of the flux on the pane, relative */
 };
 
-/* Works out the illuminance of an opening's outside. */
+/* Calculates the illuminance of the outside of an opening's pane. */
 enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

@@ -69,10 +69,10 @@ struct patch_figures {
     struct pp_moments moments; /* of the part above the horizon */
     bool closed_form; /* the sky's luminance has a closed form by the moments */
     bool glazed;
-    double above;  /* by visible or hidden sky, through the glass */
-    double below;  /* by ground with a reflectance of 1; for an obstruction, by its part
-                    * below the horizon at the luminance of the horizon */
-    double own;    /* by the exitance of the obstruction */
+    double above;  /* from visible or hidden sky, through the glass */
+    double below;  /* from ground with a reflectance of 1; for an obstruction, from its
+                    * part below the horizon at the luminance of the horizon */
+    double own;    /* from the obstruction's own exitance */
     double factor; /* luminance factor of the obstruction, reflectance of the ground */
 };
 
@@ -80,7 +80,7 @@ struct sum_text {
     char text[80];
 };
 
-/* The formula of the sky component without glass: pi L(0)/Eh = 3/(3 + 2b). */
+/* Formula of the sky component without glass; its factor is pi L(0)/Eh = 3/(3 + 2b). */
 static struct sum_text closed_form(const struct pp_sky *sky)
 {
     double b = sky->gradation;

@@ -12,8 +12,8 @@
  *       an exitance M     M / pi integral tau (n.u)
  *       ground            rho_ground / pi integral tau (n.u)
  *
- * By closed form where sky and glass allow it, else by the tables that were made for the
- * opening, else by quadrature.
+ * Evaluated in closed form where sky and glass allow it, else by the opening's tables
+ * if there are any, else by quadrature.
  */
 #ifndef PP_METHODS_EXACT_DIRECT_H
 #define PP_METHODS_EXACT_DIRECT_H
@@ -33,7 +33,8 @@ struct pp_direct {
     bool rough; /* fast, to 1e-6 of the open sky by tables, to about PP_QUADRATURE_ROUGH
                  * by quadrature */
     const struct pp_pane_light *tables; /* of the opening; not owned; NULL: none */
-    double error; /* of both, as estimated by the quadrature; 0 for all else */
+    double error; /* of both components, estimated by the quadrature; 0 for closed forms
+                   * and tables */
     struct pp_steps *steps; /* where steps are recorded; may be NULL */
 };
 

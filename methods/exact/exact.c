@@ -13,7 +13,7 @@
  * exact where that light is the same all over the pane (nothing before the pane but
  * sky, ground and skylines without a distance), else to 1e-6 by polynomials over parts
  * of the pane (diffusing_pane.h, which says where the error is larger). The illuminance
- * of such panes is worked out once for a room where the method is prepared, else for
+ * of such panes is calculated once for a room where the method is prepared, else for
  * each receiver anew; the numbers are the same.
  */
 #include "methods/method.h"

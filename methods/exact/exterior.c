@@ -62,7 +62,8 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
         return PP_OK;
     }
 
-    /* Half a cube about the position: the face ahead and half of each beside it. */
+    /* Half a cube about the position: one face in front and half of each face beside
+     * it. */
     struct pp_frame frame = frame_about(normal);
     struct pp_vec3 a = frame.x, b = frame.y;
     struct pp_vec3 toward[5] = {normal, a, pp_vec_scale(a, -1.0), b,

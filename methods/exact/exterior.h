@@ -9,14 +9,14 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* The middle of an opening's outside: the centroid of its outer outline or, where that
- * stands back from a facade, of its hole there, since a wall does not obstruct its own
- * windows, however thick. */
+/* The middle of an opening's outside: the centroid of its outer outline or, if the pane
+ * is set back from the facade, of the hole in the facade: a wall does not obstruct its
+ * own windows, however thick it is. */
 struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening);
 
 /* Illuminance over Eh, from the visible sky alone and without glass, of a plane through
- * the middle of the opening's outside with the outward unit normal `normal`;
- * for a vertical normal the vertical sky component. The ground gives none.
+ * the middle of the opening's outside with the outward unit normal `normal`; for a
+ * vertical normal the vertical sky component. Light from the ground is not included.
  * Obstructions are the skylines of the opening's own face, blocks, free-standing
  * surfaces outside and the building's own outer faces. */
 enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *world,
@@ -28,7 +28,7 @@ enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *wo
 struct pp_exterior_light {
     double sky;      /* from the sky alone */
     double external; /* from the ground and from obstructions: equivalent sky component
-                      * times luminance factor, and exitance */
+                      * times luminance factor, plus exitance */
 };
 
 /* Illuminances of a plane through any position outside, with unit normal `normal`.
@@ -42,8 +42,8 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err);
 
-/* Is the illuminance the same all over an opening's outside, with nothing before the
- * opening but sky, ground and skylines without a distance? */
+/* True if the illuminance is the same all over an opening's outside: in front of it are
+ * only sky, ground and skylines without a distance. */
 bool pp_exterior_is_uniform(const struct pp_world *world,
                             const struct pp_opening *opening);
 

@@ -26,16 +26,17 @@ static double size_of(struct pp_vec3 v)
     return fabs(v.x) + fabs(v.y) + fabs(v.z);
 }
 
-/* The depth of v within a half-space; 0 for a point in its plane but for rounding, so
- * that no sliver is left of a patch that only touches the plane. */
+/* The depth of v within a half-space, set to 0 if it is below rounding error, so that a
+ * patch that only touches the plane leaves no sliver. */
 static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
 {
     double depth = pp_vec_dot(half_space, v);
     return fabs(depth) > 1e-15 * size_of(half_space) * size_of(v) ? depth : 0.0;
 }
 
-/* The point where the edge from the inner point to the outer meets the stage's plane,
- * always worked out from the inner one, so that two polygons agree on a shared edge. */
+/* The point where the edge between an inner and an outer point meets the stage's plane.
+ * It is always calculated from the inner point, so that two polygons agree on a shared
+ * edge. */
 static struct pp_vec3 stage_crossing(struct pp_vec3 inner, double inner_depth,
                                      struct pp_vec3 outer, double outer_depth)
 {

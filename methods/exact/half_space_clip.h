@@ -1,5 +1,5 @@
-/* half_space_clip.h - the part of a polygon within half-spaces through the eye, handed on
- * vertex by vertex. */
+/* half_space_clip.h - the part of a polygon within half-spaces through the eye, passed
+ * to a callback vertex by vertex. */
 #ifndef PP_METHODS_EXACT_HALF_SPACE_CLIP_H
 #define PP_METHODS_EXACT_HALF_SPACE_CLIP_H
 
@@ -8,12 +8,13 @@
 /* The most half-spaces in one call. */
 enum { PP_HALF_SPACES_MOST = 8 };
 
-/* Takes the next vertex of the clipped polygon. */
+/* Callback that receives the next vertex of the clipped polygon. */
 typedef void pp_half_space_sink(void *data, struct pp_vec3 vertex);
 
-/* Hands on the vertices, relative to the eye at the origin, of the part of a ring within
- * all the half-spaces h.u > 0, in the ring's order. A ring that is not convex keeps bridges
- * along a cut, which run both ways: a sum over edges cancels there. Allocates nothing. */
+/* Calls the sink with each vertex, relative to the eye at the origin, of the part of a
+ * ring within all the half-spaces h.u > 0, in the ring's order. A non-convex ring may
+ * be cut into parts connected by bridges along the cut; they run both ways and cancel
+ * in a sum over edges. Allocates nothing. */
 void pp_half_space_clip(const struct pp_vec3 *vertices, int count,
                         const struct pp_vec3 *half_spaces, int half_space_count,
                         pp_half_space_sink *sink, void *data);

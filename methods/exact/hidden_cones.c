@@ -1,5 +1,5 @@
 /* hidden_cones.c - a cone for each convex piece that reaches above the eye's level and
- * before its plane. */
+ * in front of its plane. */
 #include "methods/exact/hidden_cones.h"
 
 #include <math.h>
@@ -27,7 +27,7 @@ static enum pp_status add_half_space(struct pp_hidden_cones *cones, struct pp_ve
     return status;
 }
 
-/* Makes one cone, without a cap, of the half-spaces added since the last. */
+/* Completes a cone, without a cap, from the half-spaces added since the last cone. */
 static enum pp_status end_cone(struct pp_hidden_cones *cones, struct pp_error *err)
 {
     enum pp_status status = pp_array_reserve(
@@ -44,11 +44,12 @@ static struct pp_vec3 corner(const struct pp_polygon *polygon, const int *of, in
     return polygon->vertices[of ? of[i] : i];
 }
 
-/* Gives the last cone the cap of the corners' directions, if it is not too wide. */
+/* Sets the cap of the last cone, about the mean of the corners' directions, if it is
+ * not too wide. */
 static void add_cap(struct pp_hidden_cones *cones, struct pp_vec3 eye,
                     const struct pp_polygon *polygon, const int *of, int count)
 {
-    /* Rounding error of a direction. */
+    /* Allowance for the rounding error of a direction. */
     const double hair = 1e-9;
     struct pp_vec3 sum = {0};
     for (int i = 0; i < count; i++)

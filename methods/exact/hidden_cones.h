@@ -8,22 +8,22 @@
  * or of -n_i, depending on the side from which it is seen. A non-convex surface hides
  * the cones of its triangles, a skyline the directions between its foot and its head.
  *
- * Each cone of a polygon lies in the cap of directions about the mean of those to its
- * corners, as wide as the farthest of them: caps of less than a hemisphere are convex.
- * Cones that are far from a path of the sun are recognised by their caps alone, without
- * their half-spaces.
+ * Each cone of a polygon lies in a circular cap about the mean direction to its
+ * corners, which reaches the farthest corner: a cap of less than a hemisphere is
+ * convex. The caps alone show which cones are far from a path of the sun, without a
+ * test of their half-spaces.
  */
 #ifndef PP_METHODS_EXACT_HIDDEN_CONES_H
 #define PP_METHODS_EXACT_HIDDEN_CONES_H
 
 #include "model/room/world.h"
 
-/* The widest cap that is used; a cone that needs a wider one has none. */
+/* Cosine of the radius of the widest cap; a cone that needs a wider one has no cap. */
 #define PP_HIDDEN_CONE_COS_WIDEST 0.5
 
 struct pp_hidden_cone {
     int end;             /* the index past its last half-space */
-    struct pp_vec3 axis; /* of its cap, unit; of no length where it has none */
+    struct pp_vec3 axis; /* of its cap, unit; zero vector if it has no cap */
     double cos_radius, sin_radius;
 };
 
@@ -40,11 +40,13 @@ struct pp_hidden_cones {
 struct pp_hidden_view {
     struct pp_vec3 eye;
     struct pp_vec3 out; /* unit normal of the plane; directions behind it are hidden */
-    int face;           /* that the plane belongs to: it hides nothing itself */
+    int face;           /* index of the face in whose plane the viewpoint lies: it hides
+                         * nothing */
     const struct pp_opening *opening;
 };
 
-/* The middle of an opening's outside, as of the vertical sky component. */
+/* The viewpoint at the middle of an opening's outside, as for the vertical sky
+ * component. */
 struct pp_hidden_view pp_hidden_cones_outside(const struct pp_opening *opening);
 
 /* Fills cones with the hidden directions of the upper hemisphere; on success the caller

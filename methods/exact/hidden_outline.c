@@ -18,11 +18,11 @@
 
 #define STEP_RAD (0.25 * PP_RAD)
 #define END_RAD (0.001 * PP_RAD)
-#define SAME_RAD 1e-6 /* spans nearer to each other are one */
+#define SAME_RAD 1e-6 /* spans with a smaller gap are merged */
 
 enum { STEPS = 1440 };
 
-/* Hidden spans at a bearing: of cones, or of all, from low to high. */
+/* Hidden altitudes at a bearing, from low to high: of one cone, or of all together. */
 struct hidden_span {
     double low, high;
     int cone;
@@ -41,7 +41,8 @@ struct sky_column {
 struct sky_outline {
     const struct pp_hidden_cones *cones;
     double north_rad;
-    struct hidden_spans single[STEPS + 1]; /* each cone's, at each step */
+    struct hidden_spans single[STEPS + 1]; /* spans of the cones one by one, at each
+                                            * step */
     struct sky_column *columns;            /* all columns; those of the steps first */
     int column_count;
 };
@@ -64,7 +65,7 @@ static int by_low(const void *left, const void *right)
     return (a->low > b->low) - (a->low < b->low);
 }
 
-/* Puts those together that meet. */
+/* Merges spans that touch or overlap. */
 static void merge(struct hidden_spans *spans)
 {
     int count = 0;
@@ -125,7 +126,7 @@ static bool hidden_at(struct hidden_span *span, const struct sky_outline *outlin
     return hidden_towards(span, outline->cones, cone, towards(outline, bearing));
 }
 
-/* Each cone's spans at the steps. */
+/* Finds the span of each cone at each step. */
 static enum pp_status find_single(struct sky_outline *outline, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -142,7 +143,8 @@ static enum pp_status find_single(struct sky_outline *outline, struct pp_error *
 
 /* ---- columns ---- */
 
-/* All that the cones hide that are met at step `step` or the next. */
+/* Adds a column at a bearing: the merged spans of all cones that hide something at step
+ * `step` or the next. */
 static enum pp_status add_sky_column(struct sky_outline *outline, double bearing,
                                      int step, struct pp_error *err)
 {
@@ -163,7 +165,8 @@ static enum pp_status add_sky_column(struct sky_outline *outline, double bearing
     return status;
 }
 
-/* The last bearing at which a cone hides something, and the first at which it does not. */
+/* Bisects between a bearing at which a cone hides something and one at which it does
+ * not, to END_RAD. */
 static void end_between(double ends[2], const struct sky_outline *outline, int cone,
                         double hidden, double clear)
 {
@@ -179,8 +182,8 @@ static void end_between(double ends[2], const struct sky_outline *outline, int c
     ends[1] = clear;
 }
 
-/* Columns where cones end between a step and the next and stand out of the others. Spans of
- * a step are by cone. */
+/* Adds columns where a cone begins or ends between a step and the next, unless the
+ * other cones hide its end. The spans of a step are ordered by cone. */
 static enum pp_status add_ends(struct sky_outline *outline, int step,
                                struct pp_error *err)
 {
@@ -261,7 +264,7 @@ static bool meet(const struct hidden_span *a, const struct hidden_span *b)
     return a->low <= b->high && b->low <= a->high;
 }
 
-/* Number of spans that overlap this one; *which: the last of them. */
+/* Number of spans that overlap this one; *which: the index of the last. */
 static int count_meeting(const struct hidden_spans *spans,
                          const struct hidden_span *span, int *which)
 {
@@ -274,7 +277,8 @@ static int count_meeting(const struct hidden_spans *spans,
     return count;
 }
 
-/* If one span becomes several, or several become one, a piece connects each to each. */
+/* Where one span becomes several, or several become one, adds a piece for each
+ * overlapping pair. */
 static enum pp_status bridge(struct pp_sky_mask *mask, const struct sky_column *a,
                              const struct sky_column *b, const struct hidden_span *to,
                              struct pp_error *err)
@@ -294,7 +298,7 @@ static enum pp_status bridge(struct pp_sky_mask *mask, const struct sky_column *
     return status;
 }
 
-/* A span's `cone` is from now on the piece that ends with it. */
+/* From here on a span's `cone` is the index of the piece that it extends. */
 static enum pp_status join_mask_columns(struct pp_sky_mask *mask,
                                         const struct sky_column *before,
                                         struct sky_column *column, struct pp_error *err)

@@ -8,7 +8,8 @@
 
 #include "model/base/array.h"
 
-/* Coordinates that agree to this share of the whole extent count as equal. */
+/* Coordinates that differ by less than this share of the whole extent count as
+ * equal. */
 #define GRAIN 1e-13
 
 void pp_integration_cells_clear(struct integration_cells *cells)
@@ -132,8 +133,8 @@ static enum pp_status add_cell(struct integration_cells *cells,
     return status;
 }
 
-/* Adds the cells between two stops: the edges across the strip, ordered by height,
- * bound them in pairs. A cell that ends at `left` between the same two edges is
+/* Adds the cells between two stops. The edges that cross the strip, ordered by height,
+ * bound cells in pairs. A cell that ends at `left` between the same two edges is
  * extended. */
 static enum pp_status add_strip(struct integration_cells *cells, int *crossing,
                                 double left, double right, bool may_continue,
@@ -181,8 +182,8 @@ static double on_line(struct cell_bound line, double x)
     return line.level + line.slope * x;
 }
 
-/* A cell with the cusp on one of its sides becomes two, with the cusp at a corner of
- * both. */
+/* Splits a cell that has the cusp on one of its sides, so that the cusp is a corner of
+ * both parts. */
 static enum pp_status split_at_cusp(struct integration_cells *cells, int index,
                                     const double *cusp, struct pp_error *err)
 {

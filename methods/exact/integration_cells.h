@@ -41,7 +41,8 @@ enum pp_status pp_integration_cells_add_ring(struct integration_cells *cells,
                                              int plane_count, double distance_m,
                                              struct pp_error *err);
 
-/* Finds the cells between all edges. A cusp (NULL: none) is made a corner of cells. */
+/* Finds the cells between all edges. Cells are split so that the cusp (NULL: none) is a
+ * corner. */
 enum pp_status pp_integration_cells_find(struct integration_cells *cells,
                                          const double *cusp, struct pp_error *err);
 

@@ -10,7 +10,7 @@
 /* The context of the functions; not owned. */
 struct pp_pane_luminance {
     const struct pp_sky *sky;
-    const struct pp_glass *glass; /* without panes: none */
+    const struct pp_glass *glass; /* no panes: unglazed */
     struct pp_vec3 toward;        /* through the glass, square to it */
 };
 

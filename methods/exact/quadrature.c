@@ -5,12 +5,12 @@
 
 #include "methods/exact/integration_cells.h"
 
-/* The absolute error that any integral may have: a slit no wider than rounding errors
- * has no significant digits. */
+/* Absolute error bound that is always accepted: the integral over a slit no wider than
+ * rounding errors has no significant digits. */
 #define ABSOLUTE 1e-17
 
-/* The most evaluations of a column, and the most columns of a cell; where they do not
- * suffice, the error bound is larger. */
+/* Most evaluations in a column, and most columns in a cell. If they do not suffice the
+ * error estimate is larger than the bound. */
 enum { COLUMN_MOST = 3000, COLUMNS_MOST = 3000 };
 
 /* ---- over a cell ---- */
@@ -21,7 +21,7 @@ struct cell_integral {
     struct pp_vec3 normal;          /* the receiver's, room's axes */
     struct cell_bound lower, upper; /* over the distance of the plane */
     double alpha[2];
-    double cos_alpha, sin_alpha; /* of the current column */
+    double cos_alpha, sin_alpha; /* angles of the current column */
     double column_abs,
         column_error; /* absolute and relative error bounds of a column */
     long evaluations;
@@ -156,7 +156,7 @@ static void add_fixed(struct pp_quadrature *result,
     }
 }
 
-/* The most steps along either side of a cell. */
+/* Most steps in each direction of a cell. */
 enum { GRAINS_MOST = 4096 };
 
 /* Number of steps of a grain between two angles. */
@@ -165,7 +165,7 @@ static int grains_between(double low, double high, double grain_rad)
     return (int)fmax(1.0, fmin(GRAINS_MOST, ceil((high - low) / grain_rad)));
 }
 
-/* Sum over the middles of equal steps in both angles, no larger than the grain. */
+/* Midpoint sum over equal steps in both angles, no larger than the grain. */
 static double integrate_grains(struct cell_integral *integral, double grain_rad)
 {
     double sum = 0.0, from = integral->alpha[0], width = integral->alpha[1] - from;
@@ -178,7 +178,7 @@ static double integrate_grains(struct cell_integral *integral, double grain_rad)
         double high = asin(sine_of(integral->upper, s / c, 1.0 / c));
         int steps = grains_between(low, high, grain_rad);
         for (int k = 0; k < steps; k++) {
-            /* Between equal angles the sines are not equal steps. */
+            /* Equal steps of the angle are unequal steps of its sine. */
             double below = sin(low + (high - low) * k / steps);
             double above = sin(low + (high - low) * (k + 1) / steps);
             double sine = sin(low + (high - low) * (k + 0.5) / steps);
@@ -229,7 +229,7 @@ static struct rule short_rule(double low, double high, int nodes)
     return rule;
 }
 
-/* The integral over a cell by that rule both ways, in angles. */
+/* The integral over a cell by the short rule in both angles. */
 static double integrate_short(struct cell_integral *integral, int nodes)
 {
     double sum = 0.0;
@@ -303,7 +303,7 @@ static enum pp_status add_adaptive(struct pp_quadrature *result,
         struct cell_integral integral =
             integral_over(view, &cells->list[i], normal, integrand);
         double width = integral.alpha[1] - integral.alpha[0], value, error;
-        /* The error of columns must be below the resolution of the rule across them;
+        /* The error of a column must be small against the error bound across columns;
          * the factors 0.3 and 0.1 were chosen by trial. */
         integral.column_abs = 0.3 * enough / width;
         integral.column_error = 0.3 * relative_error;

@@ -16,8 +16,8 @@
 #include "model/geometry/region.h"
 
 /* Relative error bounds of `exact` without a table (pane_light.h), with glass and
- * without. The results are better by two powers of ten or more: over random windows at
- * 0.05 to 8 m the worst error was 1e-7 and 1e-11. */
+ * without. The actual errors are smaller by two powers of ten or more: over random
+ * windows at 0.05 to 8 m the worst error was 1e-7 and 1e-11. */
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 
@@ -27,8 +27,8 @@
  * 0.1 m and 1e-6 at larger distances; the worst is 2e-4. */
 #define PP_QUADRATURE_ROUGH 1e-3
 
-/* A luminance with grain is summed in its own steps, or in steps this much larger where
- * PP_QUADRATURE_ROUGH is enough. */
+/* A luminance with grain is summed in steps of its grain, or in steps this much larger
+ * if PP_QUADRATURE_ROUGH is enough. */
 #define PP_QUADRATURE_GRAINS_ROUGH 3.0
 
 /* Luminance towards the eye from direction u (unit, room's axes). */
@@ -39,7 +39,8 @@ struct pp_integrand {
     const void *context;
     const struct pp_vec3
         *cusp;        /* a direction where the luminance is not smooth, or NULL */
-    double grain_rad; /* angle of the pixels of a photographed sky; 0: it is smooth */
+    double grain_rad; /* angle of a pixel of a photographed sky (rad); 0: the luminance
+                       * is smooth */
 };
 
 struct pp_quadrature {

@@ -1,4 +1,5 @@
-/* sky_view.c - views cut by a grid of equal angles, and a test of one direction. */
+/* sky_view.c - views cut by a grid of equal angles, and a test whether the sun in one
+ * direction is visible. */
 #include "methods/exact/sky_view.h"
 
 #include <math.h>

@@ -37,15 +37,15 @@ struct pp_sky_piece {
 
 typedef void pp_sky_view_sink(void *data, const struct pp_sky_piece *piece);
 
-/* Hands on the pieces of sky and of the ground behind it, each no more than size_rad wide
- * and high. */
+/* Calls a function with each piece of sky and of the ground below the horizon, at most
+ * size_rad wide and high. */
 enum pp_status pp_sky_view_pieces(const struct pp_sky_view *view, double size_rad,
                                   pp_sky_view_sink *sink, void *data,
                                   struct pp_error *err);
 
-/* Illuminance by the sun's centre in direction u (unit) over that of a plane normal to it;
- * 0: hidden, behind the receiver or below the horizon. *opening (may be NULL): through
- * which. */
+/* Illuminance by the sun's centre in direction u (unit) over that of a plane normal to
+ * it; 0: hidden, behind the receiver or below the horizon. *opening (may be NULL):
+ * index of the opening that the sun shines through. */
 double pp_sky_view_sun(const struct pp_sky_view *view, struct pp_vec3 u, int *opening);
 
 #endif

@@ -8,9 +8,9 @@
  *     => (z.G) n.(...) = z.(r x r') n.(r + r') / (1 + cos T)
  *     E0:  T (n.G) = (T / sin T) n.(r x r')
  *
- * so that no arc, however short, divides by its own sine. The solid angles of the
- * triangles of a fan are the arguments of complex numbers [VOS83]; the product of those
- * has the argument of the whole, so that one arctangent does for all.
+ * so that no division by the sine of a short arc occurs. The solid angle of a triangle
+ * of the fan is the argument of a complex number [VOS83]. The argument of their product
+ * is the whole solid angle, so that one arctangent is enough.
  */
 #include "methods/exact/solid_angle.h"
 
@@ -24,7 +24,7 @@ struct boundary_sums {
     double twice_cosine, thrice_cosine_sine;
 };
 
-/* T / sin T from both; T from 0 to pi. */
+/* T / sin T from the sine and cosine of T; T from 0 to pi. */
 static double arc_over_sine(double sine, double cosine)
 {
     if (cosine > 0.0 && sine < 1e-4)
@@ -40,7 +40,7 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
     double cosine = pp_vec_dot(v, next) * scale;
     double sine = pp_vec_length(across) * scale;
     if (!(sine > 0.0))
-        return; /* no arc, or one through the eye, which has no side */
+        return; /* no arc, or an arc through the eye, whose side is undefined */
 
     double facing = pp_vec_dot(sums->normal, across) * scale;
     double facing_both = pp_vec_dot(sums->normal, v) / length
@@ -51,7 +51,7 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
     sums->thrice_cosine_sine += across.z * scale * facing_both * half;
 }
 
-/* The triangle of the first vertex, the last one and v. */
+/* Multiplies in the triangle of the first vertex, the last one and v. */
 static void add_boundary_triangle(struct boundary_sums *sums, struct pp_vec3 v,
                                   double length)
 {

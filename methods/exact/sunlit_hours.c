@@ -8,10 +8,12 @@
 #include "model/light/sun.h"
 #include "model/light/sun_path.h"
 
-/* The sun's direction of a day, in the world's axes: p + q cos h + r sin h. */
+/* The sun's path on one day, in the world's axes: p + q cos h + r sin h, h the hour
+ * angle. */
 struct path {
     struct pp_vec3 p, q, r;
-    /* The arc's circle: all directions so far from the pole of the sky, which is unit. */
+    /* The path is a circle about the pole of the sky (unit vector), at a constant
+     * angle. */
     struct pp_vec3 pole;
     double cos_apart, sin_apart;
 };
@@ -40,9 +42,9 @@ static struct path path_of(struct pp_sunlit_place place, double declination)
     };
 }
 
-/* Does the sun's circle stay out of a cone's cap: is the cap's axis farther from the
- * circle than the cap is wide? The circle is at least 60 degrees from either pole and a
- * cap is no wider, so that neither pole lies between them. */
+/* True if the sun's circle does not touch a cone's cap: the cap's axis is farther from
+ * the circle than the cap's radius. The circle is at least 60 degrees from either pole
+ * and a cap is no wider, so that neither pole lies between them. */
 static bool is_clear_of(const struct path *path, const struct pp_hidden_cone *cone)
 {
     double along = pp_vec_dot(cone->axis, path->pole);
@@ -77,8 +79,8 @@ static enum pp_status append_sunlit_period(struct pp_sunlit_day *day, double fro
     return PP_OK;
 }
 
-/* Keeps, of the times from index `first` on, the part within the arc; the arc also
- * counts one turn earlier and later. */
+/* Intersects the times from index `first` on with the arc, which repeats with a period
+ * of one turn. */
 static enum pp_status keep_sunlit_arc(struct pp_sunlit_day *day, int first,
                                       struct arc arc, struct pp_error *err)
 {
@@ -104,7 +106,7 @@ static enum pp_status keep_sunlit_arc(struct pp_sunlit_day *day, int first,
     return status;
 }
 
-/* Adds the times at which the sun stands in a cone. */
+/* Adds the times at which a cone hides the sun. */
 static enum pp_status add_cone(struct pp_sunlit_day *hidden, const struct path *path,
                                const struct pp_vec3 *half_spaces, int count,
                                struct pp_error *err)
@@ -168,7 +170,7 @@ static enum pp_status add_above(struct pp_sunlit_day *day,
                                 struct pp_error *err)
 {
     struct path path = path_of(place, sun->declination_rad);
-    /* The sun's height has its greatest value at noon: q.z >= 0 and r.z = 0. */
+    /* The sun's altitude is greatest at noon: q.z >= 0 and r.z = 0. */
     struct arc up = arc_of(fmax(path.q.z, 0.0), 0.0, path.p.z - sin(above_rad));
     double from = fmax(sun->from_rad, -up.half), to = fmin(sun->to_rad, up.half);
     struct pp_sunlit_day hidden = {0};
@@ -195,7 +197,7 @@ enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
     return add_above(day, cones, place, sun, 0.0, err);
 }
 
-/* The sun's declination on a day of 2025 at an hour of the place's own time. */
+/* The sun's declination on a day of 2025 at an hour of local time at the place. */
 static double declination_at(struct pp_sunlit_place place, int month, int date,
                              double hour)
 {
@@ -245,7 +247,7 @@ void pp_sunlit_hours_clear(struct pp_sunlit_day *day)
     *day = (struct pp_sunlit_day){0};
 }
 
-/* Hours of the times, each hour of solar time times its share. */
+/* Sum of the times in hours, each hour of solar time weighted with its share. */
 static double weighted_sum(const struct pp_sunlit_day *day, const double share[24])
 {
     double sum = 0.0;

@@ -22,7 +22,8 @@ struct pp_sunlit_place {
     double latitude_rad, north_rad, longitude_rad;
 };
 
-/* Times of sun in a day, from and to as hour angles (rad, -pi to pi), in order and apart. */
+/* Times of sun in a day as intervals of the hour angle (rad, -pi to pi), in order and
+ * disjoint. */
 struct pp_sunlit_day {
     double (*times)[2];
     int count, capacity;
@@ -34,17 +35,17 @@ struct pp_sunlit_sun {
     double from_rad, to_rad;
 };
 
-/* Adds the times between those at which the sun is above the horizon and not hidden; to be
- * made one by pp_sunlit_hours_unite where there were times before. The caller clears the
- * day, after a failure too. */
+/* Adds the times within that interval at which the sun is above the horizon and not
+ * hidden. If the day had times before, call pp_sunlit_hours_unite afterwards. The
+ * caller clears the day, after a failure too. */
 enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
                                    const struct pp_hidden_cones *cones,
                                    struct pp_sunlit_place place,
                                    const struct pp_sunlit_sun *sun,
                                    struct pp_error *err);
 
-/* Hours of sun on a day of 2025, with a declination for each hour: that of the middle
- * of the hour, within 0.01 degrees of the sun's. */
+/* Hours of sun on a day of 2025, with the declination of the middle of each hour, which
+ * is within 0.01 degrees of the true one. */
 enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       const struct pp_hidden_cones *cones,
                                       struct pp_sunlit_place place, int month, int date,
@@ -71,9 +72,9 @@ struct pp_sunlit_year {
     double all, winter;
 };
 
-/* cones NULL: of an open level plane. share: how likely the sun is to shine, by month,
- * January first, and hour of solar time, the first from midnight, so that the hours are
- * probable ones; NULL: all possible hours. */
+/* cones NULL: an open horizontal plane. share: probability of sunshine by month
+ * (January first) and hour of solar time (the first from midnight), so that the result
+ * is in probable hours; NULL: all possible hours. */
 enum pp_status pp_sunlit_hours_of_year(struct pp_sunlit_year *year,
                                        const struct pp_hidden_cones *cones,
                                        struct pp_sunlit_place place,

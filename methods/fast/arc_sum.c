@@ -66,8 +66,9 @@ static void add_nodes(struct arc_walk *walk, const struct arc_end *a,
 }
 
 /* Arc's length over the longest for which eight nodes suffice. The bounds were chosen
- * by trial over random windows: a bend may change by twice its width and its least
- * value, and an arc near the cusp may be as long as its distance plus a tenth. */
+ * by trial over random windows: along one arc |axis.u| of a bend may change by twice
+ * the sum of its width and its least value, and an arc near the cusp may be as long as
+ * its distance from it plus 0.1. */
 static double stretch_of(const struct pp_arc_spacing *spacing, const struct arc_end *a,
                          const struct arc_end *b, double chord)
 {
@@ -102,21 +103,22 @@ static void add_part(struct arc_walk *walk, const struct arc_end *a,
                                           : 0]);
         return;
     }
-    /* The bisector of the angle, on the edge itself. */
+    /* The bisector of the arc meets the edge here. */
     struct arc_end middle = end_at(pp_vec_along(
         a->v, a->length / (a->length + b->length), pp_vec_sub(b->v, a->v)));
     add_part(walk, a, &middle, depth + 1);
     add_part(walk, &middle, b, depth + 1);
 }
 
-/* The places along an edge from a, of 1, where it is nearest to the cusp, and where it meets
- * the meridian of the cusp about the axis, behind which the potential keeps a weak ridge.
- * Returns how many, in order. */
+/* Positions along an edge, from 0 at a to 1, of the point nearest to the cusp and of
+ * the crossing of the cusp's meridian about the axis, where the potential has a weak
+ * ridge. Returns their number; they are in ascending order. */
 static int find_cuts(double cuts[2], const struct pp_arc_spacing *spacing,
                      struct pp_vec3 a, struct pp_vec3 edge)
 {
     const struct pp_vec3 cusp = *spacing->cusp;
-    /* Planes through the eye: that of the cusp and square to the edge's, the meridian's. */
+    /* Planes through the eye: one through the cusp and square to the edge's plane, one
+     * of the meridian. */
     const struct pp_vec3 planes[2] = {pp_vec_cross(cusp, pp_vec_cross(a, edge)),
                                       pp_vec_cross(spacing->axis, cusp)};
     int count = 0;
@@ -134,7 +136,7 @@ static int find_cuts(double cuts[2], const struct pp_arc_spacing *spacing,
     return count;
 }
 
-/* A shorter chord needs no cuts: its nodes are close enough. */
+/* Edges with a chord shorter than this need no cuts: their nodes are close enough. */
 #define CUT_LEAST 0.25
 
 static void add_arc_edge(struct arc_walk *walk, const struct arc_end *a,

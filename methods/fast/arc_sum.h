@@ -11,7 +11,7 @@
  *
  * G is the unit normal of an edge's plane through the eye and s the arc along the edge.
  * B, the potential, is as smooth as f, on the axis too; it is singular opposite to the
- * axis only, where no polygon may be. f itself is not needed: B was made from it.
+ * axis only, where no polygon may be. Only B is evaluated, not f.
  *
  * An arc from r to r' is r + t (r' - r) over its length, t from 0 to 1, and (a.G) ds =
  * a.(r x r') dt / |r + t (r' - r)|^2, by a Gauss-Legendre rule in t.
@@ -26,7 +26,7 @@
 
 enum { PP_ARC_NODES = 8 };
 
-/* Nodes along an arc: directions u (unit) and the weights dt / |...|^2. */
+/* Nodes along an arc: directions u (unit) and weights dt / |r + t (r' - r)|^2. */
 struct pp_arc_nodes {
     int count;
     struct pp_vec3 across; /* r x r' */
@@ -46,7 +46,7 @@ struct pp_arc_bend {
 
 /* Greatest distance between nodes. */
 struct pp_arc_spacing {
-    double longest; /* chord of an arc that one rule serves */
+    double longest; /* longest chord (of unit vectors) for one rule */
     int bend_count;
     struct pp_arc_bend bends[2];
     const struct pp_vec3 *cusp; /* a direction (unit) where f has a cusp, or NULL */

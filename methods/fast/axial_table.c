@@ -5,8 +5,8 @@
 
 #include "model/geometry/polynomial.h"
 
-/* Cells from rho = 0 to the border and from there to rho = 1: towards c = 0, where rho is 1,
- * the transmittance of glass bends within 0.005 of c. */
+/* Value of rho between coarse and fine cells. Near rho = 1 (c = 0, grazing incidence)
+ * the transmittance of glass changes within 0.005 of c. */
 #define BORDER 0.9375
 enum { COARSE = 32, FINE = 32 };
 
@@ -24,11 +24,12 @@ enum { K_1, K_C, K_CC, K_CS, K_S, K_SS };
 struct moment_sums {
     pp_axial_function *function;
     const void *context;
-    double theta;                /* up to which they run */
+    double theta;                /* upper limit of the integrals so far (rad) */
     double of[PP_AXIAL_MOMENTS]; /* the integrals without 1/s^(j+2) */
 };
 
-/* Adds the integrals up to rho, by three Gauss points in theta: dc = sin theta dtheta. */
+/* Extends the integrals to rho, by three Gauss points in theta: dc = sin theta
+ * dtheta. */
 static void extend_sums(struct moment_sums *sums, double rho)
 {
     static const double node[3] = {-0.77459666924148338, 0.0, 0.77459666924148338};
@@ -48,7 +49,8 @@ static void extend_sums(struct moment_sums *sums, double rho)
     sums->theta = to;
 }
 
-/* The coefficients in t from -1 to 1 of the polynomials through values at the nodes. */
+/* Coefficients, in t from -1 to 1, of the polynomials through the values at the
+ * Chebyshev nodes. */
 static void fit_cell(double cell[PP_AXIAL_POWERS][PP_AXIAL_MOMENTS],
                      double values[PP_AXIAL_POWERS][PP_AXIAL_MOMENTS])
 {
@@ -130,7 +132,7 @@ void pp_axial_table_init_balanced(struct pp_axial_table *table,
 
 /* ---- the potential ---- */
 
-/* The functions from `first` on, at c. */
+/* Values of the functions from number `first` on, at c. */
 static inline __attribute__((always_inline)) void moments_at(
     double k[PP_AXIAL_MOMENTS], const struct pp_axial_table *table, double c, int first)
 {
@@ -152,8 +154,8 @@ static inline __attribute__((always_inline)) void moments_at(
             k[m] = k[m] * t + powers[p][m];
 }
 
-/* is_square: the axis is perpendicular to q, n and g, and p is absent; their products
- * with it are then 0. Inlined twice, so that each version evaluates only its own
+/* is_square: p is 0, and the axis is perpendicular to q, n and g, whose products with
+ * it are then 0. Inlined twice, so that each version evaluates only its own
  * functions. */
 static inline __attribute__((always_inline)) double potential_of(
     const struct pp_axial_light *axial, const struct pp_arc_nodes *nodes, double along,

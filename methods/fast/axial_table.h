@@ -36,9 +36,9 @@ typedef double pp_axial_function(const void *context, double c);
 void pp_axial_table_init(struct pp_axial_table *table, pp_axial_function *function,
                          const void *context);
 
-/* Fills one for all directions. So that the potential is regular opposite to the axis too,
- * a constant is taken off each of F, F c and F s / s, which makes their integrals over
- * every meridian 0: k1, kc and ks then belong to
+/* Fills a table for all directions, c from -1 to 1. A constant is subtracted from each
+ * of F, F c and F s / s, so that their integrals over a whole meridian are 0 and the
+ * potential is regular opposite to the axis, too: k1, kc and ks then belong to
  *
  *     F(c) p - balance[0] p + (q.a) (F(c) c - balance[1]) + Q (F(c) - balance[2])    (3)
  *
@@ -59,8 +59,8 @@ struct pp_axial_light {
 /* The potential (2) about the light's axis, for pp_arc_sum. */
 double pp_axial_table_potential(const void *light, const struct pp_arc_nodes *nodes);
 
-/* The light of a ring within half-spaces, for a table of pp_axial_table_init: along arcs no
- * longer than `longest`. width: F bends within it of a.u = 0. */
+/* The light of a ring within half-spaces, for a table of pp_axial_table_init: along
+ * arcs no longer than `longest`. width: F changes fast where |a.u| is below it. */
 double pp_axial_table_sum(const struct pp_axial_light *light, double longest,
                           double width, const struct pp_vec3 *vertices, int count,
                           const struct pp_vec3 *half_spaces, int half_space_count);

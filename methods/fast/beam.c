@@ -154,8 +154,8 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
     return status;
 }
 
-/* A skyline without a distance as a ring: the whole of the opening's extent, behind all
- * else, where it hides the direction. False: it does not. */
+/* Makes a skyline without a distance a ring over the whole extent of the opening,
+ * behind all other pieces. Returns false if the skyline does not hide the direction. */
 static bool project_skyline(struct pp_fragment_ring *ring, double (*xy)[2],
                             const struct pp_beam *beam,
                             const struct pp_skyline *skyline, struct pp_vec3 u)
@@ -176,7 +176,7 @@ static bool project_skyline(struct pp_fragment_ring *ring, double (*xy)[2],
     return true;
 }
 
-/* Memory for the rings of all pieces outside and all skylines. */
+/* Allocates the rings of all pieces outside and all skylines. */
 static enum pp_status make_room_for_rings(struct pp_beam_space *space,
                                           const struct pp_beam *beam,
                                           struct pp_error *err)
@@ -190,7 +190,8 @@ static enum pp_status make_room_for_rings(struct pp_beam_space *space,
     return space->rings && space->lights && space->xy ? PP_OK : pp_fail_memory(err);
 }
 
-/* One direction, and the extent that is open along it. */
+/* State of one direction, with the extent of the part of the opening that is still
+ * open. */
 struct beam_look {
     const struct pp_beam *beam;
     int at;                /* the next node to visit */
@@ -288,7 +289,7 @@ static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space 
     } while (true);
 }
 
-/* Gives each part of the open part to the nearest obstruction. */
+/* Assigns each part of the open part to the nearest obstruction. */
 static enum pp_status cover_all(struct beam_look *look, struct pp_beam_space *space,
                                 struct pp_error *err)
 {

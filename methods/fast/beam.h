@@ -30,16 +30,16 @@ struct pp_beam_space {
     double (*xy)[2];
     struct pp_fragment_ring *rings;
     double (*lights)[2]; /* reflectance and exitance of the rings */
-    /* Comparisons of rings with fragments so far, in all directions, which is nearly all of
-     * the time. Beyond the budget (0: unlimited) a direction ends without areas. */
+    /* Number of ring-fragment comparisons so far, in all directions: nearly all of the
+     * computing time. Beyond the budget (0: unlimited) no more areas are calculated. */
     long long work, work_budget;
 };
 
 /* Parts of the opening in the face's plane, m2. */
 struct pp_beam_areas {
     double sky;
-    double reflecting; /* of obstructions, each times its reflectance */
-    double emitting;   /* of obstructions, each times its exitance */
+    double reflecting; /* sum over obstructions of area times reflectance */
+    double emitting;   /* sum over obstructions of area times exitance */
 };
 
 /* *beam is the caller's, and refers to world. Without `with_outside`, obstructions and

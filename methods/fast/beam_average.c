@@ -4,7 +4,7 @@
 
 #include <cubature.h>
 
-/* Directions by bearing from the opening's own and altitude (radians). */
+/* Directions: bearing relative to the opening's own, and altitude (radians). */
 struct bearing_range {
     double low, high;
 };
@@ -15,12 +15,13 @@ struct beam_integral {
     struct pp_vec3 out, across; /* horizontal: the opening's bearing, square to it */
     double level,
         tilt;          /* u.w = level cos(altitude) cos(bearing) + tilt sin(altitude) */
-    double bearing[2]; /* of the part */
-    double share[2];   /* of the altitudes that the opening faces */
+    double bearing[2]; /* limits of the part */
+    double share[2];   /* limits, as a share of the altitudes that the opening faces */
     bool failed;
 };
 
-/* The altitudes at a bearing at which the opening faces the sky. */
+/* Range of altitudes at a bearing for which the direction is above the horizon and in
+ * front of the opening. */
 static struct bearing_range altitudes(const struct beam_integral *integral,
                                       double bearing)
 {
@@ -72,8 +73,9 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
     return 0;
 }
 
-/* Parts of the directions, uneven so that no cut falls on the middle of a window: in a
- * symmetrical room the estimated errors would be too small. */
+/* Number of parts of the directions. They are uneven, so that no cut falls on the
+ * middle of a window: in a symmetrical room the error estimates would then be too
+ * small. */
 enum { FRONT = 4, BACK = 2, LAYERS = 3, PARTS = (FRONT + BACK) * LAYERS };
 static const double bearings[FRONT + BACK + 1] = {-1.0, -0.43, 0.09, 0.55,
                                                   1.0,  1.93,  3.0};
@@ -82,12 +84,13 @@ static const double layers[LAYERS + 1] = {0.0, 0.21, 0.53, 1.0};
 /* Points of the cubature rule for one part: at first, and at most. */
 enum { FIRST_POINTS = 17, MOST_POINTS = 6000 };
 
-/* Integral of a part: its values, and their errors together. */
+/* Integral over a part: its two values, and the sum of their errors. */
 struct part_integral {
     double values[2], error;
 };
 
-/* Works out the parts that have a larger error than `absolute`, and adds all up. */
+/* Integrates the parts with a larger error than `absolute` again, and adds up all
+ * parts. */
 static enum pp_status integrate_parts(double sum[2], struct part_integral *of,
                                       const struct beam_integral *like, int parts,
                                       double absolute, int points, struct pp_error *err)

@@ -31,7 +31,8 @@ static void add_piece_corner(struct pp_beam *beam, struct beam_piece *piece,
     beam->corners[piece->first + piece->count++] = v;
 }
 
-/* Adds a convex polygon, in parts of few corners, `like` having all else. */
+/* Adds a convex polygon in pieces of at most PP_FRAGMENT_CORNERS corners; `like` has
+ * all other fields. */
 static enum pp_status add_fan(struct pp_beam *beam, struct beam_pieces *pieces,
                               struct beam_piece like, const struct pp_vec3 *corners,
                               int count, struct pp_error *err)
@@ -64,8 +65,8 @@ static enum pp_status add_convex(struct pp_beam *beam, struct beam_pieces *piece
                                  int count, const struct beam_limit *limits,
                                  int limit_count, struct pp_error *err)
 {
-    /* A polygon that lies in the limit itself may have every other corner clipped by
-     * rounding. */
+    /* Rounding may clip every other corner of a polygon that lies in the limit's
+     * plane. */
     size_t most = (size_t)count << LIMITS_MOST;
     struct pp_vec3 *buffer = malloc((2 * most + 1) * sizeof *buffer);
     if (!buffer)
@@ -81,7 +82,7 @@ static enum pp_status add_convex(struct pp_beam *beam, struct beam_pieces *piece
     return status;
 }
 
-/* Adds a polygon of the room's axes; triangles: that cover it, NULL where it is
+/* Adds a polygon given in the room's axes. triangles: its triangulation; NULL if it is
  * convex. */
 static enum pp_status add_polygon(struct pp_beam *beam, struct beam_pieces *pieces,
                                   struct beam_piece like,
@@ -110,7 +111,7 @@ static enum pp_status add_polygon(struct pp_beam *beam, struct beam_pieces *piec
     return status;
 }
 
-/* Adds a polygon whose triangles are not known. */
+/* Adds a polygon; triangulates it if it is not convex. */
 static enum pp_status add_outline(struct pp_beam *beam, struct beam_pieces *pieces,
                                   const struct pp_polygon *outline,
                                   const struct beam_limit *limits, int limit_count,
@@ -128,7 +129,7 @@ static enum pp_status add_outline(struct pp_beam *beam, struct beam_pieces *piec
 
 /* ---- Clipping done once ---- */
 
-/* The working plane, as far as it lies inside of the opening's face. */
+/* Adds the part of the working plane on the room's side of the opening's face. */
 static enum pp_status add_plane(struct pp_beam *beam, struct pp_error *err)
 {
     const struct pp_world *world = beam->world;
@@ -139,7 +140,7 @@ static enum pp_status add_plane(struct pp_beam *beam, struct pp_error *err)
     const struct beam_piece none = {0};
     double z = world->working_plane_m;
     if (world->plane.count == 1 && world->plane.rings[0].count == 4) {
-        /* Four corners are convex or two triangles. */
+        /* A quadrilateral is convex or two triangles. */
         struct pp_vec3 four[4];
         struct pp_polygon outline;
         for (int i = 0; i < 4; i++)
@@ -167,8 +168,8 @@ static enum pp_status add_plane(struct pp_beam *beam, struct pp_error *err)
     return status;
 }
 
-/* Do the opening and the plane lie on one side of a surface's plane? The surface then
- * hides nothing inside. */
+/* True if the opening and the working plane lie on one side of a surface's plane: the
+ * surface then hides nothing inside. */
 static bool cannot_hide(const struct pp_beam *beam, struct pp_vec3 normal,
                         double offset)
 {
@@ -257,7 +258,8 @@ static void find_outline_extent(struct pp_beam *beam)
     }
 }
 
-/* True if all pieces and skylines outside give off the same light, which it sets. */
+/* True if all pieces and skylines outside have the same reflectance and exitance, which
+ * it stores. */
 static bool has_one_light(struct pp_beam *beam)
 {
     double reflectance = NAN, exitance = 0.0;

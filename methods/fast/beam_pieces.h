@@ -13,7 +13,8 @@ struct beam_piece {
     struct pp_vec3 normal;
     double offset; /* normal.v of the corners */
     double front, back, exitance;
-    bool side_of_box; /* of a block, entirely outside: hides from its front */
+    bool side_of_box; /* side of a block that is entirely outside; only its front
+                       * hides */
 };
 
 struct beam_pieces {
@@ -28,8 +29,9 @@ struct pp_beam {
     const struct pp_opening *opening;
     struct pp_projection axes;
     bool with_outside;
-    bool one_light;                  /* all obstructions give off the same light */
-    double of_light[2];              /* then its reflectance and exitance */
+    bool one_light;                  /* all obstructions have the same reflectance and
+                                      * exitance */
+    double of_light[2];              /* that reflectance and exitance, if one_light */
     struct beam_pieces inner, outer; /* the opening's outlines, in convex parts */
     struct beam_pieces plane;
     struct beam_pieces inside, outside;

@@ -1,4 +1,5 @@
-/* beam_tree.c - halves the pieces along the longest extent of their middles. */
+/* beam_tree.c - divides the pieces into halves along the longest extent of their
+ * centres. */
 #include "methods/fast/beam_tree.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@ static double middle(const struct beam_piece *piece, int axis)
                        : piece->low.z + piece->high.z;
 }
 
-/* If two pieces are as far along the axis, the one with earlier corners comes first. */
+/* Orders pieces along the axis; ties by the index of their first corner. */
 static int compare_along_axis(const struct beam_piece *a, const struct beam_piece *b,
                               int axis)
 {

@@ -7,7 +7,7 @@
 #include "methods/fast/beam_pieces.h"
 
 /* Neighbouring pieces, from `first` on, in a box of the beam's axes. A node is followed
- * by those within it, and these by node `next`. */
+ * in the array by its descendants, then by node `next`. */
 struct beam_node {
     struct pp_vec3 low, high;
     int first, count; /* count 0: the pieces are in the nodes below */

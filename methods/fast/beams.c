@@ -6,24 +6,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Areas along one direction, which is upwards: x and y tell it. */
+/* Areas along one direction, which points upwards, so that x and y identify it. */
 struct known_areas {
-    double x, y; /* x INFINITY: the place is free */
+    double x, y; /* x INFINITY: the slot is free */
     struct pp_beam_areas areas;
 };
 
-/* A table of directions grows from FIRST places to MOST, which is 1.3 MB; it is never
- * more than half full, and keeps no more then. */
+/* Hash table of directions. It grows from FIRST slots to MOST (1.3 MB); when that is
+ * half full, new directions are not stored. */
 enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
 enum { GLASSES = 4 }; /* number of glasses whose means are kept */
 
-/* Work budget of an opening, one to two seconds. Before a terrain of 100,000 triangles 12,000
- * directions take 1/200 of it; before as many leaves 400 directions take all of it. */
+/* Work budget of an opening, one to two seconds. In front of a terrain of 100,000
+ * triangles 12,000 directions use 1/200 of it; in front of 100,000 leaves 400
+ * directions use all of it. */
 static const long long work_budget = 200000000;
 
 struct pp_kept_beam {
-    struct pp_beam *beam; /* NULL: not made yet */
+    struct pp_beam *beam; /* NULL: not created yet */
     struct pp_beam_space space;
     int count, places;
     struct known_areas *table;
@@ -94,7 +95,7 @@ enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,
 
 /* ---- the table ---- */
 
-/* The direction's place in the table, or the free one that it would have. */
+/* The direction's slot in the table, or the free slot where it belongs. */
 static struct known_areas *known_areas_slot(struct known_areas *table, int places,
                                             double x, double y)
 {
@@ -110,8 +111,7 @@ static struct known_areas *known_areas_slot(struct known_areas *table, int place
     return &table[at];
 }
 
-/* Twice the places, or the first ones; where there is no memory for them all stays as it
- * is. */
+/* Doubles the table, or creates it; without memory the table stays as it is. */
 static void grow_known_areas(struct pp_kept_beam *kept)
 {
     int places = kept->places > 0 ? 2 * kept->places : FIRST;

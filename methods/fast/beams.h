@@ -1,9 +1,9 @@
 /* beams.h - the beams of a world's openings, and the areas along them once found.
  *
  * Methods that average over the working plane weight the same areas by different
- * lights. exact, both Waldram diagrams and both pepper-pot ones use the same
- * directions, since they divide them alike until their lights differ. Each area is
- * calculated once, and so is a mean common to two methods.
+ * lights. exact, both Waldram diagrams and both pepper-pot ones use mostly the same
+ * directions, since their adaptive subdivisions begin alike. Each area is calculated
+ * once, and so is a mean common to two methods.
  */
 #ifndef PP_METHODS_FAST_BEAMS_H
 #define PP_METHODS_FAST_BEAMS_H
@@ -29,17 +29,18 @@ enum pp_status pp_beams_of(struct pp_kept_beam **kept, struct pp_beams *beams,
                            const struct pp_opening *opening, bool with_outside,
                            struct pp_error *err);
 
-/* pp_beam_areas, of one thread at a time; without the areas where the beam has given up. */
+/* Areas for a direction, as pp_beam_areas; for one thread at a time. All zero once the
+ * beam's work budget is exhausted. */
 enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
                                   struct pp_kept_beam *kept, struct pp_vec3 u,
                                   struct pp_error *err);
 
-/* True if a beam has exhausted its budget, as obstructions have too many pieces for a mean
- * within seconds. No mean is valid then. */
+/* True if a beam has exhausted its work budget because obstructions have too many
+ * pieces. No mean is valid then. */
 bool pp_beams_gave_up(const struct pp_beams *beams);
 
-/* The means that were kept of the beam's light through that glass, under the one sky that
- * all ask of; false: none were. */
+/* Reads the stored means of the beam's light through that glass, under the sky that all
+ * users share; false if none are stored. */
 bool pp_kept_beam_means(double means[2], const struct pp_kept_beam *kept,
                         const struct pp_glass *glass);
 void pp_kept_beam_keep_means(struct pp_kept_beam *kept, const struct pp_glass *glass,

@@ -17,8 +17,8 @@ struct pp_pane_light {
     const struct pp_sky_table *sky; /* NULL: not made, or not needed */
 };
 
-/* Part of a view: of a patch within half-spaces (room's axes), on a receiver whose
- * normal is one of them. */
+/* Part of a view: a patch within half-spaces (room's axes), for a receiver whose normal
+ * is one of them. */
 struct pp_pane_part {
     const struct pp_visible *visible;
     const struct pp_visible_patch *patch;
@@ -29,8 +29,9 @@ struct pp_pane_part {
     bool rough; /* to 1e-6 of the open sky; else to 1e-9 */
 };
 
-/* Do the tables hold the light of that sky on such a part? *value is then the integral of
- * L tau (n.u) over Eh; one of the half-spaces is the horizon. */
+/* True if the tables contain the light of that sky for this part. pp_pane_light_sky
+ * then sets *value to the integral of L tau (n.u) over Eh; one of the half-spaces is
+ * the horizon. */
 bool pp_pane_light_has_sky(const struct pp_pane_light *light, const struct pp_sky *sky,
                            const struct pp_pane_part *part);
 enum pp_status pp_pane_light_sky(double *value, const struct pp_pane_light *light,

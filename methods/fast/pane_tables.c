@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-/* A table and the first opening that it was made for. */
+/* A table and the first opening that uses it. */
 struct glass_made {
     int opening;
     struct pp_axial_table *table;
@@ -35,7 +35,7 @@ static bool same_glass(const struct pp_glass *a, const struct pp_glass *b)
            && a->scale == b->scale && a->diffusing == b->diffusing;
 }
 
-/* The light does not depend on where an opening is. */
+/* True if the openings have the same orientation; their positions do not matter. */
 static bool same_axes(const struct pp_opening *a, const struct pp_opening *b)
 {
     return same_vector(a->along, b->along) && same_vector(a->up, b->up)

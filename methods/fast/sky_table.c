@@ -5,8 +5,8 @@
 
 #include "methods/fast/axial_table.h"
 
-/* Steps of t from 0 to 1, and of the tangent from -1 to 1; rows and columns beyond, for the
- * splines at the edge. */
+/* Steps of t from 0 to 1, and of the tangent from -1 to 1; extra rows and columns at
+ * the edges, for the splines. */
 enum { STEPS = 96, COLUMN_STEPS = 96, BEYOND = 3 };
 enum {
     MIDDLE = STEPS + BEYOND,
@@ -14,8 +14,9 @@ enum {
     COLUMNS = COLUMN_STEPS + 2 * BEYOND + 1
 };
 
-/* Arcs that suffice, by trial: longest chord, where the transmittance of glass bends, and
- * where a gradation does, over its parameter b. */
+/* Bounds of arcs, found by trial: longest chord; width about grazing incidence where
+ * the transmittance of glass changes fast; the same for a gradation, over its parameter
+ * b. */
 #define ARC_LONGEST 1.2
 #define PANE_BEND 0.05
 #define GRADATION_BEND 0.35
@@ -52,7 +53,7 @@ static double circumsolar_at(const void *context, double cos_chi)
     return exp(sky->d * 2.0 * asin(half));
 }
 
-/* f less the part about the sun, for the transmittance tau at u. */
+/* f less the circumsolar part, for the transmittance tau at u. */
 static double remainder_at(const struct sky_integrand *integrand, struct pp_vec3 u,
                            double tau)
 {
@@ -77,7 +78,7 @@ static double remainder_at(const struct sky_integrand *integrand, struct pp_vec3
            - along * (around * cos_chi - balance[1]) - across * (around - balance[2]);
 }
 
-/* The plane that touches c G at the sun. */
+/* Finds the tangent plane of c G at the sun. */
 static void find_sun_part(struct pp_sky_table *table,
                           const struct sky_integrand *integrand)
 {
@@ -107,8 +108,8 @@ static void find_sun_part(struct pp_sky_table *table,
 
 /* ---- the table ---- */
 
-/* The cosine c = w.u at t, and its slope -dc/dt. Beyond t = 1, at grazing incidence, c
- * comes back: a function of c is smooth in t there too. */
+/* The cosine c = w.u at t, and its slope -dc/dt. Beyond t = 1 (grazing incidence) c
+ * rises again: a function of c is smooth in t there, too. */
 static double cosine_of(double t)
 {
     return (1.0 - t * t) * (1.0 - t * t);
@@ -138,7 +139,8 @@ static struct pane_steps steps_of(const struct pp_glass *glass)
     return steps;
 }
 
-/* Fills half of column k: the meridian towards (a, b), rows from the middle on by `way`. */
+/* Fills half of column k: the meridian towards (a, b), rows from the middle on in steps
+ * of `way`. */
 static void fill_meridian(double (*chart)[COLUMNS], int k, int way,
                           const struct sky_integrand *integrand,
                           const struct pane_steps *steps, double a, double b)
@@ -175,9 +177,9 @@ static void fill_charts(struct pp_sky_table *table,
         }
 }
 
-/* Values along a line, a stride apart, to coefficients of the cubic B-splines through them:
- * the inverse of (4 + 2 cos w) / 6 to the fourth difference, which is left out at the last
- * two. */
+/* Converts values along a line, a stride apart, to coefficients of the interpolating
+ * cubic B-splines. Approximates the inverse of (4 + 2 cos w) / 6 up to the fourth
+ * difference, which is left out at the last two values. */
 static void to_splines(double *at, int count, int stride)
 {
     double before2 = at[0], before = at[stride], *v = at + 2 * stride;
@@ -243,7 +245,7 @@ bool pp_sky_table_is_for(const struct pp_sky_table *table, struct pp_vec3 normal
 
 /* ---- reading it ---- */
 
-/* The step that `at` is in, in steps, and the weights of four splines there. */
+/* The step that contains `at` (in steps), and the weights of its four splines. */
 static inline int spline_weights(double weights[4], double at, int steps)
 {
     int i = (int)at;

@@ -7,7 +7,7 @@
  *
  * with w through the pane, square to it, and L continued smoothly below the horizon.
  * All directions through the pane lie about w, so that w is the axis of arc_sum.h, and
- * the potential B is tabulated over the half space before the pane. A sun makes a cusp
+ * the potential B is tabulated over the half space before the pane. A sun causes a cusp
  * of f; its circumsolar part, times the plane that touches the rest of f at the sun,
  *
  *     c exp(d chi) [ G(s) + (u - s).grad G(s) ],   G = Lz phi(Z) T(w.u) (n.u)
@@ -16,10 +16,9 @@
  * axis (axial_table.h). The remainder has bounded second derivatives and more.
  *
  * The table has equal steps in t, w.u = (1 - t^2)^2, and in the tangent of the angle
- * round w, between -1 and 1, in two charts; t is negative on the other side of w. So
- * steps of w.u shrink towards grazing incidence, where the transmittance of glass
- * bends. f is summed along t by two Gauss points to a step, B interpolated by cubic
- * B-splines.
+ * round w, between -1 and 1, in two charts; t is negative on the other side of w. Steps
+ * of w.u shrink towards grazing incidence, where the transmittance of glass bends. f is
+ * summed along t by two Gauss points to a step, B interpolated by cubic B-splines.
  *
  * Over 24,000 random windows before planes that face up, of any slope and pane under
  * all types, the worst error was 7e-7 of the open sky and the rms error 5e-8; 1e-5 on
@@ -36,13 +35,13 @@
 
 struct pp_sky_table;
 
-/* phi(Z) of sky.h at the height z = cos Z, and 1 below the horizon, where it meets it with
- * all derivatives 0. */
+/* phi(Z) of sky.h for z = cos Z, continued as 1 below the horizon, where all its
+ * derivatives are 0. */
 double pp_sky_table_gradation(const struct pp_sky *sky, double z);
 
-/* sky: of ISO 15469. view: the pane's axes; eye and distance do not matter. glass is square
- * to view->toward. normal: of the plane, in the room's axes. *table is the caller's; several
- * threads may ask one table. */
+/* sky: of ISO 15469. view: the pane's axes; eye and distance do not matter. glass is
+ * square to view->toward. normal: of the plane, in the room's axes. *table is the
+ * caller's; several threads may read one table. */
 enum pp_status pp_sky_table_create(struct pp_sky_table **table,
                                    const struct pp_sky *sky,
                                    const struct pp_glass *glass,
@@ -53,8 +52,9 @@ void pp_sky_table_destroy(struct pp_sky_table *table); /* NULL is allowed */
 /* True if the table was made for a plane with that normal. */
 bool pp_sky_table_is_for(const struct pp_sky_table *table, struct pp_vec3 normal);
 
-/* Illuminance over Eh by the part of a ring within the half-spaces, both in the view's axes
- * (arc_sum.h); one of the half-spaces is the sky's, one the plane's. */
+/* Illuminance over Eh by the part of a ring within the half-spaces, both in the view's
+ * axes (arc_sum.h); one of the half-spaces must be the sky above the horizon, one that
+ * in front of the plane. */
 double pp_sky_table_sum(const struct pp_sky_table *table,
                         const struct pp_vec3 *vertices, int count,
                         const struct pp_vec3 *half_spaces, int half_space_count);

@@ -4,12 +4,13 @@
  *     df = k T W (1 - n + n rho_f) M / (A (1 - R^2)) 2 E
  *          exp(-e d (1/w + 1/h)) (A / A_f)^c exp(-g E_u)
  *
- * In place of theta, twice the light on the opening's outside, E = V + E_b + E_g
- * (fitted_light.h): 90 % under an open sky and over a ground of reflectance 0.1, like
- * the printed 90 degrees. The reveal and the floor's share of the room enter by an
- * exponential and a power; light of the ground, which falls on the ceiling first,
- * counts less: E_u is its share C_g / (V + C_b + C_g). The share n of the opening below
- * the working plane counts with the floor's reflectance.
+ * theta is replaced by twice the light on the opening's outside, E = V + E_b + E_g
+ * (fitted_light.h): 2 E is 90 % under an open sky with a ground of reflectance 0.1, as
+ * theta is 90 degrees in the printed formula. The depth of the reveal enters by an
+ * exponential, the floor's share of the room's surfaces by a power. Light of the ground
+ * counts less, since it falls on the ceiling first: E_u is its share C_g / (V + C_b +
+ * C_g). The share n of the opening below the working plane counts with the floor's
+ * reflectance.
  *
  * For vertical openings of clear glass under the CIE overcast sky. The formula contains
  * the opening's glass, the frame and dirt.

@@ -8,12 +8,13 @@
  *   irc_m  mean over the working plane
  *
  * The printed formula is a mean over all surfaces. The working plane faces the upper
- * part of the room: light of the ground is there before it is reflected, that of the
- * sky after once, and all of it comes down by a power of rho_u. A window high up, with
- * more of the room below it, lights more of it; a room that is shallow beside its
- * height has more. In a furnace, R to 1, it is the energy balance 0.85 W (V + C_g)/(A
- * (1 - R)) under an open sky, whatever was fitted. f_d and f_s: fitted_position.h.
- * Scope and allowances are those of `bre`, except for diffusing panes.
+ * part of the room. Light of the ground arrives there directly, light of the sky after
+ * one reflection; all of it reaches the plane by a power of rho_u. A high window, with
+ * more of the room below it, gives more light; so does a room that is shallow compared
+ * with its height. In the limit R to 1 (a furnace) the formula is the energy balance
+ * 0.85 W (V + C_g)/(A (1 - R)) under an open sky, for any fitted constants. f_d and
+ * f_s: fitted_position.h. Scope and allowances are those of `bre`, except for diffusing
+ * panes.
  */
 #include <stdlib.h>
 

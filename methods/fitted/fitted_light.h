@@ -2,14 +2,14 @@
  * formulae that were fitted to simulated rooms.
  *
  *   V     from the sky alone: the vertical sky component
- *   C_b   from what stands outside, by the convention of `exact` (exterior.h)
- *   C_g   from the ground that is seen, of the room's reflectance
+ *   C_b   from obstructions outside, by the convention of `exact` (exterior.h)
+ *   C_g   from the visible ground, with the ground reflectance of the room file
  *
- *   E_b, E_g   what of these counts: what stands outside, and the ground, are themselves
- *         in the shade that the opening is in, and give less by a power of V over V of the
- *         open sky, 39.6 %; the convention of `exact` has obstructions as bright as the sky
- *         that they hide, times their reflectance. The ground faces more of the sky than the
- *         opening does, and is in half of its shade
+ *   E_b, E_g   effective values of C_b and C_g. The convention of `exact` takes an
+ *         obstruction as bright as the sky behind it times its reflectance. But
+ *         obstructions and ground are shaded, as the opening is, and give less light by
+ *         a power of V / 39.6 % (39.6 %: V of the open sky). The ground faces more of
+ *         the sky than the opening does, and has half of the exponent
  *
  *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^(b/2),   V / 39.6 at least 0.003
  *
@@ -52,13 +52,14 @@ enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *worl
                                        const struct pp_outside_light *light,
                                        struct pp_error *err);
 
-/* Puts down all of that for one opening; tools: of pp_fitted_light_prepare. */
+/* Records all of these on the worksheet for one opening. tools: from
+ * pp_fitted_light_prepare. */
 void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
                          const struct pp_world *world,
                          const struct pp_opening *opening);
 
-/* A method's `refuses`: openings that are not vertical, panes that spread light, and rooms
- * that reflect all light. */
+/* A method's `refuses`: for openings that are not vertical, diffusing panes, and rooms
+ * with a mean reflectance of 1. */
 const char *pp_fitted_light_refuses(const struct pp_world *world,
                                     const struct pp_outside_light *light,
                                     const struct pp_opening *opening,

@@ -1,5 +1,5 @@
 /* fitted_opening.h - an opening's reveal, and how much of it lies below the working
- * plane, for the formulae that were fitted to traced rooms. */
+ * plane, for the formulae that were fitted to simulated rooms. */
 #ifndef PP_METHODS_FITTED_FITTED_OPENING_H
 #define PP_METHODS_FITTED_FITTED_OPENING_H
 
@@ -18,7 +18,7 @@
         "n", PP_UNIT_NUMBER, "fraction of the opening below the working plane"         \
     }
 
-/* Put down d, w and h; w alone; n. */
+/* Record on the worksheet: d, w and h; only w; n. */
 void pp_fitted_opening_put_reveal(struct pp_worksheet *sheet,
                                   const struct pp_opening *opening);
 void pp_fitted_opening_put_breadth(struct pp_worksheet *sheet,

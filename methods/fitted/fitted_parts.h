@@ -1,5 +1,6 @@
-/* fitted_parts.h - the parts of a room below and above the middle of an opening's height,
- * without openings (interior.h), for the formulae that were fitted to traced rooms. */
+/* fitted_parts.h - the parts of a room below and above the middle of an opening's
+ * height, without openings (interior.h), for the formulae that were fitted to simulated
+ * rooms. */
 #ifndef PP_METHODS_FITTED_FITTED_PARTS_H
 #define PP_METHODS_FITTED_FITTED_PARTS_H
 
@@ -16,13 +17,13 @@
         "rho_l", PP_UNIT_NUMBER, "mean reflectance of these surfaces"                  \
     }
 
-/* Puts them down, and returns them. */
+/* Records them on the worksheet and returns them. */
 struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_opening *opening);
 
-/* A method's `refuses`: like pp_fitted_light_refuses, and also refuses openings that
- * have the whole room above or below them. */
+/* A method's `refuses`: like pp_fitted_light_refuses, and also for openings with no
+ * surface of the room above or below their middle. */
 const char *pp_fitted_parts_refuses(const struct pp_world *world,
                                     const struct pp_outside_light *light,
                                     const struct pp_opening *opening,

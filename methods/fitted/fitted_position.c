@@ -1,5 +1,5 @@
 /* fitted_position.c - the extents of the room square to an opening's wall and along it,
- * the place of a receiver in them, and the two factors worked out. */
+ * the place of a receiver in them, and the two factors calculated. */
 #include "methods/fitted/fitted_position.h"
 
 #include "methods/fitted/fitted_constants.h"

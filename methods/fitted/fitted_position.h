@@ -1,7 +1,7 @@
 /* fitted_position.h - how the internally reflected component varies over the working
  * plane: with the distance from the window's wall, and sideways.
  *
- * A room that is deep relative to its height and width is a pipe for light. Reflected
+ * A room that is deep relative to its height and width acts as a light pipe. Reflected
  * light spreads along it by diffusion and loses the share 1 - R at each reflection. It
  * falls off exponentially over a range l / sqrt(1 - R), with l twice the area of the
  * section over half its perimeter. It starts where the light from outside falls first,
@@ -13,12 +13,12 @@
  *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)),
  *                                                 q_s = s (w_r - w) sqrt(1 - R) / l      (2)
  *
- * Sideways it is the wall beside the opening that counts: one as broad as its wall
- * lights the room alike from side to side.
+ * Sideways the width of wall beside the opening counts: an opening as wide as its wall
+ * lights the room evenly from side to side.
  *
  * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening
- * in the middle of its wall; R to 1 makes both 1 (the light of a furnace is the same
- * everywhere), and a depth without end makes them fall to 0. k, c and s are fitted
+ * in the middle of its wall; For R to 1 both are 1 (the light in a furnace is the same
+ * everywhere). In an infinitely deep room they fall to 0. k, c and s are fitted
  * [ATLAS].
  *
  *   x, y      from the opening's wall, and from its middle along the wall
@@ -26,7 +26,7 @@
  *   h_r       its height
  *   w         breadth of the opening
  *
- * A point behind the plane of the opening's wall counts as in it.
+ * A point behind the plane of the opening's wall is treated as if in that plane.
  */
 #ifndef PP_METHODS_FITTED_FITTED_POSITION_H
 #define PP_METHODS_FITTED_FITTED_POSITION_H
@@ -58,14 +58,14 @@ struct pp_fitted_place pp_fitted_position_of(const struct pp_world *world,
                                              const struct pp_opening *opening,
                                              const struct pp_receiver *receiver);
 
-/* Puts down d_r, w_r and h_r. */
+/* Records d_r, w_r and h_r. */
 void pp_fitted_position_put_room(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_opening *opening);
 
 /* Last steps of a component by position. Calculates the mean over the working plane.
- * Puts down f_d, f_s and their quantities, except R and, at a point, the room's extents
- * and w, which are already on the sheet. Calculates and returns the value at the point.
+ * Records f_d, f_s and their quantities, except those already on the sheet: R and, at a
+ * point, the room's extents and w. Calculates and returns the value at the point.
  * Without a receiver f_d and f_s are 1, their mean over the working plane. */
 double pp_fitted_position_work(struct pp_worksheet *sheet,
                                const struct pp_formula *mean,

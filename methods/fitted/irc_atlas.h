@@ -1,10 +1,10 @@
-/* irc_atlas.h - the first step of `irc-atlas`, which its nomogram has, too. */
+/* irc_atlas.h - the first step of `irc-atlas`, which nomogram IV uses, too. */
 #ifndef PP_METHODS_FITTED_IRC_ATLAS_H
 #define PP_METHODS_FITTED_IRC_ATLAS_H
 
 #include "model/results/formula.h"
 
-/* L: light on an opening as it counts for the mean internally reflected component. */
+/* L: effective light on an opening for the mean internally reflected component. */
 extern const struct pp_formula pp_irc_atlas_light;
 
 #endif

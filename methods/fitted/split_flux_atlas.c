@@ -3,15 +3,15 @@
  * the visible ground, for light lost in openings, for glass below the working plane,
  * and for position.
  *
- *   1 - R^2   in place of 1 - rho_u rho_l: what goes to and fro is lost in openings, too,
- *             and R has them; A/2 in place of A_u and A_l
- *   n         light through this share of the opening, below the working plane, falls on
- *             what the points above do not see
+ *   1 - R^2   in place of 1 - rho_u rho_l: interreflected light is lost in openings, 
+ *             too, and R includes them; A/2 in place of A_u and A_l
+ *   n         share of the opening below the working plane; its light falls on
+ *             surfaces that points on the plane do not see
  *
- * In a furnace, R to 1, it is the energy balance tau Ag (V + C_g)/(A (1 - R)) under an
- * open sky, whatever was fitted. f_d and f_s: fitted_position.h. For vertical openings
- * of clear glass under the CIE overcast sky and points that face up; allowances are
- * those of `split-flux`.
+ * In the limit R to 1 (a furnace) it is the energy balance tau Ag (V + C_g)/(A (1 - R))
+ * under an open sky, for any fitted constants. f_d and f_s: fitted_position.h. For
+ * vertical openings of clear glass under the CIE overcast sky and points that face up;
+ * allowances are those of `split-flux`.
  */
 #include <stdlib.h>
 

@@ -109,7 +109,7 @@ static const struct pp_formula width_in_heights =
 static const struct pp_formula side =
     IES("df", "tau (E_s CU_s + E_g CU_g)", "daylight factor from a window",
         PP_UNIT_DAYLIGHT_FACTOR, of_two);
-/* A ground of reflectance 0.2 gives the window 10 per cent. */
+/* A ground of reflectance 0.2 adds 10 per cent of Eh on the window. */
 static const struct pp_formula one_coefficient =
     IES("CU", "(E_s CU_s + 10 CU_g) / (E_s + 10)",
         "single coefficient of utilization, for a ground reflectance of 0.2",
@@ -296,7 +296,7 @@ static double coefficient(const double cu[PP_LUMEN_POSITIONS], double share)
     return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_table_at_depth(cu, share);
 }
 
-/* Writes the light that enters by a window. */
+/* Records the light that enters by a window. */
 static void put_window(struct pp_worksheet *sheet, const struct reading *r,
                        const struct pp_opening *opening)
 {

@@ -22,7 +22,7 @@ double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane)
     double from_walls = (1.0 - f) / (0.4 * rcr); /* form factor to either level */
     double among_walls = 1.0 - 2.0 * from_walls;
 
-    /* Exitances C, P and W of ceiling, plane and walls, the openings' own being 1:
+    /* Exitances C, P and W of ceiling, plane and walls, when the openings emit 1:
      *
      *     C = 1 + ceiling (f P + (1 - f) W),  P = plane (f C + (1 - f) W)
      *     W = walls (from_walls (C + P) + among_walls W)

@@ -54,7 +54,7 @@ struct reader {
     struct pp_mistakes *mistakes;
     int number;  /* of the current line */
     int columns; /* 0: before the line with their names */
-    bool sound;  /* the columns make a table */
+    bool sound;  /* the column names form one of the two tables */
     enum column kinds[FIELDS_MOST];
     struct pp_lumen_axis widths;
     bool top; /* the table is for light from above */
@@ -69,7 +69,8 @@ static bool is_white(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Cuts one line; false, with a mistake noted, for a line that no table can have. */
+/* Splits one line into fields; false, with a mistake noted, if neither table can
+ * contain it. */
 static bool cut_csv_line(struct reader *reader, struct csv_fields *fields,
                          const char *line, size_t length)
 {
@@ -290,7 +291,7 @@ static void read_side(struct reader *reader, const struct csv_fields *fields)
             break;
         case RCR:
         case CU:
-            break; /* no column of a table for light from the side */
+            break; /* this column is not in a table for light from the side */
         case WIDTH:
             cu[width++] =
                 number(reader, text, "a coefficient", 0.0, false, coefficient_most);
@@ -342,7 +343,7 @@ static bool read_csv_line(struct reader *reader, const char *text, size_t length
     if (blank == length || text[0] == '#')
         return true;
     if (reader->columns > 0 && !reader->sound)
-        return true; /* no line makes sense where the columns are wrong */
+        return true; /* nothing is read while the columns are wrong */
     if (!cut_csv_line(reader, &fields, text, length))
         return true;
     if (reader->columns == 0) {

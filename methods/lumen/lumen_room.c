@@ -24,7 +24,7 @@ struct patch {
     struct pp_aligned_rectangle outline;
     enum part part;
     double area;
-    double direct; /* mean direct illuminance, over the window's */
+    double direct; /* mean direct illuminance over that of the window */
     double exitance, illuminance;
 };
 
@@ -46,7 +46,7 @@ static struct pp_vec3 normal_of(enum part part)
     return normals[part];
 }
 
-/* The division of an extent from 0 to `high` into `count` pieces: finer towards 0 for
+/* Cut positions of an extent from 0 to `high` in `count` pieces: finer towards 0 for
  * power > 1, towards `high` for power < -1. */
 struct cuts {
     double high, power;

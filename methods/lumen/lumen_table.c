@@ -26,10 +26,11 @@ enum {
     OWN_TOP = sizeof own_top / sizeof own_top[0],
 };
 
-/* Ev/Eh from which on a table is of clear skies, below which of overcast ones. */
+/* Tables with Ev/Eh from this value on are for clear skies, those below for overcast
+ * ones. */
 static const double clear_from = 0.45;
 
-/* Most by which a value outside a range still counts as inside. */
+/* A value outside a range by at most this still counts as inside. */
 static const double range_tolerance = 1e-3;
 
 /* Ascending values of a key, each of which covers `step` rows. */
@@ -45,8 +46,7 @@ static struct pp_lumen_axis own_axis(int column, int step)
     return axis;
 }
 
-/* The rows run through the grid, the position fastest, so that they are read where they
- * stand. */
+/* The rows are in grid order, position fastest, so that the table is read in place. */
 static struct pp_lumen_side_table own_side_table(void)
 {
     static const int columns[] = {
@@ -168,7 +168,7 @@ static const char *const axis_names[PP_LUMEN_SIDE_AXES] = {
     [PP_LUMEN_WIDTH] = "is in a room with a width over window height of",
 };
 
-/* Writes why a value is outside its axis; returns false. */
+/* Writes a message that a value is outside its axis; returns false. */
 static bool outside(char *why, size_t room, const char *what, double value,
                     const struct pp_lumen_axis *axis, int first)
 {

@@ -1,5 +1,5 @@
-/* lumen_table_build.h - the tables of coefficients of utilization as grids, and how
- * lines in any order become one. For the files of lumen/ only. */
+/* lumen_table_build.h - the tables of coefficients of utilization as grids, and their
+ * construction from lines in any order. For the files of lumen/ only. */
 #ifndef PP_METHODS_LUMEN_LUMEN_TABLE_BUILD_H
 #define PP_METHODS_LUMEN_LUMEN_TABLE_BUILD_H
 
@@ -28,8 +28,7 @@ struct pp_lumen_side_table {
     const double
         *cu;      /* [light][ceiling][walls][depth][position][width]; NAN: not given */
     int pitch;    /* from one position's widths to the next one's */
-    double *made; /* the values of cu if they were made from lines, to be freed; else
-                   * NULL */
+    double *made; /* values of cu if allocated from lines (to be freed), else NULL */
 };
 
 enum { PP_LUMEN_TOP_AXES = 3 }; /* rcr, ceiling, walls */

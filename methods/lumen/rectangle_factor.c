@@ -74,7 +74,7 @@ static double distance(const struct pp_aligned_rectangle *r, int axis, double pl
     return which ? fmax(low, high) : fmin(low, high);
 }
 
-/* Square to different axes. */
+/* Exchange between two rectangles normal to different axes. */
 static double exchange_square(const struct pp_aligned_rectangle *a,
                               const struct pp_aligned_rectangle *b)
 {

@@ -26,7 +26,7 @@ double pp_nomogram_position_division(const struct pp_nomogram *nomogram, double 
     static const double steps[] = {0.1, 0.2, 0.5};
     double from = fmin(floor(q + 1e-9), PP_NOMOGRAM_MOST_Q - 1.0);
     for (int i = 0; i < 3; i++) {
-        /* Marks are nearer to each other the larger q is. */
+        /* The larger q is, the closer are the marks. */
         double x0, y0, x1, y1, to = from + 1.0;
         pp_nomogram_scale_curve(nomogram, to - steps[i], &x0, &y0);
         pp_nomogram_scale_curve(nomogram, to, &x1, &y1);
@@ -36,7 +36,7 @@ double pp_nomogram_position_division(const struct pp_nomogram *nomogram, double 
     return 1.0;
 }
 
-/* Straight-edge from the place through q: the factor. */
+/* Factor read where the straight-edge from the place through q crosses F. */
 static struct pp_nomogram_place read_place(const struct pp_nomogram *nomogram, double q,
                                            double share)
 {
@@ -62,7 +62,7 @@ static double factor_of(double q, double share)
     return fabs(q) < 1e-9 ? 1.0 : q * exp(-q * share) / -expm1(-q);
 }
 
-/* Finds a value off the scales, or NULL. */
+/* Returns the reason if a value is off its scale, else NULL. */
 static const char *find_off_scale(const struct pp_nomogram *nomogram, double light,
                                   const double q[2], const double share[2])
 {

@@ -7,7 +7,7 @@
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
 
-/* Formulae worked out before D and the curve are read; the list ends with NULL. */
+/* Formulae evaluated before D and the curve are read; the list ends with NULL. */
 extern const struct pp_formula *const pp_nomogram_position_formulae[];
 
 /* Lays the straight-edge for an opening on A and B, and on C and D. Then on H and the
@@ -22,8 +22,8 @@ enum pp_status pp_nomogram_position_read(
     const struct pp_receiver *receiver, const void *tools, struct pp_error *err);
 
 /* Division of the curve at q on sheets height_mm high and width_mm wide: the smallest
- * of 0.1, 0.2, 0.5 and 1 whose marks are at least least_mm apart between the whole
- * numbers about q. */
+ * of 0.1, 0.2, 0.5 and 1 whose marks are at least least_mm apart, between the whole
+ * numbers below and above q. */
 double pp_nomogram_position_division(const struct pp_nomogram *nomogram, double q,
                                      double width_mm, double height_mm,
                                      double least_mm);

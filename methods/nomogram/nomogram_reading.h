@@ -7,16 +7,16 @@
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
 
-/* a = W / S, the ratio that is set on scale A. */
+/* a = W / S, the ratio to set on scale A. */
 extern const struct pp_formula pp_nomogram_reading_ratio;
 
-/* Why the room cannot be set on a nomogram: a static sentence, or NULL. */
+/* Reason why the room cannot be read with a nomogram, a static sentence, or NULL. */
 const char *pp_nomogram_reading_refuses_room(const struct pp_world *world);
 
 /* Lays the straight-edge for an opening on A and B, on C and D and, on nomogram II, on
  * E and F. Each value is rounded by pp_nomogram_scale_read. A ratio outside scale A is
- * set times a power of ten and the component is divided by the same power, as it is
- * proportional to the ratio. The mean reflectance must be on scale B. */
+ * multiplied by a power of ten, and the component, which is proportional to it, is
+ * divided by the same power. The mean reflectance must be on scale B. */
 enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *reading,
                                               const struct pp_nomogram *nomogram,
                                               const struct pp_world *world,
@@ -28,7 +28,8 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
 void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
                              const struct pp_nomogram *nomogram, int index);
 
-/* Sets W/A times the power of ten that brings it on to scale A, and R on scale B. */
+/* Sets W/A times the power of ten that brings it into the range of scale A, and R on
+ * scale B. */
 void pp_nomogram_reading_set_room(struct pp_nomogram_reading *reading,
                                   const struct pp_nomogram *nomogram, double R);
 

@@ -5,10 +5,10 @@
  *
  *     IRC = q W / (A (1 - R)) (C R_fw + g R_cw)                               (1)
  *
- * with its constants q for clear glass and g for the ground; for top light the same with
- * the sky's share C(beta) on glass of slope beta in place of C, and g (1 - cos beta) in
- * place of g: for horizontal glass 100 and 0. The formula has three reflectances, a scale
- * has one. So a rule has to tie R_fw and R_cw to R:
+ * with its constants q for clear glass and g for the ground; for top light C is
+ * replaced by the sky's share C(beta) on glass of slope beta, and g by g (1 - cos
+ * beta): 100 and 0 for horizontal glass. The formula has three reflectances, a scale
+ * only one. So a rule has to relate R_fw and R_cw to R:
  *
  *     R_cw = k R_fw,   R = (R_fw + R_cw)/2  =>  R_fw = 2 R/(1 + k)            (2)
  *
@@ -23,15 +23,16 @@
  *
  *     minimum = IRC / f, with the published f by the walls' reflectance [BRE310]
  *
- * so its logarithm is a sum, which a straight-edge does on parallel scales.
+ * so its logarithm is a sum, which a straight-edge adds on parallel scales.
  *
- * THE RULE. k is 1.5: to a tenth, the k by which (3) is right on average (geometric
+ * THE RULE. k is 1.5: to a tenth, the k for which (3) is right on average (geometric
  * mean of (3)/(1) nearest to 1, no obstruction) over rooms of floor 0.2, walls 0.5,
  * ceiling 0.7, 3 to 8 m wide and deep, 2.5 to 3.5 m high, with windows of 10 to 30 % of
  * the floor in one wall. R_cw/R_fw itself is 1.7 there, but R contains the dark
  * windows, which R_fw and R_cw leave out: R_fw + R_cw is 5 % above 2 R. The smaller k
- * makes up for that. So R_fw = 0.8 R, R_cw = 1.2 R. For top light, where floor and all
- * walls receive the light and are 0.8 R to 0.9 R in such finishes, the same rule holds.
+ * compensates for that. So R_fw = 0.8 R, R_cw = 1.2 R. For top light, where floor and
+ * all walls receive the light and are 0.8 R to 0.9 R in such finishes, the same rule
+ * holds.
  *
  * THE SCALES. Let the stem at x_1 have y_1 = m_1 u, the stem at x_2 have y_2 = m_2 v.
  * A straight line through both crosses the stem at x_3 between them at
@@ -46,16 +47,17 @@
  * y_1 = y_01 + m_1 u, adds (1 - t) y_01 to y_3, likewise t y_02.
  *
  *   A, B fill the whole height: m_A, m_B by their ranges. C lies at (4).
- *   E is wanted at x_E between C and D: by (4) m_D = m_C (1 - t)/t.
- *   G is wanted at x_G between E and F: likewise m_F.
+ *   E is to be at x_E between C and D: by (4) m_D = m_C (1 - t)/t.
+ *   G is to be at x_G between E and F: likewise m_F.
  *   D and F are shorter than the height and stand in its middle.
  *
  * NOMOGRAM IV has the formula of `irc-atlas`, per cent,
  *
  *     IRC_m = T W/(A (1 - R)) L,   IRC = IRC_m f_d f_s                         (5)
  *
- * with L the light on the glass as it counts, worked out below the scales: C is a = T W/(A (1 -
- * R)), D is L, E is IRC_m, F a factor of the place and G what F makes of E. Both factors are
+ * with L the effective light on the glass, calculated below the scales: C is a = T W/(A
+ * (1 - R)), D is L, E is IRC_m, F a factor of the position and G the product of E and
+ * F. Both factors are
  *
  *     f = q exp(-q u)/(1 - exp(-q)),   log f = h(q) - q u log e
  *
@@ -84,7 +86,7 @@
 #include "model/geometry/vec.h"
 #include "model/light/graded_sky.h"
 
-/* Ranges of the scales that are set. */
+/* Ranges of the scales that a user sets. */
 static const double least_glass = 0.005, most_glass = 0.2;
 static const double most_obstruction_rad = 80.0 * PP_RAD;
 static const double darkest_walls = 0.2, lightest_walls = 0.8;
@@ -92,8 +94,8 @@ static const double least_light = 0.001, most_light = 0.5;
 static const double least_component = 5e-5, most_component = 0.5;
 static const double least_factor = 0.03, most_factor = 4.0;
 
-/* The foot of H, which has no other stem to fit, its height a unit, and its end: a point
- * before the far end of a wall, the opening at the near one. */
+/* Foot of H (which no other stem determines), height of one unit on it, and its end: a
+ * point in front of the far end of a wall, with the opening at the near end. */
 static const double places_foot = 0.04, places_unit = 0.46, most_place = 2.0;
 
 /* The formula (1) for W = A, R = 0. */
@@ -112,7 +114,7 @@ static double slope_factor(double beta)
            / by_formula(1.0, 1.0, 0.0);
 }
 
-/* F before an obstruction. */
+/* F in front of an obstruction. */
 static double obstruction_factor(double alpha)
 {
     return by_formula(pp_obstruction_factor(alpha), 1.0, PP_NOMOGRAM_K)
@@ -131,7 +133,7 @@ static double function_of(enum pp_nomogram_quantity quantity, double value)
         break;
     case PP_NOMOGRAM_LOSS:
         return 1.0 / (1.0 - value);
-    case PP_NOMOGRAM_PLACE: /* an even scale */
+    case PP_NOMOGRAM_PLACE: /* linear scale */
         return pow(10.0, value);
     case PP_NOMOGRAM_REFLECTANCE:
         return value / (1.0 - value);
@@ -182,8 +184,8 @@ static double end_y(const struct pp_nomogram_stem *stem, bool upper)
     return upper ? fmax(a, b) : fmin(a, b);
 }
 
-/* The stem that is read between two others, at the x by (4); constant: the factor that
- * the sum of their logarithms lacks. */
+/* The stem read between two others, at the x of (4). constant: factor of the product
+ * that is in neither of them. */
 static struct pp_nomogram_stem stem_between(const struct pp_nomogram_stem *from,
                                             const struct pp_nomogram_stem *to,
                                             double constant)
@@ -200,8 +202,8 @@ static struct pp_nomogram_stem stem_between(const struct pp_nomogram_stem *from,
     return stem;
 }
 
-/* The decade of a stem at x_to for which the stem that is read between `from` and that
- * stem lies at x_read. */
+/* Length of a decade of the stem at x_to, for which the stem read between `from` and it
+ * lies at x_read. */
 static double decade_for(const struct pp_nomogram_stem *from, double x_read,
                          double x_to)
 {
@@ -257,7 +259,7 @@ struct pp_nomogram pp_nomogram_scale_make(enum pp_nomogram_kind kind)
 {
     if (kind == PP_NOMOGRAM_POSITION)
         return make_position();
-    /* The x of the stems B, E, D and, for the minimum, G, F, chosen by trial for even
+    /* x of the stems B, E, D and, for the minimum, G, F, chosen by trial for even
      * spacing. */
     static const double places[PP_NOMOGRAM_POSITION][5] = {
         [PP_NOMOGRAM_AVERAGE] = {0.78, 0.61, 1.0},
@@ -359,7 +361,7 @@ double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity)
     }
 }
 
-/* The stretch between bold figures that holds a value: 1, 2, 5, 10 ... on a
+/* The stretch between bold figures that contains a value: 1, 2, 5, 10 ... on a
  * logarithmic scale, tenths of a reflectance (fifths for the walls, as published), tens
  * of degrees. */
 static void find_stretch(enum pp_nomogram_quantity quantity, double printed,
@@ -419,7 +421,7 @@ double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int index,
             return width;
         if (fabs(width / step - rint(width / step)) > 1e-6)
             continue;
-        /* The spacing of marks is monotone along a stretch: its ends suffice. */
+        /* Mark spacing is monotone along a stretch, so its ends are enough to test. */
         double ends[2] = {low, high - step};
         double apart = INFINITY;
         for (int end = 0; end < 2; end++) {

@@ -15,7 +15,7 @@
 
 #include "model/results/nomogram_sheet.h"
 
-/* The rule of all three: R_cw = k R_fw. */
+/* The rule of nomograms I to III: R_cw = k R_fw. */
 #define PP_NOMOGRAM_K 1.5
 
 /* The ends of scale B. */
@@ -48,7 +48,8 @@ double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int stem, dou
 double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
                                   double y_from, double y_to, double x);
 
-/* The ends of the curve of nomogram IV: q, in ranges of the light. */
+/* The ends of the curve of nomogram IV, as values of q (negative: brighter at the
+ * back). */
 #define PP_NOMOGRAM_LEAST_Q (-1.0)
 #define PP_NOMOGRAM_MOST_Q 6.0
 
@@ -64,10 +65,10 @@ bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int stem,
  * else 1. */
 double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity);
 
-/* The division of a scale about `printed`, a value in the unit of the numbers: the
- * smallest of 1, 2 and 5 times a power of ten whose marks are all at least least_mm
- * apart in the stretch between two bold figures, on scales height_mm high. stretch: the
- * ends of that stretch. */
+/* The division of a scale about `printed`, a value in the printed unit: the smallest of
+ * 1, 2 and 5 times a power of ten whose marks are all at least least_mm apart in the
+ * stretch between two bold figures, on scales height_mm high. stretch: the ends of that
+ * stretch. */
 double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int stem,
                                   double printed, double height_mm, double least_mm,
                                   double stretch[2]);

@@ -1,5 +1,5 @@
 /* nomogram_sheet_fill.c - the marks of the scales, stretch by stretch, and the openings
- * of a room, equal readings once. */
+ * of a room, equal readings only once. */
 #include "methods/nomogram/nomogram_sheet_fill.h"
 
 #include <math.h>
@@ -40,7 +40,7 @@ static void add_stretch(struct pp_nomogram_scale *scale,
         bool held =
             pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 + 1e-9))
             || pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 - 1e-9));
-        /* The end of a stretch is added as the beginning of the next. */
+        /* The last mark of a stretch is added as the first of the next. */
         bool next =
             i == count
             && pp_nomogram_scale_contains(nomogram, stem, at / unit * (1.0 + 1e-6));
@@ -83,7 +83,7 @@ static enum pp_status make_marks(struct pp_nomogram_sheet *sheet,
     return PP_OK;
 }
 
-/* Curve IV: whole numbers one after the other, each divided as there is room. */
+/* Curve of nomogram IV: whole numbers, each interval divided as space allows. */
 static enum pp_status make_curve(struct pp_nomogram_sheet *sheet,
                                  struct pp_nomogram_spacing spacing,
                                  struct pp_error *err)
@@ -128,7 +128,7 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
 
 /* ---- a room ---- */
 
-/* True if both have the same lines on the sheet. */
+/* True if both readings draw the same lines on the sheet. */
 static bool same_lines(const struct pp_nomogram_window *a,
                        const struct pp_nomogram_window *b)
 {
@@ -145,7 +145,7 @@ static bool same_lines(const struct pp_nomogram_window *a,
 /* A room, and the nomogram that reads it. */
 struct room_on_sheet {
     struct pp_nomogram_sheet *sheet;
-    const struct pp_method *method; /* method whose figures it gives */
+    const struct pp_method *method; /* the hand method that the nomogram replaces */
     const struct pp_world *world;
     const struct pp_outside_light *light;
     const struct pp_receiver *receiver;
@@ -199,7 +199,7 @@ static enum pp_status add_window(const struct room_on_sheet *room,
     return PP_OK;
 }
 
-/* The room's openings that the nomogram is made for. */
+/* Adds the room's openings that this nomogram covers. */
 static enum pp_status add_nomogram_windows(struct room_on_sheet *room,
                                            struct pp_error *err)
 {

@@ -22,8 +22,8 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
 /* Fills the sheet with readings for the room's openings: vertical ones on I, II and IV,
  * all others on III. receiver: the point of IV; unused otherwise. The world must
  * outlive the sheet. PP_BAD_INPUT if the sky is not overcast, the mean reflectance is
- * outside scale B, or the room has no opening for that nomogram or one whose figures
- * leave its scales. The sum of I is the component by the method `nomogram`; those of IV
+ * outside scale B, or if the room has no opening for that nomogram, or one with a value
+ * off its scales. The sum of I is the component by the method `nomogram`; those of IV
  * are the results of `irc-atlas` for the room and the point. */
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,

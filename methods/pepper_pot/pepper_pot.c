@@ -132,8 +132,8 @@ static enum pp_status evaluate_pepper_pot(const struct pp_world *world,
     return status;
 }
 
-/* The mean of many counts is the component itself, which an average over the plane
- * takes instead of dots. */
+/* The mean of many counts converges to the component itself, so an average over the
+ * plane integrates the component instead of counting dots. */
 static enum pp_status average_pepper_pot(struct pp_beams *beams,
                                          const struct pp_outside_light *light,
                                          const struct pp_opening *opening,

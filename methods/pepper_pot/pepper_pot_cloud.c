@@ -1,4 +1,5 @@
-/* pepper_pot_cloud.c - light by rings and cells, and the lattice taken back through both. */
+/* pepper_pot_cloud.c - tabulates the light by rings and cells, and maps the lattice
+ * through the inverse of both tables. */
 #include "methods/pepper_pot/pepper_pot_cloud.h"
 
 #include <math.h>
@@ -12,8 +13,8 @@
 enum { RINGS = 180, CELLS = 240 };
 static const double d_psi = 2.0 * PP_PI / CELLS;
 
-/* The receiver's normal and two directions square to it; azimuths about it begin on the
- * far side from the glass. */
+/* The receiver's normal and two directions square to it. Azimuths about the normal
+ * begin on the side away from the glass. */
 struct frame {
     struct pp_vec3 normal, first, second;
     bool is_mirror; /* the light is the same at azimuths to the left and right */
@@ -47,14 +48,15 @@ static struct pp_vec3 direction(const struct frame *frame, struct pp_angle theta
     return pp_vec_along(u, theta.sine, aside);
 }
 
-/* A cell's azimuth, and its part of the cosine of incidence. */
+/* Direction of a cell's azimuth, and its component along the normal of the glass. */
 struct cell_side {
     struct pp_vec3 aside;
     double out;
 };
 
-/* Adds up the light of a ring's cells, to up_to the end of each. Rings are as wide in angle;
- * each has its sines times cosines as a whole, which is exact for an even sky. */
+/* Cumulates the light of a ring's cells: up_to[k] is that of the first k. Rings have
+ * equal widths in angle; sine times cosine is integrated over each ring, which is exact
+ * for a uniform sky. */
 static void fill_ring(double up_to[CELLS + 1], int ring,
                       const struct cell_side sides[CELLS], const struct pp_sky *sky,
                       const struct pp_glass_curve *losses, struct pp_vec3 out,
@@ -83,7 +85,8 @@ static void fill_ring(double up_to[CELLS + 1], int ring,
         up_to[k + 1] = up_to[k] + light[k];
 }
 
-/* The share of a step at which a sum that grows from `low` to `high` on it is `value`. */
+/* Position of `value` within a step, 0 to 1, on which a sum grows from `low` to
+ * `high`. */
 static double step_share(double low, double high, double value)
 {
     double step = high - low;
@@ -104,7 +107,8 @@ static double ascending_position(const double *ascending, int count, double valu
     return low + step_share(ascending[low], ascending[low + 1], value);
 }
 
-/* Dots of cells that the plane of the glass cuts are taken to lie before it. */
+/* Least cosine to the glass's normal: dots of cells that the glass plane cuts are
+ * placed in front of it. */
 static const double least_cosine = 1e-3;
 
 static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
@@ -124,7 +128,7 @@ static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
     cloud->count++;
 }
 
-/* Places the dots ring by ring, with the light of the rings up to each. */
+/* Places the dots ring by ring, by the cumulated light of the rings. */
 static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
                                  const struct pp_sky *sky, const struct pp_glass *glass,
                                  const struct pp_window_axes *axes,

@@ -7,11 +7,12 @@
  *
  *     dSC = L(u) tau(out.u) (n.u) domega
  *
- * L may depend on the azimuth. The half-space before the receiver is divided into rings
- * about its normal, each into cells from the far side of the glass round; t is the
- * share of the light within a ring, s that of the ring's light up to a cell, and the
- * dots are a Fibonacci lattice of the square of s and t [SP06], for level glass and an
- * even sky a sunflower. Within a cell the light is assumed uniform, as at its middle.
+ * L may depend on the azimuth. The half-space in front of the receiver is divided into
+ * rings about its normal, each ring into cells, beginning on the side away from the
+ * glass. t is the share of the light up to a ring, s the share of the ring's light up
+ * to a cell. The dots are a Fibonacci lattice of the square of s and t [SP06]; for
+ * horizontal glass and a uniform sky it is a sunflower pattern. Within a cell the light
+ * is assumed uniform, with the value at its middle.
  */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
@@ -23,12 +24,12 @@
 #include "model/light/sky.h"
 
 struct pp_pepper_pot_cloud {
-    double whole; /* light of a boundless opening, over Eh */
+    double whole; /* light of an infinite opening, over Eh */
     int count;
     double (*dots)[2]; /* a and b */
 };
 
-/* worth is above 1e-5. To be cleared by the caller; empty on failure. */
+/* worth: above 1e-5. The caller clears the cloud; empty on failure. */
 enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
                                         const struct pp_sky *sky,
                                         const struct pp_glass *glass,

@@ -21,16 +21,16 @@ static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
     }
 }
 
-/* Altitude-dependent factor of dSC / (dgamma dphi) in the header; the others are that
- * of the azimuth and the losses. */
+/* Altitude-dependent factor of dSC / (dgamma dphi) in the header. The other factors are
+ * that of the azimuth and the losses. */
 static double by_altitude(const struct pp_pepper_pot *pot, double gamma)
 {
     double s = sin(gamma), c = cos(gamma);
     return pp_sky_luminance(&pot->sky, pp_vec(c, 0.0, s)) * (pot->upright ? c : s) * c;
 }
 
-/* The other factor's part that is the same at all altitudes, at the nodes of Gauss's
- * rule in each of even steps of the azimuth. */
+/* Tabulates the cosine of the azimuth and the azimuth-dependent factor, at the nodes of
+ * Gauss's rule in equal steps of the azimuth. */
 static void place_azimuths(struct pp_pepper_pot *pot)
 {
     double nodes[PP_PEPPER_POT_NODES], weights[PP_PEPPER_POT_NODES];
@@ -46,7 +46,7 @@ static void place_azimuths(struct pp_pepper_pot *pot)
         }
 }
 
-/* Fills one altitude: left[i] is the light from the left of azimuth i. */
+/* Fills one altitude: left[i] is its light from azimuths left of step i. */
 static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {
@@ -61,7 +61,8 @@ static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot
                                   : 1.0);
         steps[i] = sum;
     }
-    for (int i = asked; i < AZIMUTHS; i++) /* a level receiver has both sides alike */
+    for (int i = asked; i < AZIMUTHS; i++) /* for a horizontal receiver both sides are
+                                            * equal */
         steps[i] = steps[AZIMUTHS - 1 - i];
     left[0] = 0.0;
     for (int i = 0; i < AZIMUTHS; i++)

@@ -10,8 +10,8 @@
  * The sky is mapped on to the unit square: t is the share of the light from below an
  * altitude, s the share of that altitude's light from the left of an azimuth, so that
  * equal areas are equal shares. The dots are a Fibonacci lattice of the square: even,
- * without clumps, and with no row along any edge of a window [SP06]. A dot is worth
- * exactly that; the error of a count comes from the dots next to the outline.
+ * without clumps, and with no row along any edge of a window [SP06]. Each dot has
+ * exactly the same worth; the error of a count comes from the dots next to the outline.
  */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_DOTS_H
@@ -41,7 +41,7 @@ struct pp_pepper_pot {
     double facing_rad; /* azimuth of an upright receiver's normal from straight ahead,
                         * positive to the right */
     double worth;      /* of a dot */
-    double whole;      /* worth of all dots together: the light of a boundless window */
+    double whole;      /* worth of all dots together: the light of an infinite window */
     struct pp_glass_curve losses;           /* of the glass */
     double below[PP_PEPPER_POT_PANELS + 1]; /* light from below even altitudes */
     double low_rad, high_rad; /* azimuths from which light reaches the receiver */

@@ -101,7 +101,7 @@ static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
     for (int i = 0; i < drawing.count; i++) {
         struct pp_drawn_part *part = &drawing.parts[i];
         struct pp_board_piece *piece = &window->pieces[window->count++];
-        /* The outline is moved from the drawing to the sheet. */
+        /* Moves the outline from the drawing to the sheet. */
         *piece = (struct pp_board_piece){
             .outline = part->region, .hidden = part->hidden, .factor = part->factor};
         part->region = (struct pp_region){0};

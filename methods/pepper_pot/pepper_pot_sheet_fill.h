@@ -20,15 +20,16 @@ enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
 /* Fills the sheet with the room's windows as seen from the receiver: a panel for each
  * direction that windows face, with glass and without. A room without openings has one
  * blank panel. If `pepper-pot` refuses the room the dots are those of `pepper-pot-sky`;
- * if that refuses it too the result is PP_BAD_INPUT with the former's reason. With a
- * worth of 0.1 % the sums are the components by that method. */
+ * if that refuses it, too, the result is PP_BAD_INPUT with the reason of `pepper-pot`.
+ * With a worth of 0.1 % the sums are the components by that method. */
 enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_outside_light *light,
                                              const struct pp_receiver *receiver,
                                              double worth, struct pp_error *err);
 
-/* Takes the windows off a sheet again, for whoever is to draw them. */
+/* Removes the windows from a sheet again, for an exercise in which they are drawn by
+ * hand. */
 void pp_pepper_pot_sheet_fill_unsolved(struct pp_pepper_pot_sheet *sheet);
 
 #endif

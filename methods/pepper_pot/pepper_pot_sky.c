@@ -1,9 +1,9 @@
 /* pepper_pot_sky.c - `pepper-pot-sky`: direct component by counting dots, for openings of
  * any slope, receivers of any kind and any sky [PLE54].
  *
- * As `pepper-pot`, on diagrams made for the sky at hand, its sun's azimuth too, for the
- * slope and the direction of the opening and for the receiver (pepper_pot_cloud.h): each
- * dot within the outline is worth 0.1 %:
+ * As `pepper-pot`, on diagrams made for the sky of the room file (with the azimuth of
+ * its sun), the slope and direction of the opening, and the receiver
+ * (pepper_pot_cloud.h): each dot within the outline is worth 0.1 %:
  *
  *     SC  = dots on the sky x 0.1 %
  *     ERC = luminance factor x dots on obstructions x 0.1 %
@@ -134,7 +134,7 @@ static enum pp_status evaluate_pepper_pot_sky(const struct pp_world *world,
     return status;
 }
 
-/* The mean of many counts is the component itself. */
+/* The mean of many counts converges to the component itself. */
 static enum pp_status average_pepper_pot_sky(struct pp_beams *beams,
                                              const struct pp_outside_light *light,
                                              const struct pp_opening *opening,

@@ -5,7 +5,7 @@
  * (protractor_read.c). For each rectangle a user reads, in this order:
  *
  *   1. on the section, the primary scale at the upper and at the lower sight line;
- *      their difference is the component of an endless opening
+ *      their difference is the component of an infinitely long opening
  *   2. the average altitude of both sight lines
  *   3. on the plan, the auxiliary scale at both jambs, between the semicircles for that
  *      altitude: added for jambs on both sides of the normal, else subtracted
@@ -108,7 +108,7 @@ static const char *protractor_refuses(const struct pp_world *world,
     return NULL;
 }
 
-/* Puts down an angle and the reading of a scale at that angle. */
+/* Records an angle and the reading of a scale at that angle. */
 static void put_pair(struct pp_worksheet *sheet, double angle_rad,
                      enum pp_step_unit unit, double read, const char *symbol,
                      const char *what, const char *scale)
@@ -117,7 +117,8 @@ static void put_pair(struct pp_worksheet *sheet, double angle_rad,
     pp_worksheet_put(sheet, unit, read, symbol, "%s", scale);
 }
 
-/* off_sky: the obstruction's equivalent sky component is subtracted from the sky's. */
+/* Records the readings of a rectangle. off_sky: the obstruction's equivalent sky
+ * component is subtracted from the sky's. */
 static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
                          const struct pp_protractor_reading *reading, bool off_sky)
 {

@@ -9,8 +9,8 @@
 
 static const double between_semicircles_rad = 10.0 * PP_RAD;
 
-/* The auxiliary scale at the ends of the primary one, where the strip has no width, is
- * taken at this distance from the ends. */
+/* The auxiliary scale is indeterminate at the ends of the primary one, where the strip
+ * has no width; it is evaluated at this distance from them (rad). */
 static const double end_rad = 1e-4;
 
 /* The cubic with these values and slopes at both ends of a step, at t in 0..1. */

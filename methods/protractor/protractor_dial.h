@@ -1,4 +1,4 @@
-/* protractor_dial.h - a protractor with tabulated scales, worked out once for many
+/* protractor_dial.h - a protractor with tabulated scales, calculated once for many
  * readings [BRE309].
  *
  * The primary scale reads the share of an endless window up to any section altitude.
@@ -10,7 +10,7 @@
  *   for all others, on the plan turned down into the plane of the average sight line:
  *       tan theta = x / slant distance along that line
  *
- * since on the plan an opening overhead has no jambs to sight at. For a vertical
+ * since the jambs of an opening overhead cannot be sighted on the plan. For a vertical
  * opening tan theta = tan phi cos gamma, gamma the average altitude.
  */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_DIAL_H
@@ -40,7 +40,8 @@ struct pp_protractor_dial {
     struct pp_protractor_semicircle semicircles[PP_DIAL_SEMICIRCLES];
 };
 
-/* Takes 1 ms. Errors are up to 5e-7 of the open sky in readings, 1e-7 in factors. */
+/* Takes 1 ms. Errors are up to 5e-7 of the open sky in readings of the primary scale,
+ * 1e-7 in factors. */
 void pp_protractor_dial_init(struct pp_protractor_dial *dial,
                              const struct pp_protractor *protractor);
 
@@ -57,8 +58,8 @@ double pp_protractor_dial_slope(const struct pp_protractor_dial *dial,
 double pp_protractor_dial_angle(const struct pp_protractor_dial *dial, double share,
                                 double start_rad);
 
-/* Auxiliary scale for an average altitude of 0 to pi and a jamb at jamb_rad, -pi/2 to
- * pi/2 (odd in it): its azimuth, or theta on the plan `turned_down`. */
+/* Auxiliary scale (odd in jamb_rad) for an average altitude of 0 to pi and a jamb at
+ * jamb_rad, -pi/2 to pi/2: its azimuth or, if `turned_down`, theta. */
 double pp_protractor_dial_factor(const struct pp_protractor_dial *dial,
                                  double average_rad, double jamb_rad, bool turned_down);
 

@@ -124,7 +124,7 @@ const struct pp_formula pp_protractor_read_less = {
     .quantities = of_reflected,
     .fixed = true};
 
-/* `section` is of the slope. */
+/* section: of the sloping plane. */
 static void read_rectangle(struct pp_protractor_reading *reading,
                            const struct pp_protractor_dial *dial, double slope,
                            struct pp_angle section, const struct pp_slope_rectangle *at)
@@ -144,7 +144,7 @@ static void read_rectangle(struct pp_protractor_reading *reading,
     }
 }
 
-/* The component of one rectangle by the formulae below its readings. */
+/* Calculates the component of one rectangle by the formulae for its readings. */
 static void work_component(struct pp_protractor_reading *reading)
 {
     reading->initial =

@@ -28,18 +28,19 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   struct pp_vec3 point, struct pp_error *err);
 
 /* Calculates the components of readings, and their sums, by the published formulae. The
- * method does so on its worksheet instead, since its formulae may be the reader's
- * own. */
+ * method evaluates them on its worksheet instead, where a user may have replaced a
+ * formula. */
 void pp_protractor_read_work(struct pp_protractor_readings *readings);
 
-/* The sums of a rectangle's readings [BRE309]. */
+/* Formulae for the readings of a rectangle [BRE309]. */
 extern const struct pp_formula pp_protractor_read_initial; /* i */
 extern const struct pp_formula pp_protractor_read_width;   /* K */
 extern const struct pp_formula
-    pp_protractor_read_no_width; /* K, where the scale puts the right jamb left */
+    pp_protractor_read_no_width; /* K, if the reading of the right jamb is left of the
+                                  * left one */
 extern const struct pp_formula pp_protractor_read_sc, pp_protractor_read_e,
     pp_protractor_read_erc;
 extern const struct pp_formula
-    pp_protractor_read_less; /* sc that an obstruction takes off */
+    pp_protractor_read_less; /* part of sc that an obstruction subtracts */
 
 #endif

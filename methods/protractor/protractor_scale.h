@@ -12,8 +12,8 @@
  *     dSC = L(u) tau(cos i) sin gamma cos^2 theta dtheta dgamma,
  *     sin altitude = cos theta sin gamma,  cos i = cos theta sin(gamma + slope)
  *
- * primary scale     F(gamma), the sum over all theta from 0 to gamma auxiliary scale
- * CF(gamma, theta), the share of the strip at gamma that lies between
+ * primary scale     F(gamma), integral over all theta, and over gamma from 0
+ * auxiliary scale   CF(gamma, theta), share of the strip at gamma that lies between
  *                   the section and theta, to one side: 1/2 for an endless window
  *
  * Without glass (protractors 9 and 10), with p and q of graded_sky.h:
@@ -23,11 +23,12 @@
  * The horizontal receiver lies at the protractor's centre. Fractions of Eh.
  *
  * For an upright receiver the weight sin gamma cos theta of a direction is replaced by
- * cos gamma cos theta, of one that faces straight ahead, or by sin theta, of one that
- * faces square to the section; that one's scales count one side only, as both sides add
- * to nothing. A receiver at the azimuth psi has cos psi of the first and sin psi of the
- * second. Straight ahead and without glass F is the light of a vertical plane from
- * below an endless skyline of the angle gamma, VSC(0) - VSC(gamma).
+ * cos gamma cos theta for a receiver that faces straight ahead, or by sin theta for a
+ * receiver that faces square to the section. The scales of the latter count one side
+ * only, since both sides cancel. A receiver at the azimuth psi reads cos psi times the
+ * first plus sin psi times the second. Straight ahead and without glass F is the light
+ * of a vertical plane from below an endless skyline of the angle gamma, VSC(0) -
+ * VSC(gamma).
  */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
@@ -41,7 +42,7 @@
 enum pp_protractor_receiver {
     PP_PROTRACTOR_UP,    /* a level plane that faces up */
     PP_PROTRACTOR_AHEAD, /* an upright one that faces straight ahead, to the glass */
-    PP_PROTRACTOR_ASIDE, /* an upright one square to that; one side, doubled */
+    PP_PROTRACTOR_ASIDE, /* an upright one square to that; one side only, doubled */
 };
 
 struct pp_protractor {
@@ -57,8 +58,8 @@ struct pp_protractor {
 enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
                                              int number, struct pp_error *err);
 
-/* The number under which such a protractor was published, 0 where it was not (other
- * glass than clear single, another slope or sky). */
+/* The number under which such a protractor was published; 0 if it was not (other glass
+ * than clear single, another slope or sky). */
 int pp_protractor_scale_number(const struct pp_protractor *protractor);
 
 /* End of the primary scale, up to which light reaches the glass from below: pi - slope
@@ -69,8 +70,8 @@ double pp_protractor_scale_range(const struct pp_protractor *protractor);
 double pp_protractor_scale_density(const struct pp_protractor *protractor,
                                    double gamma_rad, double theta_rad);
 
-/* Densities at many angles out of the section on one sight line. losses: the tabulated
- * transmittance of the glass (NULL: evaluated directly). */
+/* Densities on one sight line at many angles theta. losses: the tabulated transmittance
+ * of the glass (NULL: evaluated directly). */
 void pp_protractor_scale_densities(double *densities,
                                    const struct pp_protractor *protractor,
                                    const struct pp_glass_curve *losses,
@@ -87,7 +88,7 @@ double pp_protractor_scale_primary_slope(const struct pp_protractor *protractor,
                                          double gamma_rad);
 
 /* The angle at which the primary scale reads `share`, by Newton's method from the
- * bracket [low_rad, high_rad], which must hold it; within 1e-10. */
+ * bracket [low_rad, high_rad], which must contain it; to 1e-10. */
 double pp_protractor_scale_angle(const struct pp_protractor *protractor, double share,
                                  double low_rad, double high_rad);
 

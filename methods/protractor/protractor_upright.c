@@ -1,10 +1,11 @@
 /* protractor_upright.c - `protractor-upright`: direct component at vertical receivers,
  * by protractors in the manner of the published ones [BRE309].
  *
- * Those are for points that face up. For upright receivers there are two, of the same
- * construction (protractor_scale.h): one for a receiver that faces straight to the
- * window and one for a receiver square to that. A receiver that faces psi aside of
- * straight ahead has cos psi of the first reading and sin psi of the second:
+ * The published protractors are for points that face up. For upright receivers there
+ * are two of the same construction (protractor_scale.h): one for a receiver that faces
+ * the window squarely and one for a receiver at right angles to that. At an azimuth psi
+ * from the window's normal the reading is cos psi times the first plus sin psi times
+ * the second:
  *
  *   1. the window is cut where the receiver's own plane meets it, which are upright lines
  *   2. both primary scales at the upper and at the lower sight line: i and j

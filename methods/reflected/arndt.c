@@ -1,13 +1,13 @@
 /* arndt.c - `arndt`: average internally reflected component, the room as one surface of
  * one reflectance.
  *
- * The oldest of the room formulae [ARN38], as given in the literature on daylight; its
- * own text was not seen. All light that enters is reflected for the first time by the
- * mean reflectance R, wherever it falls, and goes round from there as in an integrating
- * sphere. `sphere` and `bre` are this formula with the first reflection told apart by the
+ * The oldest of the room formulae [ARN38], as quoted in the literature on daylight; the
+ * original text was not available. The first reflection of all entering light is by the
+ * mean reflectance R, wherever it falls; further reflections are as in an integrating
+ * sphere. `sphere` and `bre` refine this formula: their first reflection depends on the
  * part of the room on which the light falls. For any sky, any slope and any number of
- * openings, which add up; a diffusing pane is as clear glass, as where its light falls
- * makes no difference.
+ * openings, which add up. Diffusing panes need no special treatment, since the place
+ * where light falls does not matter.
  *
  * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
  * deterioration of decorations.

@@ -2,7 +2,7 @@
  * average by `bre`, divided by a factor k for the walls [BRE310].
  *
  * k is published for walls of a mean reflectance of 0.2, 0.4, 0.6, 0.8; between them it
- * is interpolated linearly, outside them it is that of the nearer end. This gives too
+ * is interpolated linearly, outside them k is that of the nearer end. This gives too
  * high a minimum for walls darker than 0.2 and too low a one for walls lighter than
  * 0.8: the more evenly light is spread, the nearer the minimum is to the average. The
  * mean is that of all walls without their openings.

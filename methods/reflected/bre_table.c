@@ -1,13 +1,13 @@
 /* bre_table.c - `bre-table`: minimum internally reflected component in the room, from
  * the published table (irc_minimum.h).
  *
- * The printed minimum T is for an obstruction of 20 degrees, a ceiling of 0.7 and a floor
- * of 40 m2; factors k_F and k_c [BRE310] make it another floor's and ceiling's, k_o
- * another obstruction's. k_o is the ratio of two figures by the formula of `bre`
- * (bre_terms.h) and not of the source, which has no other angle than that.
+ * The printed minimum T is for an obstruction of 20 degrees, a ceiling of 0.7 and a
+ * floor of 40 m2; the factors k_F and k_c [BRE310] convert it to another floor and
+ * ceiling, k_o to another obstruction. k_o is not from the source, which has only that
+ * angle, but the ratio of two figures by the formula of `bre` (bre_terms.h).
  *
  * The table is entered with the glass of all openings; each opening has its share by
- * area, with its own k_o. The table contains clear single glass and, as it goes by net
+ * area, with its own k_o. The table contains clear single glass and, since it uses net
  * glass area, the frame; no dirt, no deterioration of decorations.
  *
  * For vertical openings, the CIE overcast sky and rooms within the printed ranges.
@@ -41,7 +41,7 @@ static const struct pp_formula glass_over_floor = {
 
 static const struct pp_formula_quantity of_obstruction[] = {PP_BRE_TERMS_OPENING, {0}};
 
-/* 31 is C of the table's 20 degrees. */
+/* 31 (per cent) is C for the table's obstruction of 20 degrees. */
 static const struct pp_formula factor_for_obstruction = {
     .symbol = "k_o",
     .sum = "(C R_fw + " PP_BRE_TERMS_GROUND ") / (31 R_fw + " PP_BRE_TERMS_GROUND ")",

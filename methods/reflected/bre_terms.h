@@ -15,14 +15,14 @@
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
 
-/* Per cent of Eh on a vertical window from the ground, of reflectance 0.1 and seen by
- * half the hemisphere, after its reflection by ceiling and upper walls. */
+/* Per cent of Eh: light on a vertical window from ground of reflectance 0.1, which
+ * fills half of the hemisphere, after reflection by ceiling and upper walls. */
 #define PP_BRE_TERMS_GROUND "5 R_cw"
 
 /* Per cent; 0.85 is the diffuse transmittance of clear single glass. */
 #define PP_BRE_TERMS_AVERAGE "0.85 W / (A (1 - R)) (C R_fw + " PP_BRE_TERMS_GROUND ")"
 
-/* The opening's: rows of a formula's list of quantities. */
+/* Quantities of the opening: rows of a formula's list. */
 #define PP_BRE_TERMS_OPENING                                                           \
     {"W", PP_UNIT_SQUARE_METRE, "net glass area: opening area times frame factor"},    \
         {"R_fw", PP_UNIT_NUMBER,                                                       \
@@ -38,9 +38,10 @@
     }
 
 extern const struct pp_formula pp_bre_terms_irc;    /* of `bre` */
-extern const struct pp_formula pp_bre_terms_IRC_av; /* the same in `bre-min` */
+extern const struct pp_formula pp_bre_terms_IRC_av; /* the same formula, as a quantity
+                                                     * of `bre-min` */
 
-/* And the reflectance of that ground. */
+/* Reflectance of the ground in that constant. */
 #define PP_BRE_GROUND_REFLECTANCE 0.1
 
 struct pp_bre_terms {
@@ -56,17 +57,18 @@ enum pp_status pp_bre_terms(struct pp_bre_terms *terms, const struct pp_world *w
                             const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err);
 
-/* Puts down R_fw, R_cw, alpha and C. */
+/* Records R_fw, R_cw, alpha and C. */
 void pp_bre_terms_put_reflected(struct pp_worksheet *sheet,
                                 const struct pp_bre_terms *terms,
                                 const struct pp_opening *opening);
 
-/* Puts down all terms, and works the average out by one of the formulae; a fraction. */
+/* Records all terms, evaluates the average by one of the formulae, and returns it (a
+ * fraction). */
 double pp_bre_terms_work(struct pp_worksheet *sheet, const struct pp_formula *formula,
                          const struct pp_bre_terms *terms,
                          const struct pp_opening *opening);
 
-/* The average by these terms, a fraction, for whoever needs no steps. */
+/* The average by these terms, a fraction, without recording steps. */
 double pp_bre_terms_average(const struct pp_bre_terms *terms);
 
 #endif

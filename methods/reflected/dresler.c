@@ -5,15 +5,15 @@
  * [DRE54]. His own formula was not available; this one is derived from that principle,
  * under these conditions: light from above the horizon falls on the lower part first,
  * light from the ground on the upper part; each part is diffuse, of one reflectance and
- * evenly lit, openings with 0.1; the two exchange light through the level plane, of
- * area S, that parts them. What falls on a part of area A_u reaches the plane by the
- * share S/A_u and that part again by the rest, so that through the plane it reflects
+ * evenly lit, openings with 0.1; the two exchange light through the horizontal plane of
+ * area S between them. A part of area A_u sends the share S/A_u of its light to the
+ * plane and the rest to itself. So, seen through the plane, its reflectance is
  *
  *     k_u = rho_u S/A_u / (1 - rho_u (1 - S/A_u))
  *
- * and so does the lower part. The result is the illuminance of that plane from above,
- * by reflected light. It equals that of `split-flux`, except that there all light
- * reflected by one part falls on the other.
+ * and likewise for the lower part. The result is the illuminance of that plane from
+ * above, by reflected light. It equals that of `split-flux`, except that there all
+ * light reflected by one part falls on the other.
  *
  * For vertical openings, any sky; several add up, each with its own plane. The formula
  * contains the opening's glass and, through Ag, the frame; no dirt, no deterioration of

@@ -6,22 +6,22 @@
  *
  *     DF = sum over the openings, T Ag E_o eta M / S
  *
- * E_o is the light on the glass. For vertical windows its form by the angle of an
- * endless skyline is recalled; it is that of the overcast sky above the skyline, and
- * 0.15 of what the skyline hides (its luminance over that of the sky behind it):
+ * E_o is the light on the glass. For vertical windows the published form depends on the
+ * angle of an infinitely long skyline (quoted from memory). It equals the light of the
+ * overcast sky above the skyline plus 0.15 of the sky light that the skyline hides:
  *
  *     VSC(alpha) + 0.15 (VSC(0) - VSC(alpha)) = 31.888 - 18.214 sin alpha + 7.730 cos 2 alpha
  *
- * For other slopes the same rule stands with the sky's exact share on the glass. The
- * published tables of eta were not available, nor a rule for the ground's light. Both
- * are derived here, from the position and the slope of the opening, for a room of three
- * zones of even light, the plane, the ceiling and the walls between them.
+ * For other slopes the same rule applies to the exact light of the sky on the glass.
+ * The published tables of eta were not available, nor a rule for the ground's light.
+ * Both are derived here, from the position and the slope of the opening, for a room of
+ * three evenly lit zones, the plane, the ceiling and the walls between them.
  *
- *   - Light of the sky falls on the plane by the share d, on the walls by the rest: what
- *     of the open sky's light on the opening's middle goes on to the plane straight, over
- *     all of it. What has met the sides of a well is taken to be diffuse. Light of the
- *     ground goes up, by the share g on the ceiling.
- *   - What does not fall on the plane reaches it by the reflections of the three zones
+ *   - The share d of the sky's light falls directly on the plane, the rest on walls.
+ *     d is calculated for the open sky at the opening's middle. Light reflected by the
+ *     sides of a well is assumed diffuse. Light of the ground goes up; the share g
+ *     falls on the ceiling.
+ *   - The rest reaches the plane by reflections between the three zones
  *     (reflected/room_zones.h).
  *
  * Glass below the working plane, and light lost in reveals and on objects in the room,
@@ -249,7 +249,7 @@ static struct pp_vec3 middle_above_plane(const struct pp_world *world,
     return middle;
 }
 
-/* Puts down d of glass above a well: light that has met the well's sides is assumed
+/* Records d of glass above a well: light that has met the well's sides is assumed
  * diffuse. */
 static void put_direct_of_well(struct pp_worksheet *sheet, const struct pp_world *world,
                                const struct pp_outside_light *light,
@@ -269,7 +269,7 @@ static void put_direct_of_well(struct pp_worksheet *sheet, const struct pp_world
     pp_worksheet_work(sheet, &on_plane_from_well, "fraction of the light on the plane");
 }
 
-/* d of any other opening. */
+/* Records d of any other opening. */
 static void put_direct(struct pp_worksheet *sheet, const struct pp_world *world,
                        const struct pp_outside_light *light,
                        const struct pp_opening *opening, struct pp_vec3 middle)

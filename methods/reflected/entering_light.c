@@ -1,4 +1,4 @@
-/* entering_light.c - C, C_g and u of an opening, put down with their quantities. */
+/* entering_light.c - records C, C_g and u of an opening with their quantities. */
 #include "methods/reflected/entering_light.h"
 
 #include "methods/reflected/obstruction.h"
@@ -110,7 +110,7 @@ const struct pp_formula pp_entering_light_u = {
     .quantities = of_C_g,
 };
 
-/* C, by the table or by C_hv, which are read of the room. */
+/* Records C, by the table of the BRE formula or by C_hv. */
 static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *light,
                   const struct pp_opening *opening, double alpha_rad)
 {

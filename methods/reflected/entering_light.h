@@ -2,19 +2,20 @@
  * the upper and the lower part of the room, for `split-flux` and `sphere`.
  *
  * The transmittance tau is that of the pane for diffuse light, 0.827 for clear single
- * glass and its stated one for a diffusing pane. The published 0.85 belongs to `bre`,
- * whose factors were made with it.
+ * glass and its stated one for a diffusing pane. The published 0.85 is used in `bre`
+ * only, whose factors are based on it.
  *
  * C is the illuminance of the glass from above the horizon, over Eh, C_g that from the
  * ground. C of a vertical opening under the overcast sky is that of the BRE table
- * (obstruction.h). For other slopes and skies it is printed in [GEEBELEN] with 0.39,
- * which is replaced by the illuminance C_hv of glass of that slope from the open sky,
- * over Eh (sky.h).
+ * (obstruction.h). For other slopes and skies [GEEBELEN] prints it with 0.39; here
+ * C_hv, the illuminance of glass of that slope from the open sky over Eh (sky.h),
+ * replaces 0.39.
  *
  * For glass with a well (well.h) C and C_g are the light through the foot of the well,
  * by its efficiency N. Light that has met the sides of the well leaves the foot as from
- * a diffuse pane. It is internally reflected light before it meets the room, E_w on the
- * working plane, which the room's formulae omit: pp_entering_light_of_well adds it.
+ * a diffuse pane. Its direct illuminance of the working plane, E_w, is internally
+ * reflected light that the formulae of the room omit: pp_entering_light_of_well adds
+ * it.
  *
  * Through clear glass, light from above the horizon falls on the lower part of the room
  * and light from the ground on the upper one. A diffusing pane sends the share u of all
@@ -54,19 +55,19 @@ extern const struct pp_formula pp_entering_light_C, pp_entering_light_C_g,
 #define PP_ENTERING_LIGHT_FORMULAE                                                     \
     &pp_allowance_glass_Ag, &pp_entering_light_C, &pp_entering_light_C_of_well,        \
         &pp_entering_light_C_g, &pp_entering_light_C_g_of_well, &pp_entering_light_u
-/* And at its end, of one that adds the well's own light. */
+/* Further rows for a method that adds the light reflected by wells. */
 #define PP_ENTERING_LIGHT_WELL_FORMULAE                                                \
     &pp_entering_light_E_w, &pp_entering_light_with_well
 
-/* Puts all of that down; u for a diffusing pane only. */
+/* Records all of these quantities; u for a diffusing pane only. */
 enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening,
                                  struct pp_error *err);
 
-/* Adds E_w, by that formula, to the irc on the sheet, whose value is given. Returns the
- * sum, or irc itself for an opening without a well. */
+/* Adds E_w, by that formula, to irc, which is on the sheet with the given value.
+ * Returns the sum; irc itself for an opening without a well. */
 double pp_entering_light_of_well(struct pp_worksheet *sheet,
                                  const struct pp_formula *E_w,
                                  const struct pp_world *world,

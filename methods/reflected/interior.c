@@ -102,8 +102,8 @@ static void add_split(struct sums *lower, struct sums *upper,
     add_reflecting_area(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
 
-/* Adds the covers of a role's faces, instead of the covered areas, except those of face
- * `left_out` (-1: none excepted). PP_ROLE_COUNT: of all roles. */
+/* Adds the surfaces that cover faces of a role, in place of the covered areas; not
+ * those of face `left_out` (-1: none is left out). PP_ROLE_COUNT: of all roles. */
 static void add_covers(struct sums *lower, struct sums *upper,
                        const struct pp_world *world, double z, enum pp_role role,
                        int left_out)

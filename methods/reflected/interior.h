@@ -2,10 +2,10 @@
  * formulae of the internally reflected component.
  *
  * Inside surfaces are the faces of the envelope without their openings, the openings
- * (with a reflectance of 0.1), the sides of reveals but not those of wells (well.h), and
- * both sides of free-standing surfaces in the room. The lower and the upper part of the room lie below and above a
- * height; polygons across that height are cut. A level face at exactly that height
- * belongs to the upper part where it faces down.
+ * (with a reflectance of 0.1), the sides of reveals but not those of wells (well.h),
+ * and both sides of free-standing surfaces in the room. The lower and the upper part of
+ * the room lie below and above a height; polygons across that height are cut. A
+ * horizontal face at exactly that height belongs to the upper part if it faces down.
  */
 #ifndef PP_METHODS_REFLECTED_INTERIOR_H
 #define PP_METHODS_REFLECTED_INTERIOR_H
@@ -24,10 +24,11 @@ struct pp_interior {
 /* All inside surfaces, openings included: A and R. */
 struct pp_interior pp_interior_all(const struct pp_world *world);
 
-/* Puts them down as A and R. */
+/* Records them as A and R. */
 void pp_interior_put(struct pp_worksheet *sheet, const struct pp_interior *all);
 
-/* The faces of a role (floor, walls or ceiling) without their openings. */
+/* Area and mean reflectance of the faces of a role (floor, walls or ceiling) without
+ * their openings. */
 struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role);
 
 /* The same above the level plane at `z`, openings included with 0.1. */
@@ -56,7 +57,7 @@ struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
                                                    double z, int left_out);
 
 /* Area of the room's section by the level plane at `z` (m2). Since the envelope is
- * closed it equals the sum of the areas below, seen from above. */
+ * closed it equals the projected area of all surfaces below. */
 double pp_interior_section_m2(const struct pp_world *world, double z);
 
 /* Area of a polygon below the level plane at `z` (m2). For any simple plane polygon; a

@@ -14,8 +14,8 @@ static const double printed[][COLUMNS] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* reflectance of the walls (per cent); average over minimum; factor of 10 m2, of 90
- * m2 */
+/* per row: reflectance of the walls (per cent); average over minimum; factors of a
+ * floor of 10 m2 and of 90 m2 */
 static const double by_walls[WALLS][4] = {
 #include "tables/irc_minimum_walls.inc"
 };
@@ -25,7 +25,7 @@ static const double by_ceiling[][2] = {
 #include "tables/irc_minimum_ceiling.inc"
 };
 
-/* of the floor (per cent), in the order of the columns of `printed` */
+/* reflectances of the floor (per cent), in the order of the columns of `printed` */
 static const double by_floor[FLOORS] = {10.0, 20.0, 40.0};
 
 enum {
@@ -74,7 +74,7 @@ static double read_irc_row(const double row[COLUMNS], int floor, double floor_sh
     return reflectance_between(at[0], at[1], floor_share);
 }
 
-/* The factor is 1 at 40 m2, and linear in the side of a square of that area between the
+/* The factor is 1 for 40 m2, and linear in the square root of the area between the
  * three sizes. */
 static double floor_factor(double area_m2, const double factors[2])
 {

@@ -1,10 +1,10 @@
 /* irc_minimum.h - the published table of the minimum internally reflected component in
  * side-lit rooms, with its factors [BRE310].
  *
- * Interpolation between printed figures is linear, for the floor area linear in the
- * side of a square of that area, of which 10, 40 and 90 m2 are even steps. There is no
- * extrapolation (pp_irc_minimum_lacks), except for less glass than printed: the minimum
- * is then proportional to the glass. Conditions: tables/irc_minimum.csv.
+ * Interpolation between printed figures is linear, for the floor area linear in its
+ * square root, in which 10, 40 and 90 m2 are equal steps. There is no extrapolation
+ * (pp_irc_minimum_lacks), except for less glass than printed: the minimum is then
+ * proportional to the glass. Conditions: tables/irc_minimum.csv.
  */
 #ifndef PP_METHODS_REFLECTED_IRC_MINIMUM_H
 #define PP_METHODS_REFLECTED_IRC_MINIMUM_H
@@ -22,7 +22,7 @@ struct pp_irc_minimum {
     double floor_factor, ceiling_factor;
 };
 
-/* Why the room is outside the printed ranges, as a static sentence, or NULL. */
+/* Reason why the room is outside the printed ranges, a static sentence, or NULL. */
 const char *pp_irc_minimum_lacks(const struct pp_irc_minimum_entry *entry);
 
 struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *entry);

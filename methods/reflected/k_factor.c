@@ -96,7 +96,7 @@ static const char *k_factor_refuses(const struct pp_world *world,
     return "slopes; the method covers vertical windows and horizontal rooflights only";
 }
 
-/* Puts down K and its quantities. */
+/* Records K and its quantities. */
 static void put_K(struct pp_worksheet *sheet, const struct pp_world *world,
                   const struct pp_outside_light *light,
                   const struct pp_opening *opening, double alpha_rad)

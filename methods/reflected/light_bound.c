@@ -6,13 +6,14 @@
 #include "methods/reflected/interior.h"
 #include "methods/refusals.h"
 
-/* `bre` and its kin have this ground built in, whatever the room's. */
+/* Ground reflectance built into `bre` and its variants, whatever the room's. */
 static const double built_in_ground = 0.1;
 
-/* `bre` takes its 0.85 for the diffuse transmittance of clear single glass, 0.827. */
+/* `bre` uses 0.85 for the diffuse transmittance of clear single glass, which is
+ * 0.827. */
 static const double printed_over_own = 0.85 / 0.827;
 
-/* Methods that are read off scales are good to this. */
+/* Allowance for reading error of methods with scales. */
 static const double reading = 1.1;
 
 static double entering(const struct pp_outside_light *light,

@@ -25,8 +25,9 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* Averages over the working plane (fractions): of light that comes straight, and of any.
- * INFINITY where there is no bound: no working plane, or surfaces that give off light. */
+/* Averages over the working plane (fractions): of direct light, and of all light.
+ * INFINITY where there is no bound: no working plane, or surfaces that give off
+ * light. */
 struct pp_light_bound {
     double direct, any;
 };

@@ -18,8 +18,8 @@ double pp_obstruction_factor(double angle_rad)
     return pp_interpolate_linear(printed, ROWS, angle_rad / PP_RAD) / 100.0;
 }
 
-/* Does any of the vertices lie before the opening's outside: before its plane or, where it
- * stands back from a facade, before that? */
+/* True if any vertex lies in front of the opening's outside: in front of its plane or,
+ * if it is set back from a facade, in front of the facade. */
 static bool reaches_in_front(const struct pp_polygon *outline,
                              const struct pp_opening *opening)
 {
@@ -32,7 +32,7 @@ static bool reaches_in_front(const struct pp_polygon *outline,
     return false;
 }
 
-/* True if surfaces other than its own wall's skyline stand before the opening. */
+/* True if surfaces other than its own wall's skyline stand in front of the opening. */
 static bool has_surface_in_front(const struct pp_world *world,
                                  const struct pp_opening *opening)
 {

@@ -28,10 +28,10 @@ enum pp_status pp_obstruction_angle(double *angle_rad, const struct pp_world *wo
                                     struct pp_error *err);
 
 /* Factor C of the BRE inter-reflection formula: illuminance of a vertical window from
- * above the horizon over Eh, CIE overcast sky, before an endless obstruction of
- * altitude angle_rad (0 to pi/2). A fraction, 0.39 to 0.05, which includes the light
- * that the obstruction reflects. The printed table [BRE310], linear between its angles,
- * constant above its last one. */
+ * above the horizon over Eh, CIE overcast sky, in front of an infinitely long
+ * obstruction of altitude angle_rad (0 to pi/2). A fraction, 0.39 to 0.05, which
+ * includes the light that the obstruction reflects. The printed table [BRE310], linear
+ * between its angles, constant above its last one. */
 double pp_obstruction_factor(double angle_rad);
 
 #endif

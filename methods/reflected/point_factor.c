@@ -5,10 +5,11 @@
 
 #include "methods/exact/solid_angle.h"
 
-/* Part of a region seen from a point that counts. */
+/* The part of a region that is visible from a point, within half-spaces. */
 struct view {
     struct pp_vec3 from, facing;
-    bool turned; /* it is seen from where the sky's light comes that falls on it */
+    bool turned; /* directions are reversed: sky light through `from` to the region
+                  * comes from there */
     int space_count;
     struct pp_vec3 spaces[PP_HALF_SPACES_MOST];
 };
@@ -49,7 +50,8 @@ static struct pp_moments moments_of(const struct view *view,
     return sum;
 }
 
-/* Rings are counter-clockwise seen from above, and so count negative from below. */
+/* The moments are negative, since rings are counter-clockwise seen from above and
+ * `from` may be above; hence fabs. */
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z)
 {

@@ -88,8 +88,8 @@ static double outline_m(const struct pp_region *plane)
     return sum;
 }
 
-/* F of the rectangle that has the plane's area and outline; of the square where the
- * outline is shorter than any rectangle's. */
+/* F of the rectangle with the plane's area and outline; of a square if no rectangle of
+ * that area has so short an outline. */
 static double form_factor(double area_m2, double outline, double height_m)
 {
     double half = outline / 4.0, root = sqrt(fmax(half * half - area_m2, 0.0));

@@ -50,8 +50,8 @@ const struct pp_formula pp_sky_angle_theta = {
     .quantities = of_theta,
 };
 
-/* Depth from the wall's inner face to its outer face, whether before or behind the
- * glass. */
+/* Depth from the wall's inner face to its outer face, whether in front of the glass or
+ * behind it. */
 static double depth_of(const struct pp_opening *opening)
 {
     return opening->reveal_m + opening->recess_m;

@@ -22,7 +22,7 @@ extern const struct pp_formula pp_sky_angle_head, pp_sky_angle_upper[2],
 #define PP_SKY_ANGLE_FORMULAE &pp_sky_angle_head, &pp_sky_angle_theta
 #define PP_SKY_ANGLE_SLOPING_FORMULAE &pp_sky_angle_upper[0], &pp_sky_angle_upper[1]
 
-/* Puts down theta and its quantities: theta_h and alpha in any case. */
+/* Records theta and its quantities: theta_h and alpha in any case. */
 enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *world,
                             const struct pp_outside_light *light,
                             const struct pp_opening *opening, struct pp_error *err);

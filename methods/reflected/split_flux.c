@@ -2,8 +2,8 @@
  * light into the parts that fall first on the upper and on the lower part of the room.
  *
  * Light from above the horizon falls on the lower part and light from the ground on the
- * upper part, through a diffusing pane by its share u of light that goes up, 1/2 in
- * print (entering_light.h). The result is the lower part's illuminance from the upper,
+ * upper part, through a diffusing pane the share u falls on the upper part, published
+ * as 1/2 (entering_light.h). The result is the lower part's illuminance from the upper,
  * over Eh.
  *
  * For any sky, any slope, and several openings, each with its own parts, which add up.

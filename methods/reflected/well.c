@@ -9,10 +9,11 @@
 #include "model/light/graded_sky.h"
 
 enum {
-    BANDS = 12,     /* of the sides; twice as many change no efficiency by 0.002 */
+    BANDS = 12,     /* of the sides; twice as many change the efficiency by less than
+                     * 0.002 */
     ALTITUDES = 48, /* of the light that passes straight through */
     AZIMUTHS = 12,  /* in a quarter of the circle */
-    TOP = BANDS,    /* the glass seen from below, a zone behind the bands */
+    TOP = BANDS,    /* the glass seen from below, a further zone after the bands */
     ZONES,
 };
 
@@ -27,15 +28,15 @@ double pp_well_index(const struct pp_well_shape *shape)
            / (2.0 * shape->width_m * shape->length_m);
 }
 
-/* Share of a section that lies over another, moved by x and y of its sides. */
+/* Share of the well's section that overlaps itself shifted by x and y (in sides). */
 static double overlap(double x, double y)
 {
     return x < 1.0 && y < 1.0 ? (1.0 - x) * (1.0 - y) : 0.0;
 }
 
 /* through[i]: share of the light that passes section i of the shaft, 0 the top, without
- * having met the sides. Directions are at even steps of the sine of their angle to the
- * shaft, which counts by that sine times its step, and of azimuth. */
+ * touching the sides. Directions are at equal steps of azimuth and of the sine s of the
+ * angle to the shaft, with weight s ds. */
 static void pass_straight(double through[BANDS + 1], const struct pp_well_shape *shape,
                           double b, const struct pp_glass *glass)
 {
@@ -102,9 +103,9 @@ static double back_of(const struct pp_glass *glass)
     return sum;
 }
 
-/* Bands are equal, so that the exchange between two depends on their distance only. It
- * is calculated from the sections between them, whose area over that of a band is
- * `section`:
+/* All bands have the same height, so that the exchange between two depends on their
+ * distance only. It is calculated from form factors F between sections of the shaft;
+ * `section` is the area of a section over that of a band:
  *
  *     i to j     section (F(m - 1) - 2 F(m) + F(m + 1)),  m = |i - j| > 0
  *     to itself  1 - 2 section (1 - F(1))

@@ -2,19 +2,19 @@
  * at the foot.
  *
  * A rooflight with a reveal has a well, a straight shaft from the glass down to the
- * ceiling, of the ceiling's reflectance. The hand formulae of the room take its foot
- * for the opening, and the well's sides for no part of the room. Its shape is told by
- * the well index [IES84], which is 1 for a cube:
+ * ceiling, of the ceiling's reflectance. The hand formulae of the room take the foot of
+ * the well for the opening; its sides are not part of the room. Its shape is described
+ * by the well index [IES84], which is 1 for a cube:
  *
  *     w = d (a + b) / (2 a b),   d depth, a and b the sides of the plan
  *
- * The efficiencies are worked out for the well as it is, no curve is read: the light of
- * the sky through the glass passes sections of the shaft by the share by which they
- * overlap along the light, and what falls on the sides is exchanged between 12 bands of
- * them, each evenly lit and diffuse, by closed form (lumen/rectangle_factor.h). Above
- * level glass stands the sky, overcast in place of those of ISO 15469; light on sloping
- * glass is taken to be even, as that through a diffusing pane is. A well that is no
- * rectangle is taken for the square one of its index.
+ * The efficiencies are calculated from the geometry of the well, not read from a curve.
+ * Direct sky light passes a section of the shaft in proportion to the overlap of glass
+ * and section along the light. Light on the sides is exchanged between 12 bands, each
+ * evenly lit and diffuse, by closed-form factors (lumen/rectangle_factor.h). Above
+ * horizontal glass is the sky of the room file, the overcast sky in place of those of
+ * ISO 15469; light through sloping glass or diffusing panes is assumed uniform. A well
+ * that is not rectangular is replaced by a square one of the same index.
  */
 #ifndef PP_METHODS_REFLECTED_WELL_H
 #define PP_METHODS_REFLECTED_WELL_H
@@ -32,24 +32,26 @@ struct pp_well_shape {
 /* Shares of the light through the glass, 0 to 1; N in print. */
 struct pp_well_efficiency {
     double whole;  /* N: leaves the foot */
-    double direct; /* N_d: has not met the sides */
+    double direct; /* N_d: leaves the foot without touching the sides */
 };
 
 /* A glazed opening that is not vertical and has a reveal. */
 bool pp_well_is(const struct pp_opening *opening);
 
-/* b: gradation of the sky above (graded_sky.h), 0 for even light. glass of no panes: none. */
+/* b: gradation of the sky above (graded_sky.h), 0 for uniform light. glass without
+ * panes: unglazed. */
 struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
                                              double b, const struct pp_glass *glass);
 
 double pp_well_index(const struct pp_well_shape *shape);
 
-/* The same of an opening; 1 and 1, and an index of 0, of one without a well. */
+/* The efficiencies for an opening; 1, 1 and an index of 0 for one without a well. */
 struct pp_well_efficiency pp_well_of(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening);
 
-/* Puts down w, the reflectance rho_w of the sides, N and N_d of an opening with a well. */
+/* Records w, the reflectance rho_w of the sides, N and N_d of an opening with a
+ * well. */
 void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
                  const struct pp_outside_light *light,
                  const struct pp_opening *opening);
@@ -59,7 +61,7 @@ void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
 double pp_well_foot_to_plane(const struct pp_world *world,
                              const struct pp_opening *opening);
 
-/* Puts down f and the area S of the working plane. */
+/* Records f and the area S of the working plane. */
 void pp_well_put_foot(struct pp_worksheet *sheet, const struct pp_world *world,
                       const struct pp_opening *opening);
 

@@ -7,7 +7,7 @@
 #include "model/geometry/min_max.h"
 #include "model/geometry/tolerance.h"
 
-/* The block in bounds; false: nothing of it is seen. */
+/* Calculates the bound of a block; false if nothing of it is visible. */
 static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view *view,
                         const struct pp_block *block)
 {
@@ -32,9 +32,11 @@ static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view
         bound->right = pp_max(x, bound->right);
         bound->high = pp_max(z, bound->high);
     }
-    /* Sides flush with the room's are set off into the block. */
+    /* Blocks flush with the room's faces are moved by PP_SET_OFF_M; the bound allows
+     * for it. */
     bound->distance_m = sqrt(square) - 2.0 * PP_SET_OFF_M;
-    if (near <= view->glass_m) { /* objects beyond the glass may appear anywhere */
+    if (near <= view->glass_m) { /* directions to objects beyond the glass are not
+                                  * bounded */
         bound->left = -INFINITY;
         bound->right = bound->high = INFINITY;
         return far >= view->glass_m;
@@ -43,7 +45,7 @@ static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view
            && bound->high > view->low;
 }
 
-/* Sorts by distance, to within the width of a bin. */
+/* Sorts by distance, to the width of a bin. */
 enum { BINS = 128 };
 
 static int bin_of(const struct pp_block_bound *bound, double nearest_m)

@@ -19,8 +19,8 @@ struct pp_block_view {
     double left, right, low;
 };
 
-/* A block is seen between `left` and `right` and not above `high`; no corner is nearer to
- * the point than distance_m. */
+/* A block appears between `left` and `right` and not above `high`; all its corners are
+ * at least distance_m from the point. */
 struct pp_block_bound {
     int block; /* among the world's */
     double left, right, high, distance_m;
@@ -31,9 +31,9 @@ struct pp_block_bounds {
     struct pp_block_bound *list;
 };
 
-/* Fills empty bounds with the blocks that may be visible, in order of distance,
- * roughly: to a hundredth of the ratio of the nearest distance to theirs. The caller
- * clears them, after a failure too. */
+/* Fills empty bounds with the blocks that may be visible, roughly ordered by distance
+ * (two in wrong order differ by at most a hundredth of the range of 1/distance). The
+ * caller clears them, after a failure too. */
 enum pp_status pp_block_bounds_find(struct pp_block_bounds *bounds,
                                     const struct pp_world *world,
                                     const struct pp_block_view *view,

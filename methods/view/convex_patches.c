@@ -10,7 +10,7 @@
 #include "methods/view/overlay.h"
 #include "methods/view/ring_cells.h"
 
-/* The open part, before anything hides it. */
+/* Adds the open part before any obstruction is removed. */
 static enum pp_status add_open(struct pp_fragments *open,
                                const struct pp_visible *visible,
                                const struct pp_patch_builder *builder,
@@ -29,8 +29,8 @@ static enum pp_status add_open(struct pp_fragments *open,
     return status;
 }
 
-/* Does a fragment show the light of `hider`, or the sky where that is NULL? rings: that own
- * fragments, of the pieces. */
+/* True if a fragment shows the light of `hider`, or the sky if that is NULL. rings:
+ * owners of fragments, parts of the pieces. */
 static bool shows(const struct pp_fragment *fragment,
                   const struct pp_occluder_rings *rings,
                   const struct pp_occluders *pieces, const struct pp_occluder *hider)
@@ -79,8 +79,8 @@ static enum pp_status add_patch(struct pp_visible *visible,
     return PP_OK;
 }
 
-/* Finds the pieces that are the first with their light, in order; the caller frees
- * *first. */
+/* Finds for each different light the first piece that has it, in order; the caller
+ * frees *first. */
 static enum pp_status find_lights(int **first, int *count,
                                   const struct pp_occluders *pieces,
                                   struct pp_error *err)
@@ -117,7 +117,8 @@ static enum pp_status hide_cell(void *data, struct pp_fragments *open, const int
     return status;
 }
 
-/* Divides the open part where it does not matter which piece hides. */
+/* Divides the open part if all pieces have the same light, so that any may hide
+ * another. */
 static enum pp_status divide_by_one_light(struct pp_visible *visible,
                                           struct pp_fragments *open,
                                           struct pp_occluder_rings *rings,

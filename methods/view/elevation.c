@@ -1,5 +1,5 @@
-/* elevation.c - draws the opening and the obstructions as rectangles, for
- * elevation_strips.h to cut the one by the others. */
+/* elevation.c - draws the opening and the obstructions as rectangles, which
+ * elevation_strips.h divides into parts. */
 #include "methods/view/elevation.h"
 
 #include <stdlib.h>
@@ -24,7 +24,7 @@ static struct pp_vec3 in_frame(const struct opening_frame *frame, struct pp_vec3
     return pp_frame_in(&frame->axes, pp_vec_sub(p, frame->point));
 }
 
-/* y in it. */
+/* Distance of a point from the eye along y. */
 static double distance_of(const struct opening_frame *frame, struct pp_vec3 p)
 {
     return pp_vec_dot(frame->axes.y, pp_vec_sub(p, frame->point));
@@ -38,8 +38,9 @@ struct opening_drawing {
     double face_m, glass_m;        /* distances of the point from wall face and glass */
     struct pp_elevation_part seen; /* the visible part of the opening */
     struct pp_elevation_obstructions obstructions;
-    struct pp_elevation_cover *cover; /* by the obstructions; not owned */
-    int order;                        /* of the next one */
+    struct pp_elevation_cover *cover; /* areas covered by the obstructions so far; not
+                                       * owned */
+    int order;                        /* order of the next obstruction */
 };
 
 /* The rectangle of equal area with the centroid of a figure and the proportions of its
@@ -56,8 +57,8 @@ static struct pp_elevation_part equal_rectangle(const struct pp_area_moments *ex
                                       .high = low + scale * height};
 }
 
-/* Do the point and the whole opening lie on one side of each face, and does nothing
- * stand in the room, so that the opening cannot be hidden inside? */
+/* True if the point and the whole opening lie on one side of each face and the room is
+ * empty, so that nothing inside can hide the opening. */
 static bool is_seen_whole(const struct opening_drawing *drawing)
 {
     const struct pp_world *world = drawing->world;
@@ -84,8 +85,9 @@ static bool is_seen_whole(const struct opening_drawing *drawing)
     return true;
 }
 
-/* The intersection of both outlines of an upright rectangle, above the horizon. Each is as
- * far away in all its corners, so that two across tell its jambs, sill and head. */
+/* The intersection of both outlines of an upright rectangle, above the horizon. All
+ * corners of an outline are at the same distance, so two opposite ones define jambs,
+ * sill and head. */
 static struct pp_elevation_part through_rectangle(const struct pp_opening *opening,
                                                   const struct opening_frame *frame)
 {
@@ -127,7 +129,7 @@ static enum pp_status find_seen(struct opening_drawing *drawing, struct pp_error
     return PP_OK;
 }
 
-/* Adds an obstruction, unless nothing is seen of it. */
+/* Adds an obstruction, unless nothing of it is visible. */
 static enum pp_status add_obstruction(struct opening_drawing *drawing,
                                       struct pp_elevation_obstruction obstruction,
                                       struct pp_error *err)
@@ -191,8 +193,8 @@ static int draw_outside(double (*drawn)[2], const struct pp_polygon *outline,
     return kept;
 }
 
-/* The silhouette of one obstruction, summed over its surfaces that face the point, none
- * of which hides another. */
+/* The silhouette of one obstruction: the sum over its surfaces that face the point,
+ * which do not overlap. */
 struct silhouette {
     struct pp_area_moments extent;
     double distance_m; /* of the nearest corner */
@@ -251,7 +253,8 @@ static enum pp_status add_silhouette(struct opening_drawing *drawing,
     return add_obstruction(drawing, obstruction, err);
 }
 
-/* True if part of the surface is beyond the glass, or if it lies in the plane. */
+/* True if part of the surface is beyond the glass, or if it lies in the glass's
+ * plane. */
 static bool reaches_outside(const struct pp_polygon *outline,
                             const struct opening_drawing *drawing)
 {
@@ -270,7 +273,7 @@ static bool faces(const struct pp_polygon *outline, struct pp_vec3 point)
     return pp_vec_dot(pp_vec_sub(point, outline->vertices[0]), outline->normal) > 0.0;
 }
 
-/* True for the wall of a skyline before another face than the opening's. */
+/* True if the surface is the skyline of another face than the opening's. */
 static bool is_skyline_aside(const struct pp_surface *surface,
                              const struct opening_drawing *drawing)
 {
@@ -304,8 +307,8 @@ static enum pp_status add_surfaces(struct opening_drawing *drawing,
     return status;
 }
 
-/* Adds the bands that the opening's own facade hides of it: upright rectangles to the left,
- * to the right, above and below its hole, without end. */
+/* Adds the bands of sky that the opening's own facade hides: infinite rectangles to the
+ * left, to the right, above and below its hole. */
 static enum pp_status add_hole_bands(struct opening_drawing *drawing,
                                      double reflectance, struct pp_error *err)
 {
@@ -333,7 +336,7 @@ static enum pp_status add_hole_bands(struct opening_drawing *drawing,
     return status;
 }
 
-/* Adds a facade: the opening's own round its hole, another as if it had none. */
+/* Adds a facade: the opening's own with its hole, another one as a whole. */
 static enum pp_status add_facade(struct opening_drawing *drawing, int index,
                                  struct pp_error *err)
 {
@@ -360,7 +363,8 @@ static enum pp_status add_block(struct opening_drawing *drawing,
                   : add_silhouette(drawing, &silhouette, block->reflectance, err);
 }
 
-/* Adds the blocks, the nearer ones about first: what these hide is not drawn. */
+/* Adds the blocks, roughly the nearer ones first; blocks hidden by these are not
+ * drawn. */
 static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_error *err)
 {
     const struct pp_world *world = drawing->world;
@@ -384,7 +388,7 @@ static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_erro
     return status;
 }
 
-/* Takes out what the obstructions that were added later hide. */
+/* Removes obstructions that are hidden by obstructions added later. */
 static void drop_hidden(struct opening_drawing *drawing)
 {
     struct pp_elevation_obstructions *obstructions = &drawing->obstructions;
@@ -405,7 +409,7 @@ enum pp_status pp_elevation_init(struct pp_elevation *elevation,
                                  struct pp_error *err)
 {
     *elevation = (struct pp_elevation){0};
-    struct pp_elevation_cover cover; /* 16 kB, most of which is seldom touched */
+    struct pp_elevation_cover cover; /* 16 kB; only the columns in use are written */
     struct opening_drawing drawing = {
         .world = world,
         .cover = &cover,

@@ -1,5 +1,5 @@
-/* elevation.h - an opening and the obstructions before it as upright rectangles, for
- * tables and protractors.
+/* elevation.h - an opening and the obstructions in front of it as upright rectangles,
+ * for tables and protractors.
  *
  * Rectangles are measured as seen from a point, over the distance d of the point from
  * the opening's plane: x/d along the opening, to the right as seen from inside, and z/d

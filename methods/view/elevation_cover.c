@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* Jambs within this share of a column of its edge count as on the side that hides
- * less. */
+/* Jambs this close to the edge of a column (in columns) are rounded to the side that
+ * hides less. */
 static const double grain = 1e-9;
 
 void pp_elevation_cover_init(struct pp_elevation_cover *cover,
@@ -17,7 +17,7 @@ void pp_elevation_cover_init(struct pp_elevation_cover *cover,
     cover->distance_m[0] = 0.0;
 }
 
-/* Sets the columns where all are as the first. */
+/* Sets all columns individually, from values common to all. */
 static void part_columns(struct pp_elevation_cover *cover)
 {
     for (int i = 1; i < PP_ELEVATION_COLUMNS; i++) {
@@ -27,7 +27,7 @@ static void part_columns(struct pp_elevation_cover *cover)
     cover->alike = false;
 }
 
-/* A jamb in columns from the first, within those there are. */
+/* Position of a jamb in columns from the first, clamped to the columns. */
 static double cover_column(const struct pp_elevation_cover *cover, double x)
 {
     double at = (x - cover->left) / cover->width;

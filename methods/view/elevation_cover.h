@@ -20,7 +20,7 @@ struct pp_elevation_cover {
     double distance_m[PP_ELEVATION_COLUMNS];
 };
 
-/* Nothing is hidden yet of `seen`, which is not empty. */
+/* Initialises the cover: nothing of `seen`, which must not be empty, is hidden yet. */
 void pp_elevation_cover_init(struct pp_elevation_cover *cover,
                              const struct pp_elevation_part *seen);
 

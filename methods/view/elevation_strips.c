@@ -17,19 +17,20 @@ struct strip_sweep {
 
     int edge_count;
     double *edges; /* jambs, from the left */
-    int *by_left;  /* places by their left jamb; entered: how many the sweep has met */
+    int *by_left;  /* list indices ordered by left jamb; entered: number that the sweep
+                    * has passed */
     int entered;
 
     double left, right; /* of the strip */
     int crossing_count;
     int *crossing; /* ascending: nearest first */
 
-    int shown_count; /* of the crossing ones, those not wholly behind nearer ones */
+    int shown_count; /* number of crossing obstructions not wholly behind nearer ones */
     int *shown;
-    int covered_count; /* number of disjoint ranges of height that they cover, from
+    int covered_count; /* number of disjoint ranges of height that these cover, from
                         * below */
     double (*covered)[2];
-    double *levels; /* their lower and upper edges */
+    double *levels; /* lower and upper edges of the shown obstructions */
 };
 
 static int by_size(const void *a, const void *b)
@@ -46,7 +47,7 @@ static int by_distance(const void *a, const void *b)
     return (x->order > y->order) - (x->order < y->order);
 }
 
-/* A place in the list by its left jamb. */
+/* An index in the list, with its left jamb. */
 struct jamb_place {
     double left;
     int place;
@@ -110,7 +111,7 @@ static void move_to(struct strip_sweep *sweep, double left, double right)
     sweep->crossing_count = kept;
 }
 
-/* Adds heights to those covered; false: they are covered already. */
+/* Adds a range of heights to the covered ones; false if it was covered already. */
 static bool cover(struct strip_sweep *sweep, double low, double high)
 {
     double(*covered)[2] = sweep->covered;
@@ -172,7 +173,8 @@ static int find_levels(struct strip_sweep *sweep)
     return levels;
 }
 
-/* Adds the parts of the strip, from below: one for each run of one light. */
+/* Adds the parts of the strip, from below: one for each contiguous range of one
+ * light. */
 static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
                                 struct strip_sweep *sweep, struct pp_error *err)
 {
@@ -199,8 +201,8 @@ static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
     return PP_OK;
 }
 
-/* A strip of `count` parts from `now` on that continues the one from `before` on is
- * joined to it. */
+/* Joins the strip whose `count` parts begin at index `now` to the one that begins at
+ * `before`, if they continue each other. */
 static bool join_strips(struct pp_elevation *elevation, int before, int now)
 {
     int count = elevation->count - now;

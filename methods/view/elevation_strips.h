@@ -3,18 +3,19 @@
  *
  * The part is divided into vertical strips from jamb to jamb, and each strip by the
  * obstructions visible in it; equal neighbours are joined. A sweep line crosses the
- * edges, so that a strip's time depends on the obstructions that cross it, not on all.
+ * edges, so that the time for a strip depends only on the obstructions that cross it.
  */
 #ifndef PP_METHODS_VIEW_ELEVATION_STRIPS_H
 #define PP_METHODS_VIEW_ELEVATION_STRIPS_H
 
 #include "methods/view/elevation.h"
 
-/* An obstruction on the drawing. */
+/* An obstruction on the drawing, as a rectangle. */
 struct pp_elevation_obstruction {
     struct pp_elevation_part outline;
-    double distance_m; /* of the nearest corner: the nearer one hides the other, */
-    int order;         /* of two as near the one of the lower order */
+    double distance_m; /* of the nearest corner: the nearer obstruction hides the
+                        * other */
+    int order;         /* ties of distance: the lower order is in front */
 };
 
 struct pp_elevation_obstructions {

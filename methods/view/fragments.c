@@ -115,9 +115,9 @@ static struct cut_line line_of_edge(const struct pp_fragment_ring *ring, int i)
     return (struct cut_line){a, b, -a * p[0] - b * p[1]};
 }
 
-/* Divides a ring by a line. Above 0: all of it lies where the line is 0 or greater;
- * below 0: where it is 0 or less. 0: it is divided into `in`, the greater side, and
- * `out`, the smaller. */
+/* Divides a ring by a line. Returns > 0 if the whole ring is on the side where the line
+ * is >= 0, < 0 if it is on the other side, and 0 if it was divided into `in` (line > 0)
+ * and `out` (line < 0). */
 static int divide_ring(struct cut_ring *in, struct cut_ring *out,
                        const struct cut_ring *whole, struct cut_line line)
 {
@@ -171,14 +171,14 @@ double pp_fragments_area(const struct pp_fragment *fragment)
 
 /* A fragment divided by a ring: the part within, and the part outside each edge. */
 struct cut_parts {
-    const struct cut_ring *within; /* one of the two */
+    const struct cut_ring *within; /* points to one of the two rings */
     struct cut_ring rings[2];
     int outside_count;
     struct cut_ring outside[PP_FRAGMENT_CORNERS];
 };
 
-/* Divides a fragment by a ring, edge by edge; false where nothing lies within but slivers
- * of rounding errors. */
+/* Divides a fragment by a ring, edge by edge; false if only slivers of rounding errors
+ * lie within. */
 static bool divide_by_ring(struct cut_parts *parts, const struct pp_fragment *fragment,
                            const struct pp_fragment_ring *ring)
 {
@@ -225,7 +225,7 @@ static enum pp_status add_outside(struct pp_fragments *fragments, int owner,
     return status;
 }
 
-/* Takes a fragment out of the list; the last one moves to its place. */
+/* Removes a fragment from the list; the last one moves to its place. */
 static void drop(struct pp_fragments *fragments, int index)
 {
     fragments->list[index] = fragments->list[--fragments->count];
@@ -250,8 +250,8 @@ enum pp_status pp_fragments_intersect(struct pp_fragments *result,
     return status;
 }
 
-/* Line on which the ring and the owner have the same depth; it tells where the ring is
- * nearer. */
+/* The line on which the ring and the owner have the same depth, positive where the ring
+ * is nearer. */
 static struct cut_line nearer_than(const struct pp_fragment_ring *ring,
                                    const struct pp_fragment_ring *owner)
 {

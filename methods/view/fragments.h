@@ -1,9 +1,9 @@
 /* fragments.h - a figure in the plane as convex fragments, from which convex rings are
  * cut one after another.
  *
- * A cut conserves area but for rounding, whatever the rings: no overlay has to be
- * topologically sound. A fragment is free, or has an owner: the ring that covers it and is in
- * front of all others.
+ * A cut conserves area except for rounding, for any rings: unlike an overlay it needs
+ * no topologically valid input. A fragment is free, or has an owner: the ring that
+ * covers it and is in front of all others.
  */
 #ifndef PP_METHODS_VIEW_FRAGMENTS_H
 #define PP_METHODS_VIEW_FRAGMENTS_H
@@ -40,8 +40,8 @@ struct pp_fragment_ring {
     double depth[3];
 };
 
-/* Makes a ring of convex corners, which are turned counter-clockwise. depth is left as
- * it is. */
+/* Makes a ring of the corners of a convex polygon, which it orders counter-clockwise.
+ * depth is left unchanged. */
 void pp_fragments_close_ring(struct pp_fragment_ring *ring, double (*xy)[2], int count);
 
 void pp_fragments_clear(struct pp_fragments *fragments);

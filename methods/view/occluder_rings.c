@@ -8,7 +8,7 @@
 
 enum { MOST = PP_FRAGMENT_CORNERS };
 
-/* Parts of a fan over a ring of `count` corners. */
+/* Number of parts in a fan over a ring of `count` corners. */
 static int fan_parts(int count)
 {
     enum { STEP = MOST - 2 };
@@ -122,7 +122,8 @@ static enum pp_status mark_cell(void *data, struct pp_fragments *open, const int
     return status;
 }
 
-/* Marks the pieces that hide a part of the open fragments which no larger one hides. */
+/* Marks the pieces that hide a part of the open fragments not hidden by a larger
+ * piece. */
 static enum pp_status mark_in_union(bool *is_seen, struct pp_fragments *open,
                                     struct pp_occluder_rings *rings,
                                     struct pp_error *err)

@@ -10,7 +10,7 @@
 struct pp_occluder_rings {
     int count;
     struct pp_fragment_ring *rings;
-    int *of; /* the piece that each is a part of */
+    int *of; /* index of the piece that each ring is a part of */
     double (*xy)[2];
 };
 
@@ -21,11 +21,11 @@ enum pp_status pp_occluder_rings_find(struct pp_occluder_rings *rings,
                                       double distance_m, struct pp_error *err);
 void pp_occluder_rings_clear(struct pp_occluder_rings *rings);
 
-/* The largest first: those that come after are mostly hidden. */
+/* Sorts the rings by area, largest first: later ones are then mostly hidden. */
 enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
                                       struct pp_error *err);
 
-/* Gives each part of the open fragments to the nearest ring. */
+/* Assigns each part of the open fragments to the nearest ring. */
 enum pp_status pp_occluder_rings_cover(struct pp_fragments *open,
                                        const struct pp_occluder_rings *rings,
                                        struct pp_error *err);

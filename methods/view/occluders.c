@@ -8,8 +8,8 @@
 #include "model/geometry/clip.h"
 #include "model/geometry/min_max.h"
 
-/* Coordinates in the view's plane that agree to this share of its extent count as
- * equal: some roundings of a double. */
+/* Coordinates in the view's plane that differ by less than this share of its extent,
+ * some rounding errors, count as equal. */
 #define GRAIN 2e-15
 
 /* Room for the planes that may cut a polygon: four of the pyramid, two of depth. */
@@ -84,7 +84,7 @@ static struct sides sides_of(const struct pp_occluders_scene *scene, double near
                           {near, -far, 0.0, 0.0, 0.0, 0.0}};
 }
 
-/* Cuts a convex polygon to the sides and adds the rest. */
+/* Adds a convex polygon, cut to the sides. */
 static enum pp_status add_convex(struct pp_occluders *pieces,
                                  const struct pp_occluder *like,
                                  const struct pp_vec3 *corners, int count,
@@ -92,8 +92,8 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
                                  const struct pp_occluders_scene *scene,
                                  struct pp_error *err)
 {
-    /* A polygon that lies wholly outside one side adds nothing; one that lies wholly
-     * within is not cut by it. */
+    /* A polygon wholly outside one side adds nothing; a side that contains the whole
+     * polygon does not cut it. */
     bool cuts[CUTS];
     for (int s = 0; s < CUTS; s++) {
         int within = 0;
@@ -129,7 +129,7 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
     return status;
 }
 
-/* Cuts any surface, with corners in the view's axes, and adds the rest. */
+/* Adds any surface, with corners in the view's axes, cut to the view. */
 static enum pp_status add_occluder_surface(struct pp_occluders *pieces,
                                            const struct pp_occluder *like,
                                            const struct pp_surface *surface,
@@ -150,8 +150,8 @@ static enum pp_status add_occluder_surface(struct pp_occluders *pieces,
     return status;
 }
 
-/* Do the eye and the outline lie on one side of the plane normal.v = offset (view's
- * axes)? A surface in that plane then hides no part of the outline. */
+/* True if the eye and the outline lie on one side of the plane normal.v = offset
+ * (view's axes). A surface in that plane then hides no part of the outline. */
 static bool cannot_hide(const struct pp_occluders_scene *scene, struct pp_vec3 normal,
                         double offset)
 {
@@ -251,7 +251,7 @@ static struct block_in_view block_in_view(const struct pp_projection *view,
          pp_projection_direction(view, pp_vec(0.0, 0.0, block->height_m))}};
 }
 
-/* The farthest that the block reaches along a direction. */
+/* Greatest coordinate of the block along a direction. */
 static double reach(const struct block_in_view *block, struct pp_vec3 along)
 {
     double far = pp_vec_dot(block->corner, along);
@@ -271,8 +271,8 @@ static bool lies_beside(const struct block_in_view *block, const struct sides *p
     return false;
 }
 
-/* Adds a block by its sides. Of one that the view's plane does not cut, those that face
- * away from the eye hide nothing that others do not. */
+/* Adds a block by its sides. If the view's plane does not cut the block, sides that
+ * face away from the eye are left out: the others hide the same. */
 static enum pp_status collect_block(struct pp_occluders *inside,
                                     struct pp_occluders *outside,
                                     const struct pp_occluders_scene *scene,

@@ -16,7 +16,7 @@
 /* A point nearer to a plane than this (m) counts as lying in the plane. */
 #define PP_OCCLUDERS_COPLANAR_M 1e-9
 
-/* A convex piece of one surface, or of a skyline, in the view's plane. */
+/* A convex piece of one surface, or of a skyline, projected on to the view's plane. */
 struct pp_occluder {
     int count;
     double (*xy)[2]; /* clockwise or counter-clockwise */
@@ -38,13 +38,13 @@ struct pp_occluders_scene {
     const struct pp_projection *view;
     int face;                   /* the surface that the view's plane lies in, or -1 */
     bool from_inside;           /* the near side of the plane is inside the room */
-    const double (*outline)[2]; /* corners of the outline that is looked through */
+    const double (*outline)[2]; /* corners of the outline that the view looks through */
     int outline_count;
     double low[2], high[2]; /* the outline's extent along x and y */
 };
 
-/* Adds the pieces of all surfaces. In a convex room without obstructions, which has no
- * pieces, well under a microsecond and no allocation. */
+/* Adds the pieces of all surfaces. In a convex room without obstructions there are
+ * none; it then takes well under a microsecond and allocates nothing. */
 enum pp_status pp_occluders_collect(struct pp_occluders *inside,
                                     struct pp_occluders *outside,
                                     const struct pp_occluders_scene *scene,

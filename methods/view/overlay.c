@@ -1,5 +1,5 @@
 /* overlay.c - unions and differences of occluders by GEOS, with the line of equal
- * distance as border between two that intersect. */
+ * distance as the border between two intersecting pieces. */
 #include "methods/view/overlay.h"
 
 #include <stdlib.h>
@@ -7,7 +7,8 @@
 
 #include "model/geometry/clip.h"
 
-/* The pieces as regions that borrow the coordinates, turned counter-clockwise. */
+/* Regions of the pieces; they share the pieces' coordinates, ordered
+ * counter-clockwise. */
 static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
                              const struct pp_occluders *pieces, struct pp_error *err)
 {
@@ -104,7 +105,7 @@ static bool are_apart(const struct pp_bounds2 *a, const struct pp_bounds2 *b)
            || a->high[1] < b->low[1];
 }
 
-/* The visible part of piece `index` behind all pieces with other light. */
+/* The visible part of piece `index`, less all nearer pieces with other light. */
 static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *seen,
                                 const struct pp_occluders *pieces, int index,
                                 double distance_m, struct pp_error *err)

@@ -64,7 +64,8 @@ static bool all_same_light(const struct pp_occluders *pieces)
     return true;
 }
 
-/* The union of all pieces outside, and the rest of builder->open, which shows sky. */
+/* Finds the union of all pieces outside, and the rest of builder->open, which shows
+ * sky. */
 static enum pp_status cover(struct pp_patch_builder *builder, struct pp_region *all,
                             struct pp_region *sky, struct pp_error *err)
 {
@@ -98,9 +99,9 @@ static bool adds_up(const struct pp_patch_builder *builder, const struct pp_regi
     return true;
 }
 
-/* Divides builder->open where every piece is in sight and gives off the same light:
- * first without a grid, which is five times as fast; then with the grid if GEOS has
- * lost an area. */
+/* Divides builder->open if all pieces are visible and have the same light: first
+ * without a grid, which is five times as fast, then with the grid if GEOS has lost an
+ * area. */
 static enum pp_status divide_same_light(struct pp_visible *visible,
                                         struct pp_patch_builder *builder,
                                         struct pp_error *err)
@@ -236,7 +237,7 @@ enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
         return PP_OK;
     }
 
-    /* A skyline before an open part that is not convex is one occluder more. */
+    /* With a non-convex open part a skyline is treated as a further occluder. */
     if (builder->in_parts && with_outside && builder->inside.count > 0)
         overlay_outside = true;
     for (int i = 0; overlay_outside && i < world->skyline_count && status == PP_OK; i++)

@@ -1,5 +1,5 @@
-/* patch_builder.h - builds the patches of a view (visible.h) from the outline that is
- * looked through and the occluders on either side of the plane. For visible.c only.
+/* patch_builder.h - builds the patches of a view (visible.h) from the outline of the
+ * opening and the occluders on either side of the plane. For visible.c only.
  */
 #ifndef PP_METHODS_VIEW_PATCH_BUILDER_H
 #define PP_METHODS_VIEW_PATCH_BUILDER_H
@@ -8,14 +8,15 @@
 #include "methods/view/visible.h"
 #include "model/geometry/clipper.h"
 
-/* scene, in_parts and, for an outline that is no rectangle, clipper and open are set
- * before; all else is zero. */
+/* scene, in_parts and, for an outline that is no rectangle, clipper and open are set by
+ * the caller; all else is zero. */
 struct pp_patch_builder {
     struct pp_occluders_scene scene;
     struct pp_occluders inside, outside;
     struct pp_clipper *clipper; /* NULL until it is needed */
     struct pp_region open;      /* the part that is not hidden inside */
-    bool open_is_extent;        /* it is the whole rectangle from scene.low to high */
+    bool open_is_extent;        /* the open part is the whole rectangle from scene.low
+                                 * to high */
     double grid;                /* on which regions are overlaid */
     bool in_parts;              /* patches may be convex rings that meet */
 };

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Rings that need no cells; with 24 to 384 leaves take the same time to a quarter. And the
- * most halves of halves. */
+/* Number of rings up to which no cells are used (with 24 to 384 the time for a tree's
+ * leaves changes by less than a quarter), and the greatest depth of subdivision. */
 enum { FEW = 192, DEEPEST = 24 };
 
 struct ring_cells {
@@ -60,8 +60,8 @@ static enum pp_status in_cells(const struct ring_cells *cells,
                                struct pp_fragments *open, const int *rings, int count,
                                int depth, struct pp_error *err);
 
-/* Processes one half: its fragments, clipped from all, and the rings that reach into
- * it. */
+/* Processes one half of an extent: its fragments, which are moved out of the list, and
+ * the rings that reach into it. */
 static enum pp_status in_half(const struct ring_cells *cells, struct pp_fragments *left,
                               const struct pp_fragments *open,
                               const struct extent *half, const int *rings, int count,

@@ -1,13 +1,13 @@
 /* slope_rectangles.h - an opening that is not vertical, and the obstructions seen through
  * it, as rectangles in its plane, for protractors and tables.
  *
- * Lengths are over the distance d of the plane from the point, and measured from the foot
- * of the perpendicular: b up the slope, x along the level edges, to the right as seen from
- * inside. All edges of a level opening are level: its section is square to the longer
- * ones. The visible part above the point's horizon is the rectangle itself; any other
- * shape is read as one of equal area, with the same middle and proportions. An obstruction
- * is the rectangle of equal area with the jambs of the hidden part and its edge nearer to
- * the zenith; it lies within the opening's.
+ * Lengths are over the distance d of the plane from the point, and measured from the
+ * foot of the perpendicular: b up the slope, x along the level edges, to the right as
+ * seen from inside. All edges of a level opening are level: its section is square to
+ * the longer ones. The visible part above the point's horizon is the rectangle itself;
+ * any other shape is read as one of equal area, with the same middle and proportions.
+ * An obstruction is the rectangle of equal area with the jambs of the hidden part and
+ * its edge nearer to the zenith; it lies within the opening's rectangle.
  */
 #ifndef PP_METHODS_VIEW_SLOPE_RECTANGLES_H
 #define PP_METHODS_VIEW_SLOPE_RECTANGLES_H
@@ -21,7 +21,7 @@
 
 struct pp_slope_rectangle {
     double left, right, low, high;
-    bool hidden;   /* shows an obstruction; else all that is seen */
+    bool hidden;   /* shows an obstruction; else the whole visible part */
     double factor; /* luminance factor of the obstruction; 1 for the sky */
 };
 

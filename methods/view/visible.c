@@ -39,7 +39,7 @@ static int rectangle_through(double corners[4][2], const double inner[4][2],
     return 4;
 }
 
-/* The ring of a polygon in the view's plane, from the eye. */
+/* Projects a polygon from the eye on to the view's plane, as a ring. */
 static void project(double (*xy)[2], const struct pp_polygon *outline,
                     const struct pp_projection *view, double depth_m)
 {
@@ -51,7 +51,7 @@ static void project(double (*xy)[2], const struct pp_polygon *outline,
     }
 }
 
-/* Sets builder->open to the intersection of both outlines of an opening that is no
+/* Sets builder->open to the intersection of both outlines of an opening that is not a
  * rectangle. */
 static enum pp_status open_by_overlay(struct pp_patch_builder *builder,
                                       const struct pp_opening *opening,
@@ -239,7 +239,7 @@ void pp_visible_clear(struct pp_visible *visible)
 {
     if (!visible->allocated)
         return;
-    /* A skyline's patches share one region. */
+    /* The patches of a skyline share one region, which is freed once. */
     for (int i = visible->patch_count - 1; i >= 0; i--)
         if (i == 0
             || visible->patches[i].region.rings != visible->patches[i - 1].region.rings)

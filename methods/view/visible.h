@@ -52,8 +52,8 @@ enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err);
 
-/* The same, faster, for sums: a patch with obstructions outside comes as convex rings
- * that meet, not as its outline. */
+/* The same, faster, for sums: patches among obstructions outside are sets of adjacent
+ * convex rings, not outlines. */
 enum pp_status pp_visible_in_parts(struct pp_visible *visible,
                                    const struct pp_world *world,
                                    const struct pp_opening *opening, struct pp_vec3 eye,
@@ -68,8 +68,9 @@ enum pp_status pp_visible_opening(struct pp_visible *visible,
 
 /* Patch as a region on the plane at unit distance: x along opening->along, y along
  * opening->up, from the foot of the perpendicular, over the distance from the face's
- * plane. Not cut at the position's horizon. Empty if the position lies behind the opening
- * or in its plane. The region may come as convex rings that meet, and is the caller's. */
+ * plane. Not cut at the position's horizon. Empty if the position lies behind the
+ * opening or in its plane. The region may consist of adjacent convex rings; the caller
+ * clears it. */
 enum pp_status pp_visible_open_part(struct pp_region *region,
                                     const struct pp_world *world,
                                     const struct pp_opening *opening,

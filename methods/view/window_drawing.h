@@ -1,5 +1,5 @@
 /* window_drawing.h - an opening and the obstructions seen through it, drawn in true
- * perspective, for the pepper-pot diagram and for Waldram's.
+ * perspective, for the pepper-pot and Waldram diagrams.
  *
  * The drawing lies on the plane parallel to the opening at unit distance from the
  * point: (a, b) is a to the right and b up along the opening's own axes, over the
@@ -50,13 +50,13 @@ enum pp_status pp_window_drawing_of_view(struct pp_window_drawing *drawing,
                                          struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
-/* Sky or externally reflected component of the part: the count times the worth of one,
- * which is "w" on the sheet. */
+/* Sky or externally reflected component of the part: the count times the worth of one
+ * square or dot ("w" on the sheet). */
 extern const struct pp_formula pp_window_drawing_sc, pp_window_drawing_erc;
 extern const struct pp_formula *const pp_window_drawing_formulae[]; /* both, and NULL */
 
-/* Puts down `count` squares or dots, "things", of the next part, and works its component
- * out; returns it. */
+/* Records `count` squares or dots ("things") of the next part, evaluates its component
+ * and returns it. */
 double pp_window_drawing_work(struct pp_part_steps *terms,
                               const struct pp_drawn_part *part, double count,
                               const char *things);

@@ -1,12 +1,13 @@
-/* skylight_indicator_fill.c - finds the altitudes of the marks by halving, and which marks
- * are on the sky. */
+/* skylight_indicator_fill.c - finds the altitudes of the marks by bisection, and tests
+ * which marks are on the sky. */
 #include "methods/waldram/skylight_indicator_fill.h"
 
 #include "methods/exact/exterior.h"
 #include "methods/waldram/waldram_scale.h"
 #include "methods/waldram/waldram_site.h"
 
-/* The altitude that has that Y; 60 halvings leave nothing of the interval. */
+/* The altitude at which the diagram has that Y; 60 bisections reach machine
+ * precision. */
 static double altitude_of(const struct pp_waldram *waldram, double y)
 {
     double low = 0.0, high = PP_PI / 2.0;
@@ -33,7 +34,7 @@ static void place_marks(struct pp_skylight_indicator_sheet *sheet,
     }
 }
 
-/* Extent of the plan relative to that of the lowest marks. */
+/* Extent of the plan over the distance of the lowest marks. */
 #define REACH_BEYOND 1.06
 
 static enum pp_status fill_indicator_sheet(struct pp_skylight_indicator_sheet *sheet,

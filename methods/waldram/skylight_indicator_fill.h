@@ -8,7 +8,7 @@
  *
  * on the plan at the distance cot gamma, so that each is worth 1/80 of the open sky's
  * vertical sky component: 0.495 % of the overcast sky's 39.6 %. After the indicator of
- * [BR209], whose marks stand elsewhere.
+ * [BR209], whose marks are at other positions.
  */
 #ifndef PP_METHODS_WALDRAM_SKYLIGHT_INDICATOR_FILL_H
 #define PP_METHODS_WALDRAM_SKYLIGHT_INDICATOR_FILL_H

@@ -20,7 +20,7 @@
 #include "methods/view/visible.h"
 #include "methods/waldram/waldram_squares.h"
 
-/* The diagrams for the room's openings; one that no opening needs is not set. */
+/* The diagrams for the room's openings; a diagram that no opening needs is not set. */
 struct waldram_diagrams {
     struct pp_waldram unglazed, glazed;
 };
@@ -106,8 +106,8 @@ static enum pp_status evaluate_waldram(const struct pp_world *world,
     return status;
 }
 
-/* The diagram, and the window's axes, for the luminance of the sky through the glass
- * with the diagram's product of losses. */
+/* Context of the luminance of the sky through the glass, with the diagram's factorised
+ * losses. */
 struct charted {
     const struct pp_waldram *waldram;
     struct pp_vec3 along, toward;
@@ -127,8 +127,8 @@ static double charted_luminance(const void *context, struct pp_vec3 u)
            * pp_glass_transmittance(glass, ahead / level) / glass->normal;
 }
 
-/* The mean of many counts is the area: an average over the plane takes the area, with
- * the diagram's losses, instead of squares. */
+/* The mean of many counts converges to the area, so an average over the plane
+ * integrates the area, with the diagram's losses, instead of counting squares. */
 static enum pp_status average_waldram(struct pp_beams *beams,
                                       const struct pp_outside_light *light,
                                       const struct pp_opening *opening,

@@ -2,8 +2,8 @@
  * Waldram's diagram without glass [WW23], under an overlay of the glass.
  *
  * Squares without glass are exact at any slope of the opening. The transmittance of
- * glass depends on altitude and azimuth together, so that only for level glass can a
- * diagram with its losses have equal squares. The overlay shows the transmittance of
+ * glass depends on altitude and azimuth together, so that a diagram that includes it
+ * has equal squares for horizontal glass only. The overlay shows the transmittance of
  * the glass, at its slope and in its direction, over the diagram; each square is
  * weighted by the value at its middle:
  *
@@ -47,7 +47,8 @@ static const struct pp_formula external_component = {
 static const struct pp_formula *const formulae[] = {&sky_component, &external_component,
                                                     NULL};
 
-/* The diagram, and the altitude at the middle of each row of its squares. */
+/* The diagram without glass, and the altitude at the middle of each row of its
+ * squares. */
 enum { MOST_ROWS = 64 }; /* there are 14 or 15 */
 struct overlay {
     struct pp_waldram waldram;
@@ -187,7 +188,7 @@ static enum pp_status evaluate_waldram_overlay(const struct pp_world *world,
     return status;
 }
 
-/* The mean of many counts is the component itself. */
+/* The mean of many counts converges to the component itself. */
 static enum pp_status average_waldram_overlay(struct pp_beams *beams,
                                               const struct pp_outside_light *light,
                                               const struct pp_opening *opening,

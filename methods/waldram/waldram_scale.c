@@ -10,8 +10,8 @@
 
 enum { MOST_EVALUATIONS = 50000 };
 
-/* dX/dphi: 1, or the losses by azimuth over those at normal incidence; cos phi of an
- * upright receiver. */
+/* dX/dphi: 1 without glass, tau(cos phi)/tau(1) with it; cos phi for an upright
+ * receiver. */
 static double x_density(const void *context, double azimuth)
 {
     const struct pp_waldram *waldram = context;
@@ -135,17 +135,17 @@ double pp_waldram_scale_total_area(const struct pp_waldram *waldram)
            * pp_waldram_scale_y(waldram, PP_PI / 2.0);
 }
 
-/* A straight edge of the window's plane, from direction p by d: p + t d, t 0 to 1. The
- * azimuth is measured from out's horizontal part. */
+/* A straight edge of the window's drawing: directions p + t d, t 0 to 1. The azimuth is
+ * measured from the horizontal part of `out`. */
 struct window_edge {
     const struct pp_waldram *waldram;
     struct pp_vec3 p, d; /* in axes: x to the right, y ahead, z up */
-    double top;          /* Y of the zenith */
+    double top;          /* Y at the zenith */
 };
 
 /* (Y(zenith) - Y) dX/dt: by Green's theorem the sum round a region is its area. Y is
- * taken from the top so that a region round the zenith, whose outline runs once round
- * the horizon, needs no special case. */
+ * measured down from the zenith, so that a region that contains the zenith, whose
+ * outline runs once round in azimuth, needs no special case. */
 static int edge_integrand(unsigned dim, const double *t, void *data, unsigned fdim,
                           double *value)
 {

@@ -11,27 +11,26 @@
  *     X = phi
  *     Y = p sin^2 gamma / pi + q sin^3 gamma / 2             p, q of graded_sky.h
  *
- * With clear vertical glass the losses depend on cos i = cos gamma cos phi, which is no
- * product of a function of gamma and one of phi. The diagram takes the losses at
- * azimuth 0 times those at the horizon, and so is exact on both of its axes:
+ * With clear vertical glass the losses depend on cos i = cos gamma cos phi, which is
+ * not a product of a function of gamma and one of phi. The diagram uses the product of
+ * the losses at azimuth 0 and those at the horizon, which is exact on both axes:
  *
  *     tau(cos gamma cos phi)  ->  tau(cos gamma) tau(cos phi) / tau(1)
  *
- * The sky component is never too low by that; how much too high is tabulated in the
- * manual: 1 % for the mean of ordinary windows, a few per cent for the largest windows
- * from near by.
+ * This never underestimates the sky component. The manual tabulates the overestimate: 1
+ * % on average for ordinary windows, a few per cent close to the largest ones.
  *
  * Coordinates are fractions of Eh per unit area: a region's area is its sky component.
  *
- * The diagram of an upright receiver, as [BR209] has it for the vertical sky component
- * of a wall: cos i = cos gamma cos phi is a product already, so that without glass
+ * The diagram of an upright receiver, used in [BR209] for the vertical sky component of
+ * a wall: cos i = cos gamma cos phi is a product already, so that without glass
  *
  *     dVSC = L(gamma) cos^2 gamma dgamma cos phi dphi = dX dY
  *
  *     X = sin phi
  *     Y = p (gamma + sin gamma cos gamma) / pi + q (1 - cos^3 gamma) / 2
  *
- * Its whole is p + q, 39.6 % of the overcast sky and 1/2 of the uniform one.
+ * Its total area is p + q: 39.6 % for the overcast sky, 1/2 for the uniform one.
  */
 #ifndef PP_METHODS_WALDRAM_WALDRAM_SCALE_H
 #define PP_METHODS_WALDRAM_WALDRAM_SCALE_H
@@ -51,7 +50,7 @@ struct pp_waldram {
     struct pp_sky sky;     /* without azimuth dependence */
     bool glazed;           /* with the losses of clear single vertical glass */
     bool upright;          /* the receiver is a wall's outside; else it faces up */
-    struct pp_vec3 facing; /* of an upright one: its normal, unit, level */
+    struct pp_vec3 facing; /* normal of an upright receiver, unit, horizontal */
     struct pp_glass glass; /* clear single, or none */
     double x[PP_WALDRAM_PANELS + 1]; /* X at even steps of azimuth from 0 to pi/2 */
     double y[PP_WALDRAM_PANELS + 1]; /* Y at even steps of altitude from 0 to pi/2 */

@@ -128,7 +128,7 @@ static enum pp_status fill_window(struct pp_board_window *window,
     return status;
 }
 
-/* Extends the columns from 90 to 180 degrees where a sloping opening needs them. */
+/* Extends the columns from 90 to 180 degrees if a sloping opening needs them. */
 static void widen(struct pp_waldram_panel *panel)
 {
     for (int w = 0; w < panel->count && !panel->glazed; w++)
@@ -209,8 +209,8 @@ enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
     return status == PP_OK ? fill_single(sheet, &waldram, err) : status;
 }
 
-/* Fills the sky's piece with its squares, and the obstructions'; takes ownership of the
- * site's figures. */
+/* Fills the pieces of sky and of obstructions with their squares; takes ownership of
+ * the site's figures. */
 static enum pp_status fill_site_pieces(struct pp_board_window *window,
                                        const struct pp_waldram *waldram,
                                        struct pp_waldram_site *site,

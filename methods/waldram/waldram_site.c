@@ -26,8 +26,8 @@ static struct pp_projection looking(struct pp_vec3 eye, struct pp_vec3 toward,
 
 enum { SITE_VIEWS = 2 };
 
-/* The tangent of the altitude up to which views go: above it the diagram of the overcast
- * sky has 2/(7 pi) 2 1000^-3, or 1e-10. */
+/* Tangent of the greatest altitude of the views. Above it the diagram of the overcast
+ * sky has an area of 2/(7 pi) 2 1000^-3, or 1e-10. */
 #define SITE_TOP 1000.0
 
 static void find_views(struct site_view views[SITE_VIEWS], struct pp_vec3 eye,
@@ -42,7 +42,7 @@ static void find_views(struct site_view views[SITE_VIEWS], struct pp_vec3 eye,
     }
 }
 
-/* Adds the figure of a ring to those there are, or takes a hole from the last. */
+/* Adds the figure of an outer ring, or subtracts a hole from the last figure. */
 static enum pp_status add_figure(struct pp_region *figures, int *count,
                                  const struct pp_ring *ring, struct pp_clipper *clipper,
                                  struct pp_error *err)
@@ -67,7 +67,7 @@ static enum pp_status add_figure(struct pp_region *figures, int *count,
     return PP_OK;
 }
 
-/* Figures that meet become one. */
+/* Merges adjacent figures. */
 static enum pp_status join_rings(struct pp_region *region, struct pp_clipper *clipper,
                                  struct pp_error *err)
 {
@@ -91,7 +91,7 @@ static enum pp_status join_rings(struct pp_region *region, struct pp_clipper *cl
     return PP_OK;
 }
 
-/* Moves the rings of an outline to a region's. */
+/* Moves the rings of an outline to the end of a region's. */
 static enum pp_status add_rings(struct pp_region *region, struct pp_region *outline,
                                 struct pp_error *err)
 {
@@ -108,7 +108,7 @@ static enum pp_status add_rings(struct pp_region *region, struct pp_region *outl
     return status;
 }
 
-/* On the plan, y points ahead, opposite to the view's `up`. */
+/* The plan has y ahead, opposite to the view's `up`. */
 static enum pp_status plan_outline(struct pp_region *outline,
                                    const struct pp_region *region, struct pp_error *err)
 {
@@ -119,7 +119,7 @@ static enum pp_status plan_outline(struct pp_region *outline,
     return status;
 }
 
-/* Paper on which a site is drawn; waldram is NULL for the plan. */
+/* The drawing surface of a site; waldram is NULL for the plan. */
 struct site_paper {
     const struct pp_waldram *waldram;
     struct pp_clipper *clipper;

@@ -12,7 +12,8 @@
 struct pp_waldram_site {
     double sky_component; /* area of the visible sky on the diagram: the vertical sky
                            * component, relative error 1e-9 */
-    struct pp_region sky, hidden; /* outlines, cut at azimuth 0 until they are joined */
+    struct pp_region sky, hidden; /* outlines; divided at azimuth 0 until
+                                   * pp_waldram_site_join */
 };
 
 /* Projects the site on a diagram for vertical planes, in X and Y. The position is on
@@ -33,7 +34,8 @@ enum pp_status pp_waldram_site_init_plan(struct pp_waldram_site *site,
                                          struct pp_vec3 position, struct pp_vec3 facing,
                                          int face, double reach, struct pp_error *err);
 
-/* Joins the two halves of a diagram, which meet at azimuth 0, as outlines are drawn. */
+/* Joins the two halves of a diagram, which meet at azimuth 0, for drawing as
+ * outlines. */
 enum pp_status pp_waldram_site_join(struct pp_waldram_site *site, struct pp_error *err);
 void pp_waldram_site_clear(struct pp_waldram_site *site);
 

@@ -1,5 +1,5 @@
-/* waldram_squares.c - draws outlines on the diagram by halving their edges, and sums up
- * the areas below their edges square by square. */
+/* waldram_squares.c - draws outlines on the diagram by bisecting their edges, and adds
+ * up the areas below their edges square by square. */
 #include "methods/waldram/waldram_squares.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ enum { DEEPEST = 12 }; /* halvings of one straight edge */
  * 1e-4, relative. */
 static const double NEAR = 0.008;
 
-/* Tolerance, in widths of a square. */
+/* Tolerance within which an edge counts as plumb, in widths of a square. */
 static const double PLUMB = 1e-9;
 
 void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
@@ -47,7 +47,7 @@ static void add_point(struct droop_polyline *line, double x, double y)
     line->count++;
 }
 
-/* A point of the diagram, with its azimuth, which is followed past 180 degrees. */
+/* A point of the diagram, with its azimuth, which may exceed 180 degrees. */
 struct diagram_point {
     double azimuth, x, y;
 };
@@ -111,7 +111,8 @@ static struct droop_polyline ring_outline(const struct mapping *mapping,
             from = first = diagram_point_of(mapping, here, 0.0);
             add_point(&line, first.x, first.y);
         } else {
-            /* The far end's azimuth is followed along the edge, through its middle. */
+            /* The far end's azimuth is continued from the near end's through the edge's
+             * middle, so that it does not jump by 360 degrees. */
             struct pp_vec3 middle = pp_vec_scale(pp_vec_add(last, here), 0.5);
             struct diagram_point half = diagram_point_of(mapping, middle, from.azimuth);
             struct diagram_point to = diagram_point_of(mapping, here, half.azimuth);
@@ -129,12 +130,12 @@ static struct droop_polyline ring_outline(const struct mapping *mapping,
         last = here;
     }
     if (fabs(from.azimuth - first.azimuth) > PP_PI) {
-        /* The outline runs round the zenith: the region extends up to the top. */
+        /* The outline goes once round the zenith: the region extends up to the top. */
         double top = pp_waldram_scale_y(mapping->waldram, PP_PI / 2.0);
         add_point(&line, from.x, top);
         add_point(&line, first.x, top);
     } else if (line.count > 0) {
-        line.count--; /* the first point again */
+        line.count--; /* the last point repeats the first */
     }
     return line;
 }
@@ -164,7 +165,8 @@ enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
     return PP_OK;
 }
 
-/* The mean height of an edge from y0 to y1 over a square's foot, within the square. */
+/* Mean height of an edge from y0 to y1 above a square's lower side, clamped to the
+ * square. */
 static double mean_within(double y0, double y1, double height)
 {
     double low = pp_min(y0, y1), high = pp_max(y0, y1);
@@ -182,8 +184,8 @@ struct square_field {
     double *parts;        /* the area within each square, column by column */
 };
 
-/* Adds to each square of a column the area below the edge from p to q, negative where
- * it runs to the right. */
+/* Adds to each square of a column the area below the edge from p to q, negative if the
+ * edge runs to the right. */
 static void add_below(struct square_field *field, int column, const double *p,
                       const double *q)
 {
@@ -204,7 +206,7 @@ static void add_below(struct square_field *field, int column, const double *p,
             (from - to) * mean_within(y0 - row * height, y1 - row * height, height);
 }
 
-/* The column over which x is; without the call of floor. */
+/* Column that contains x; faster than floor(). */
 static int square_column(const struct square_field *field, double x)
 {
     double columns = x / field->width;
