@@ -4,8 +4,7 @@
 
 #include <math.h>
 
-/* An edge seen under a smaller angle (its sine, squared) counts as in line with the
- * place. */
+/* Squared sine of the angle below which an edge counts as collinear with the place. */
 static const double IN_LINE = 1e-16;
 
 /* int_0^1 t^m / Q^n dt, Q = a t^2 + 2 b t + c. */
@@ -133,7 +132,7 @@ static void add_edges(struct pp_irradiance_change *change,
         }
 }
 
-/* The corner k of the horizon, ccw, and the cell that lies behind it on the way. */
+/* Corner k of the horizon, counter-clockwise, and the cell that follows it. */
 static struct pp_vec3 horizon_corner(const struct pp_cache_hemisphere *h, int k,
                                      int *cell)
 {

@@ -26,9 +26,9 @@
  *
  * and likewise for second derivatives.
  *
- * Along the horizon an edge counts by the azimuths of its ends. With the turn of the
- * normal irradiance changes by the sum of L times the part of its direction that is in
- * the surface [WH92].
+ * Along the horizon an edge counts by the azimuths of its ends. When the normal turns,
+ * the irradiance changes by the sum of L times the tangential part of its direction
+ * [WH92].
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H
 #define PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H
@@ -49,7 +49,7 @@ void pp_cache_derivatives_hemisphere(struct pp_cache_hemisphere *hemisphere,
                                      struct pp_irradiance_change *change);
 
 /* (1) to (3) of one edge from r0 to r1 (from the place), in the frame where n is z:
- * gradient and aa, ab, bb. Both 0 for an edge that the place is in line with. */
+ * gradient and aa, ab, bb. Both 0 for an edge collinear with the place. */
 void pp_cache_derivatives_edge(struct pp_vec3 r0, struct pp_vec3 r1, double gradient[2],
                                double hessian[3]);
 

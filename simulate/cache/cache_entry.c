@@ -1,5 +1,5 @@
-/* cache_entry.c - the distance of a place by a record's own measure, and its
- * irradiance. */
+/* cache_entry.c - the normalised distance of a place from a record, and the irradiance
+ * that the record gives there. */
 #include "simulate/cache/cache_entry.h"
 
 #include <math.h>
@@ -7,11 +7,11 @@
 /* 1 - cos of the turn at which a record's weight is 0: 20 degrees. */
 static const double MOST_TURN = 0.0603;
 
-/* A step out of the record's plane counts as this many along its smaller axis. Chosen
- * by trial, as is the next. */
+/* A step out of the record's plane counts as this many steps along its smaller axis.
+ * Chosen by trial, as is BEHIND. */
 static const double STEP = 4.0;
 
-/* Distance behind the record, over its smaller radius, from which a place may not see
+/* Distance behind the record, over its smaller radius, beyond which a place may not see
  * the same surroundings. */
 static const double BEHIND = 0.05;
 
@@ -19,7 +19,8 @@ static const double NEVER = 1e30;
 
 int pp_cache_entry_sector(double along_a, double along_b)
 {
-    /* A diamond instead of a circle: any monotone measure of azimuth will do. */
+    /* Diamond angle instead of a true one: any monotone measure of azimuth is
+     * enough. */
     double sum = fabs(along_a) + fabs(along_b);
     if (!(sum > 0.0))
         return 0;

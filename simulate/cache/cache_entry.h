@@ -1,9 +1,9 @@
 /* cache_entry.h - a record as the cache keeps it, and the irradiance that it gives a
  * place near by. Inside simulate/ only.
  *
- * Its weight falls from 1 at its own place to 0 at the edge of its ellipse: where one
- * record takes over from another nothing jumps. It holds for places on the same side
- * only: facing alike, in the same space, not behind it, and with nothing standing
+ * Its weight falls from 1 at its own place to 0 at the edge of its ellipse: there is no
+ * jump between neighbouring records. It is valid only for places on the same side of
+ * things: with a similar normal, in the same space, not behind it, and with no obstacle
  * between: `horizon_m` is how far the surface is clear in each direction, by the lowest
  * rays of the hemisphere.
  */
@@ -16,18 +16,19 @@ enum { PP_CACHE_SECTORS = 32 };
 
 struct pp_cache_entry {
     struct pp_cache_record is;
-    struct pp_vec3 a, b; /* the frame (a, b, normal) that sectors count about */
+    struct pp_vec3 a, b; /* frame (a, b, normal); sectors are numbered by azimuth from
+                          * a */
     double horizon_m[PP_CACHE_SECTORS];
     double along_noise; /* of the gradient, over that of the value, 1/m */
-    double curvature;   /* greatest second derivative over the value, as far as it is
-                         * sure to be more than noise, 1/m2 */
+    double curvature;   /* greatest second derivative over the value, less its possible
+                         * noise, 1/m2 */
 
-    /* Value in use: that of `is`, or the smoothed one (cache_smooth.h). */
+    /* Value in use: that of the record, or the smoothed one (cache_smooth.h). */
     struct pp_rgb value;
     struct pp_vec3 along[3];
 };
 
-/* Value and gradients as the record has them. */
+/* Resets value and gradients to those of the record, without smoothing. */
 void pp_cache_entry_unsmooth(struct pp_cache_entry *entry);
 
 /* Place of a request. */
@@ -36,17 +37,18 @@ struct pp_cache_place {
     enum pp_space space;
 };
 
-/* Distance of the place from the record, 0 at it and 1 at the edge of its ellipse; more
- * than 1e9 where it is more than `most`, and where the record does not hold for the place
- * however near. */
+/* Distance of the place from the record, 0 at it and 1 at the edge of its ellipse;
+ * above 1e9 if it exceeds `most` or if the record is not valid for the place at any
+ * distance. */
 double pp_cache_entry_distance(const struct pp_cache_entry *entry,
                                const struct pp_cache_place *place, double most);
 
-/* The irradiance there by the record's value and gradients, no channel below 0. */
+/* The irradiance at the place by the record's value and gradients, no channel below
+ * 0. */
 struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,
                                   const struct pp_cache_place *place);
 
-/* The sector of a direction by its parts along a and b. */
+/* The sector of a direction, from its components along a and b. */
 int pp_cache_entry_sector(double along_a, double along_b);
 
 #endif

@@ -103,7 +103,8 @@ static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
     return true;
 }
 
-/* Hash of the light from outside; a description's is part of its scene. */
+/* Hash of the light outside; for a description (no environment) it is part of the
+ * scene's hash. */
 static uint64_t hash_of_light(const struct pp_irradiance_cache *cache)
 {
     return cache->environment ? pp_environment_hash(cache->environment) : 0;

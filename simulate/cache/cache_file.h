@@ -5,11 +5,11 @@
  *     "pepperpot cache\n", version, the scene's hash, the light's, the options',
  *     number of records of depth 0, of depth 1,
  *     each record: 38 + PP_CACHE_SECTORS doubles (cache_file.c has their order),
- *     a checksum of all that stands before it
+ *     a checksum of all bytes before it
  *
  * The radii are those after neighbours have limited each other, values and gradients
- * those before smoothing (cache_smooth.h): that is done when a file is read as it is
- * when a cache is grown, and the same sums are formed in the same order.
+ * those before smoothing (cache_smooth.h). Smoothing is repeated after reading, with
+ * the same sums in the same order.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_FILE_H
 #define PP_SIMULATE_CACHE_CACHE_FILE_H

@@ -1,11 +1,12 @@
-/* cache_grow.c - requests, and records made batch by batch until they are met.
+/* cache_grow.c - requests, and records made batch by batch until all requests are
+ * covered.
  *
- * Requests come in a scattered order, so that the first records stand far apart and
- * later ones between them. They are processed in chunks. A batch is chosen from the
- * requests of a chunk that no record covers, with its members not too near to each
- * other. All are calculated from the current cache and entered in order, then the rest
- * of the chunk is examined again. Records of surfaces that light the visible ones come
- * first, then those of visible surfaces. */
+ * Requests come in a scattered order, so that the first records are far apart and later
+ * ones between them. They are processed in chunks. A batch is chosen from the requests
+ * of a chunk that no record covers, with its members not too near to each other. All
+ * are calculated from the current cache and entered in order, then the rest of the
+ * chunk is examined again. Records of surfaces that light the visible ones come first,
+ * then those of visible surfaces. */
 #include "simulate/cache/cache_grow.h"
 
 #include <math.h>
@@ -56,7 +57,7 @@ static void append_cache_request(struct pp_cache_layer *layer,
         (struct pp_cache_request){.place = *place};
 }
 
-/* Requests that have been met are forgotten when others come. */
+/* Frees requests that are covered when new ones arrive. */
 static void forget(struct pp_irradiance_cache *cache)
 {
     if (!pp_cache_grow_done(cache))
@@ -79,7 +80,7 @@ static void scatter(struct pp_cache_layer *layer, int first)
     }
 }
 
-/* The requests that one ray makes on its way. */
+/* Requests made by one ray. */
 struct ray_requests {
     const struct pp_irradiance_cache *cache;
     int depth; /* of the requests that are kept */
@@ -152,7 +153,7 @@ static enum pp_status request_along(struct pp_irradiance_cache *cache,
 {
     struct pp_cache_layer *layer = &cache->layers[depth];
     int before = layer->request_count;
-    /* Most rays ask once. */
+    /* Room for one request a ray; most rays make one. */
     enum pp_status status =
         reserve(layer, count < MOST_AHEAD ? (int)count : MOST_AHEAD, err);
     if (status != PP_OK)
@@ -202,7 +203,7 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
     return status;
 }
 
-/* Requests whose hemispheres are searched by rays from them in turn. */
+/* Requests from whose hemispheres rays search for lighting surfaces. */
 struct looked_over {
     const struct pp_irradiance_cache *cache;
     const struct pp_cache_request *requests;
@@ -259,8 +260,7 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
 
 /* ---- growing ---- */
 
-/* A record that is being worked out, for the rays of its hemisphere that ask the
- * cache. */
+/* The record that is being calculated, for the cache reads of its hemisphere's rays. */
 struct asking_record {
     struct pp_irradiance_cache *cache;
     int depth; /* of the record */
@@ -272,7 +272,8 @@ static bool ask_from_record(void *store, const struct pp_light_hit *hit,
     const struct asking_record *from = store;
     struct pp_irradiance_cache *cache = from->cache;
     int at = from->depth + depth, bounces = cache->options.bounces;
-    /* Records of depth 1 are worked out without bias, by paths to their end. */
+    /* Records of depth 1 do not use the cache: their paths are traced to the end,
+     * without bias. */
     if (from->depth > 0 && !cache->left_out[hit->material]
         && (bounces < 0 || at < bounces))
         return false;
@@ -286,7 +287,7 @@ static uint64_t cache_place_seed(const struct pp_irradiance_cache *cache,
     return pp_hash_vec(pp_hash_vec(seed, place->point), place->normal);
 }
 
-/* The radius expected where a request is; below 0: records cover it. */
+/* The radius expected of a record at a place; below 0: existing records cover it. */
 static double guess_of(const struct pp_irradiance_cache *cache,
                        const struct pp_cache_layer *layer,
                        const struct pp_cache_place *place)
@@ -297,7 +298,7 @@ static double guess_of(const struct pp_irradiance_cache *cache,
     return guess > 0.0 ? guess : FIRST_GUESS * cache->size_m;
 }
 
-/* The requests of a chunk, or the open ones, which the pool's workers look at. */
+/* Requests of a chunk, or its open ones, to be examined by the pool's workers. */
 struct look {
     const struct pp_irradiance_cache *cache;
     struct pp_cache_layer *layer;
@@ -368,7 +369,7 @@ static int choose_open_requests(struct pp_irradiance_cache *cache,
     return count;
 }
 
-/* The records of a batch, which the pool's workers work out. */
+/* The records of a batch, calculated by the pool's workers. */
 struct batch_records {
     struct pp_irradiance_cache *cache;
     int depth;
@@ -422,7 +423,7 @@ static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
     return status;
 }
 
-/* Depth whose requests come next; -1: all are met. */
+/* Depth of the next requests to process; -1: all are covered. */
 static int depth_at_work(const struct pp_irradiance_cache *cache)
 {
     for (int depth = PP_CACHE_DEPTHS - 1; depth >= 0; depth--)
@@ -487,7 +488,7 @@ bool pp_cache_grow_done(const struct pp_irradiance_cache *cache)
 
 double pp_cache_grow_progress(const struct pp_irradiance_cache *cache)
 {
-    /* The first requests bring most of the records. */
+    /* The first requests lead to most of the records, so progress is not linear. */
     double done = 0.0, all = 0.0;
     for (int i = 0; i < PP_CACHE_DEPTHS; i++) {
         done += sqrt((double)cache->layers[i].next);

@@ -1,4 +1,5 @@
-/* cache_hemisphere.c - the rays of a hemisphere, dealt out to its cells. */
+/* cache_hemisphere.c - the rays of a hemisphere, and their distribution over its
+ * cells. */
 #include "simulate/cache/cache_hemisphere.h"
 
 #include <math.h>
@@ -7,8 +8,8 @@
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
 
-/* A place may lie on the edge that its rays meet: hits nearer than this count as so far
- * away, so that gradients stay finite. */
+/* A place may lie on the edge that its rays meet: nearer hits are moved to this
+ * distance, so that gradients stay finite. */
 static const double NEAREST_M = 1e-6;
 
 /* Target standard error of an irradiance, relative; and the most passes over all cells.
@@ -86,8 +87,8 @@ static double contrast_about(const struct pp_cache_hemisphere *h, int k)
     return sqrt(sum);
 }
 
-/* Rays are dealt out in proportion to the contrast, cell by cell, parts of one carried
- * over. */
+/* Distributes extra rays in proportion to the contrast, cell by cell; fractions of a
+ * ray are carried over. */
 static void supersample(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                         const struct pp_cache_place *place, int count)
 {
@@ -122,7 +123,7 @@ static int passes_by(const struct pp_cache_hemisphere *h, int first)
             double step = own - pp_rgb_luminance(h->cells[j * n + i - 1].radiance);
             squares += 0.5 * step * step;
         }
-    /* The other rows have as much of both. */
+    /* The other half of the rows has the same sum and squares. */
     double more = sum > 0.0 ? sqrt(0.5 * squares) / sum / ERROR : 0.0;
     return (int)fmax(fmin(more * more, PASSES_MOST), 1.0);
 }

@@ -13,8 +13,8 @@
 #include "simulate/cache/cache_entry.h"
 #include "simulate/transport/radiance.h"
 
-/* The radiance of one cell, and the surface seen in it. Vectors in the record's
- * frame. */
+/* The radiance of one cell, and the surface that its first ray meets. Vectors in the
+ * record's frame. */
 struct pp_cache_hemisphere_cell {
     struct pp_rgb radiance; /* mean of its rays */
     struct pp_vec3 to;      /* unit: of its first ray */
@@ -41,7 +41,7 @@ struct pp_cache_hemisphere {
 /* The corners of all hemispheres of that side; to be freed. NULL: no memory. */
 struct pp_vec3 *pp_cache_hemisphere_corners(int side);
 
-/* Fills cells and irradiance; state has all but its index. */
+/* Fills cells and irradiance. The caller sets all of `state` but its index. */
 void pp_cache_hemisphere_sample(struct pp_cache_hemisphere *hemisphere,
                                 struct pp_radiance_state *state,
                                 const struct pp_cache_place *place, int supersamples);

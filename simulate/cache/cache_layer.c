@@ -1,4 +1,4 @@
-/* cache_layer.c - records fitted in among their neighbours, and interpolated. */
+/* cache_layer.c - insertion of records among their neighbours, and interpolation. */
 #include "simulate/cache/cache_layer.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
  * ellipse. */
 static const double LEAST_WEIGHT = 1e-6;
 
-/* An entry that is being fitted in. */
+/* An entry that is being inserted. */
 struct newcomer {
     struct pp_cache_layer *layer;
     struct pp_cache_entry *entry;

@@ -26,24 +26,24 @@ struct pp_cache_layer {
 
     struct pp_cache_request *requests; /* those not yet met begin at `next` */
     int request_count, request_capacity, next;
-    int *open; /* of the chunk of requests that begins at `next`: those not covered */
+    int *open; /* indices of uncovered requests in the chunk that begins at `next` */
     int open_count;
     bool again; /* records have been added since the first request was examined */
 };
 
-/* Fits an entry in: limits its radii and its neighbours' by each other's [KBPZ06], and
- * puts it in the tree. */
+/* Inserts an entry: limits its radius and its neighbours' by each other [KBPZ06], and
+ * adds it to the tree. */
 enum pp_status pp_cache_layer_add(struct pp_cache_layer *layer,
                                   const struct pp_cache_entry *entry,
                                   struct pp_error *err);
 
-/* Puts an entry in as it is. */
+/* Adds an entry without limiting radii. */
 enum pp_status pp_cache_layer_put(struct pp_cache_layer *layer,
                                   const struct pp_cache_entry *entry,
                                   struct pp_error *err);
 
-/* The tree made anew from the radii as they are now, so that a cache that was read from
- * a file adds in the same order. */
+/* Rebuilds the tree with the present radii, so that a cache read from a file sums
+ * records in the same order. */
 enum pp_status pp_cache_layer_rebuild_tree(struct pp_cache_layer *layer,
                                            struct pp_error *err);
 
@@ -52,12 +52,12 @@ enum pp_status pp_cache_layer_rebuild_tree(struct pp_cache_layer *layer,
 bool pp_cache_layer_read(const struct pp_cache_layer *layer,
                          const struct pp_cache_place *place, struct pp_rgb *value);
 
-/* Would it be read? Quicker. */
+/* True if pp_cache_layer_read would succeed; faster. */
 bool pp_cache_layer_covers(const struct pp_cache_layer *layer,
                            const struct pp_cache_place *place);
 
-/* The radius expected of a record at the place: the smaller radius of the nearest record
- * by its own measure; 0: there is none. */
+/* The radius expected of a record at the place: the smaller radius of the nearest
+ * record in its normalised distance; 0: there is no record. */
 double pp_cache_layer_guess(const struct pp_cache_layer *layer,
                             const struct pp_cache_place *place);
 

@@ -1,4 +1,5 @@
-/* cache_octree.c - cells of the octree, split as records come in, and walks down it. */
+/* cache_octree.c - splits the cells of the octree as records are added, and walks down
+ * it. */
 #include "simulate/cache/cache_octree.h"
 
 #include <math.h>

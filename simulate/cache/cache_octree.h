@@ -16,7 +16,7 @@
 
 struct pp_cache_octree_cell {
     int children[8]; /* 0: none */
-    int first;       /* of its links; -1: none */
+    int first;       /* its first link; -1: none */
 };
 
 struct pp_cache_octree_link {
@@ -32,8 +32,8 @@ struct pp_cache_octree {
     int link_count, link_capacity;
 };
 
-/* low and size_m: the cube that all points should lie in; those outside are kept at
- * its root. */
+/* low and size_m: the cube that all points should lie in; others are stored at the
+ * root. */
 enum pp_status pp_cache_octree_init(struct pp_cache_octree *tree, struct pp_vec3 low,
                                     double size_m, struct pp_error *err);
 void pp_cache_octree_clear(struct pp_cache_octree *tree);

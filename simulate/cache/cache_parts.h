@@ -7,7 +7,7 @@
 
 enum {
     PP_CACHE_DEPTHS = 2, /* records of visible surfaces; of surfaces that light these */
-    PP_CACHE_BATCH = 32  /* records worked out from the same state of the cache */
+    PP_CACHE_BATCH = 32  /* records calculated from the same state of the cache */
 };
 
 struct pp_irradiance_cache {
@@ -22,7 +22,7 @@ struct pp_irradiance_cache {
     struct pp_sobol sobol;
     struct pp_cache_layer layers[PP_CACHE_DEPTHS];
     int expanded; /* requests of depth 0 whose requests of depth 1 have been made */
-    int expanded_rays; /* that have been traced for it */
+    int expanded_rays; /* rays traced for that so far */
     struct pp_ambient ambient;
 };
 

@@ -12,8 +12,8 @@ static const double LONGEST = 3.0;
  * surfaces the gradient would be the noise of their rays. Chosen by trial. */
 static const double NEAREST = 4.0;
 
-/* Rays lower than this sine of altitude tell how far the surface is clear. Chosen by
- * trial. */
+/* Rays lower than this sine of altitude determine the clear distance along the surface.
+ * Chosen by trial. */
 static const double LOW = 0.4;
 
 void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
@@ -42,7 +42,7 @@ void pp_cache_record_ellipse(const double curvature[3], double error, double mos
     const double eigenvalues[2] = {fabs(greater), fabs(smaller)};
     for (int i = 0; i < 2; i++) {
         double radius = sqrt(sqrt(4.0 * error / (PP_PI * eigenvalues[i])));
-        radii_m[i] = radius < most_m ? radius : most_m; /* also where it is infinite */
+        radii_m[i] = radius < most_m ? radius : most_m; /* also if radius is infinite */
     }
     radii_m[1] = fmin(radii_m[1], LONGEST * radii_m[0]);
 }
@@ -60,8 +60,8 @@ static void sector_border(int s, double u[2])
     }
 }
 
-/* Distance of the plane that the cell has met, in direction u of the surface; INFINITY if
- * it does not stand there. */
+/* Distance along direction u of the surface to the plane that the cell's ray met;
+ * INFINITY if the plane is not in front. */
 static double plane_distance(const struct pp_cache_hemisphere_cell *cell,
                              const double u[2])
 {
@@ -71,8 +71,8 @@ static double plane_distance(const struct pp_cache_hemisphere_cell *cell,
     return towards < 0.0 && off < 0.0 ? off / towards : INFINITY;
 }
 
-/* The least distance along the surface, anywhere in the sector, of the plane that the
- * cell has met. */
+/* Least distance along the surface, over the sector, to the plane that the cell's ray
+ * met. */
 static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
 {
     double ends[2][2], square[2] = {-cell->facing.x, -cell->facing.y};
@@ -85,8 +85,8 @@ static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
     return clear;
 }
 
-/* Clear distance of the surface all round, by the surfaces that low rays met: in their
- * own sector and, since no ray may have come into those, in the two beside it. */
+/* Finds the clear distance along the surface in each sector from the surfaces that low
+ * rays met: in a ray's own sector and in both neighbours, which may have no ray. */
 static void find_horizon(const struct pp_cache_hemisphere *h,
                          struct pp_cache_entry *entry)
 {
@@ -109,7 +109,8 @@ static void find_horizon(const struct pp_cache_hemisphere *h,
     }
 }
 
-/* The radius, less where the gradient would double the value or take all of it away. */
+/* The radius, limited so that the gradient changes the value by at most 100 % over
+ * it. */
 static double limit_by_gradient(double radius, double value, const double along[2],
                                 const double axis[2])
 {
@@ -117,8 +118,9 @@ static double limit_by_gradient(double radius, double value, const double along[
     return change * radius > value ? value / change : radius;
 }
 
-/* Limits the gradient where radii cannot be smaller: over the ellipse it changes the
- * value by at most the value itself. Next to an edge the gradient is unbounded. */
+/* Limits the gradient if the radius is already the smallest allowed: over the ellipse
+ * it changes the value by at most the value itself. Next to an edge the gradient is
+ * unbounded. */
 static void limit_gradient(struct pp_cache_record *is, double value,
                            const double along[2], const double axes[2][2])
 {
@@ -139,7 +141,7 @@ static double sure_curvature(const double curvature[3], double noise)
     return greatest > noise ? sqrt(greatest * greatest - noise * noise) : 0.0;
 }
 
-/* The direction of the surface with these parts along the frame's axes. */
+/* The vector with these components along the frame's tangential axes. */
 static struct pp_vec3 in_surface(const struct pp_frame *frame, const double along[2])
 {
     return pp_vec_along(pp_vec_scale(frame->x, along[0]), along[1], frame->y);

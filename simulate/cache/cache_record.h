@@ -1,4 +1,4 @@
-/* cache_record.h - one irradiance record worked out: hemisphere, derivatives, ellipse.
+/* cache_record.h - calculates one irradiance record: hemisphere, derivatives, ellipse.
  * Inside simulate/ only.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_RECORD_H
@@ -11,12 +11,13 @@ struct pp_cache_record_settings {
     int side; /* of the hemispheres */
     int supersamples;
     const struct pp_vec3 *corners; /* of cache_hemisphere.h; not owned */
-    double error;                  /* the total error of a record, over its value, m2 */
-    double noise;                  /* of a record's value, at random, over the value */
+    double error;                  /* bound of the error integrated over the ellipse,
+                                    * relative to the value, m2 */
+    double noise;                  /* standard error of a record's value, relative */
     double least_m, most_m;        /* radii */
 };
 
-/* state has all but its index. cells: room for side^2. */
+/* state: the caller sets all but its index. cells: room for side^2. */
 void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
                              struct pp_radiance_state *state,
                              const struct pp_cache_place *place,

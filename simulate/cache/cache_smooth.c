@@ -8,23 +8,24 @@
 static const double NEAR = 2.0;
 
 /* A neighbour that is farther from the expected value than this many times the noise of
- * both sees something else: an outlier. */
+ * both counts as an outlier. */
 static const double OUTLIER = 4.0;
 
 /* A neighbour has no weight where light may depart from its tangent by this many times
  * the noise. */
 static const double MOST_DEPARTURE = 10.0;
 
-/* Limit of the noise of a gradient over the radius, over that of the value; its inverse
- * is the upper limit. */
+/* Lower limit of the ratio of the gradient's noise (times the radius) to the value's
+ * noise; its inverse is the upper limit. */
 static const double LEAST_NOISE = 1e-3;
 
 /* The fit of one record. */
 struct fit {
     const struct pp_cache_layer *layer;
     const struct pp_cache_entry *entry;
-    int number;         /* of the record */
-    int *met;           /* by record: the last one that had it as a neighbour */
+    int number;         /* index of the record */
+    int *met;           /* by record: the last fit that used it, so that each neighbour
+                         * counts once */
     double matrix[6];   /* symmetric: 00 01 02 11 12 22; of E, R dE/da, R dE/db */
     double right[3][3]; /* by channel */
 };

@@ -1,11 +1,11 @@
 /* cache_smooth.h - noise reduction by fitting records to their neighbours.
  *
  * A record comes from a few hundred rays. Its value has a random error of some per
- * cent; its gradient adds more over the radius, the more the nearer surfaces are.
- * Without smoothing, records show as faint discs, mainly in dark rooms and in corners.
- * But the irradiance is smooth over an ellipse, so that neighbours help to find a
- * place's value and gradient. Each record is fitted, by weighted least squares, to its
- * own estimate and to its neighbours' values,
+ * cent; its gradient adds error over the radius, more so if surfaces are near. Without
+ * smoothing, records show as faint discs, mainly in dark rooms and in corners. But the
+ * irradiance is smooth over an ellipse, so that neighbours help to find a place's value
+ * and gradient. Each record is fitted, by weighted least squares, to its own estimate
+ * and to its neighbours' values,
  *
  *     (E - E0)^2 + (grad E - grad E0)^2/g^2 + (noise M grad E)^2
  *     + sum of w (E + grad E . d - E')^2
@@ -14,9 +14,8 @@
  *
  *   E0     the record's own irradiance, E' a neighbour's, at distance d
  *   g      the noise of the record's gradient over that of its value
- *   M      the largest radius there is: over M light may well change by all of itself,
- *          hardly by more
- *   C      the record's curvature, as far as it is more than the noise of its rays
+ *   M      the largest radius: over M light may change by 100 %, hardly by more
+ *   C      the record's curvature, less the noise of its rays
  *   c      the share by which light may depart from its tangent over the distance d
  *
  * Neighbours have no weight where light changes quickly, or where their surroundings
@@ -31,8 +30,7 @@
 #include "model/base/thread_pool.h"
 #include "simulate/cache/cache_layer.h"
 
-/* Fits all records of the layer to their neighbours, whatever they were fitted to
- * before. */
+/* Fits all records of the layer to their neighbours, from the unsmoothed values. */
 enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer,
                                      struct pp_thread_pool *pool, struct pp_error *err);
 

@@ -1,5 +1,5 @@
-/* cached_points.c - a room's points as a sampler that reads the cache, once that has
- * grown. */
+/* cached_points.c - a room's points as a sampler that reads the cache once it is
+ * complete. */
 #include "simulate/cache/cached_points.h"
 
 #include <math.h>
@@ -36,7 +36,7 @@ struct cached_point {
     enum pp_space space;
     uint64_t seed;
     enum reflected_by by;
-    double reflected; /* where it is not by samples */
+    double reflected; /* value, if not by samples */
     struct pp_room_bound most;
 };
 
@@ -54,7 +54,8 @@ struct pp_cached_points {
 struct pp_radiance_options pp_cached_points_light(void)
 {
     struct pp_radiance_options light = pp_radiance_state_defaults();
-    light.source_most = 1; /* a point has many paths: one direction each */
+    light.source_most = 1; /* many paths a point: one direction to each source is
+                            * enough */
     return light;
 }
 
@@ -142,7 +143,7 @@ static double cached_point_bound(const void *client, int index, int component,
 static const struct pp_sampler sampler = {
     .estimators = 1,
     .values = PP_COMPONENT_COUNT,
-    .fall = {1.2}, /* on the safe side */
+    .fall = {1.2}, /* conservative */
     .pilot = {{8}},
     .least = {{16}},
     .state_size = sizeof(struct pp_radiance_state),
@@ -288,8 +289,8 @@ void pp_cached_points_read(const struct pp_cached_points *points, int index,
         readings[PP_IRC].std_error = readings[PP_DF].std_error = NAN;
 }
 
-/* Reads unsampled values once the cache is done; where it has no record after all, they
- * are sampled too. */
+/* Reads interpolated values once the cache is complete; points without a record are
+ * sampled instead. */
 static void read_cache(struct pp_cached_points *points)
 {
     for (int i = 0; i < points->point_count; i++) {

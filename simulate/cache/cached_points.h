@@ -51,7 +51,7 @@ double pp_cached_points_progress(const struct pp_cached_points *points); /* 0 to
  * before there is any. */
 double pp_cached_points_error(const struct pp_cached_points *points);
 
-/* readings[PP_SC] ... readings[PP_DF] of receiver `index`; of the average for -1. */
+/* readings[PP_SC] ... readings[PP_DF] of receiver `index`, or of the average for -1. */
 void pp_cached_points_read(const struct pp_cached_points *points, int index,
                            struct pp_reading readings[PP_COMPONENT_COUNT]);
 

@@ -8,9 +8,9 @@
 #include "simulate/cache/cache_parts.h"
 #include "simulate/sampling/hash.h"
 
-/* Records of depth 1 are averaged over a hemisphere once more: they stand farther apart
- * and have fewer rays, by these factors, chosen by trial. With them and the other
- * settings the examples' means are within 0.3 % of the tracer. */
+/* Factors by which records of depth 1 are farther apart and have fewer rays, since
+ * their light is averaged over a hemisphere once more. Chosen by trial. With them and
+ * the other settings the examples' means are within 0.3 % of the tracer. */
 static const double LIGHTING_ERROR = 4.0;
 enum { LIGHTING_DIVISIONS = 4, LEAST_SIDE = 4, MOST_SIDE = 1024 };
 
@@ -18,8 +18,7 @@ enum { LIGHTING_DIVISIONS = 4, LEAST_SIDE = 4, MOST_SIDE = 1024 };
  * of the scene's size. Chosen by trial. */
 static const double ERROR_SPACING = 1.0 / 64.0;
 
-/* Radii are at least this share of the scene's size, where the resolution says
- * nothing. */
+/* Least radius, as a share of the scene's size, if the resolution sets no limit. */
 static const double LEAST_RADIUS = 1e-5;
 
 /* The standard deviation of one ray of a hemisphere, over the mean. Chosen by trial. */
@@ -101,7 +100,7 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
         *value = pp_rgb_scale(cache->options.constant, PP_PI);
         return true;
     }
-    /* With a limit of bounces the light differs by depth. */
+    /* With a limited number of bounces the light differs by depth. */
     if (bounces >= 0 && depth >= PP_CACHE_DEPTHS)
         return false;
     int layer = depth < PP_CACHE_DEPTHS ? depth : PP_CACHE_DEPTHS - 1;
@@ -124,7 +123,7 @@ static bool ambient_irradiance(void *store, const struct pp_light_hit *hit,
 
 /* ---- made ---- */
 
-/* Finds the materials that take no part. */
+/* Finds the materials left out of the cache by the options. */
 static enum pp_status leave_out(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     const struct pp_cache_options *options = &cache->options;

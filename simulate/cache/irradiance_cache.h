@@ -29,9 +29,9 @@
 /* Options by their usual names; in Radiance -aa, -ar, -ad, -as, -ab, -av, -ai and
  * -ae. */
 struct pp_cache_options {
-    double accuracy;  /* -aa: the smaller, the nearer records stand; above 0 to 1 */
-    int resolution;   /* -ar: records come no nearer to each other than the scene's
-                       * size times accuracy over resolution; 0: no limit */
+    double accuracy;  /* -aa: the smaller, the closer are records; above 0 to 1 */
+    int resolution;   /* -ar: least distance of records is the scene's size times
+                       * accuracy over resolution; 0: no limit */
     int divisions;    /* -ad: rays of a hemisphere, one in each of its cells; 16 up,
                        * rounded up to a square */
     int supersamples; /* -as: more rays where neighbouring cells differ; 0 up */
@@ -41,16 +41,17 @@ struct pp_cache_options {
     const char *const *materials; /* by name, as the scene names them; not owned, copied
                                    * by create */
     int material_count;
-    bool only; /* -ai: only these take part; else (-ae) these do not */
+    bool only; /* -ai: only these materials use the cache; false (-ae): all others do */
     uint64_t seed;
     int threads; /* 0: one for each processor */
 };
 
-/* 0.1, 128, 1024, 256, -1, black, none left out, seed 0. */
+/* accuracy 0.1, resolution 128, divisions 1024, supersamples 256, no limit of bounces,
+ * black constant, no material left out, seed 0. */
 struct pp_cache_options pp_irradiance_cache_defaults(void);
 
-/* PP_BAD_INPUT with a sentence where options make no sense, also where a material is
- * not one of the scene's. */
+/* PP_BAD_INPUT with the reason if an option is out of range or a material is not in the
+ * scene. */
 enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *options,
                                                  const struct pp_light_scene *scene,
                                                  struct pp_error *err);
@@ -74,7 +75,7 @@ void pp_irradiance_cache_destroy(
  * ends the paths. The cache owns it and must not grow while it is read. */
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache);
 
-/* The irradiance at a place; false where no record covers it. `depth` as in struct
+/* The irradiance at a place; false if no record covers it. `depth` as in struct
  * pp_ambient. */
 bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
                                struct pp_vec3 point, struct pp_vec3 normal,

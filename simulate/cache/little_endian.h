@@ -55,7 +55,8 @@ static inline float pp_little_endian_take_float(const unsigned char **at)
     return value;
 }
 
-/* A hash of bytes by eights, from `start` on; the last are filled up with zeros. */
+/* Hash of bytes in words of eight, continued from `start`; the last word is filled with
+ * zeros. */
 static inline uint64_t pp_little_endian_hash(uint64_t start, const unsigned char *bytes,
                                              size_t length)
 {

@@ -9,7 +9,7 @@ double pp_common_variance_of_all(const struct pp_planner *planner, int count)
 {
     struct pp_sampled *list = calloc((size_t)count + 1, sizeof *list);
     if (!list)
-        return 1.0; /* on the safe side */
+        return 1.0; /* without memory: full correlation, the conservative value */
     for (int i = 0; i < count; i++)
         list[i] = pp_planner_sampled(planner, i);
     double common = pp_spread_common(list, count);
@@ -17,7 +17,7 @@ double pp_common_variance_of_all(const struct pp_planner *planner, int count)
     return common;
 }
 
-/* Points, each of which is evaluated with its neighbours. */
+/* Context for evaluating every step-th point with its nearest neighbours. */
 struct neighbourhood {
     const struct pp_planner *planner;
     const struct pp_vec3 *places;
@@ -25,7 +25,7 @@ struct neighbourhood {
     double *common;  /* of the evaluated points */
 };
 
-/* The points nearest to one, itself among them; how many there are. */
+/* Finds the points nearest to one, itself included; returns their number. */
 static int find_nearest(int nearest[PP_COMMON_VARIANCE_NEAREST],
                         const struct neighbourhood *of, int index)
 {
@@ -65,12 +65,12 @@ static bool ask(void *data, int worker, int index)
 double pp_common_variance_of_near(const struct pp_planner *planner,
                                   const struct pp_vec3 *places, int count)
 {
-    enum { ASKED = 500 }; /* points at most, evenly from the list */
+    enum { ASKED = 500 }; /* most points evaluated, evenly from the list */
     int step = count / ASKED + 1, asked = (count + step - 1) / step;
     struct neighbourhood of = {planner, places, count, step,
                                calloc((size_t)asked + 1, sizeof *of.common)};
     if (!of.common)
-        return 1.0; /* on the safe side */
+        return 1.0; /* without memory: full correlation, the conservative value */
     pp_thread_pool_run(pp_planner_crew(planner), 0, asked, ask, &of);
     double sum = 0.0;
     for (int i = 0; i < asked; i++)

@@ -12,8 +12,8 @@ enum { PP_COMMON_VARIANCE_NEAREST = 12 };
 /* Common variance of the first `count` points. */
 double pp_common_variance_of_all(const struct pp_planner *planner, int count);
 
-/* Common variance of a point with the PP_COMMON_VARIANCE_NEAREST - 1 nearest to it, on
- * average. places: of the points. */
+/* Common variance of a point and its PP_COMMON_VARIANCE_NEAREST - 1 nearest neighbours,
+ * averaged over points. places: positions of the points. */
 double pp_common_variance_of_near(const struct pp_planner *planner,
                                   const struct pp_vec3 *places, int count);
 

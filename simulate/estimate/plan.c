@@ -1,31 +1,32 @@
-/* plan.c - variance, skewness and bound foretold, and paths added where they gain
- * most. */
+/* plan.c - predicts variance, skewness and the bound on light not found, and adds paths
+ * where they reduce these most for their cost. */
 #include "simulate/estimate/plan.h"
 
 #include <math.h>
 
-/* Share of the target error for which is planned, since the variances are estimates.
+/* Share of the target error that a plan aims at, since the variances are estimates.
  * Chosen by trial. */
 static const double PLANNED_SHARE = 0.92;
 
-/* The cost of a path beside its rays, in rays. Chosen by trial. */
+/* Cost of a path besides its rays, in rays. */
 static const double PATH_COST = 1.0;
 
-/* The square of the skewness that a randomisation may have. By Edgeworth's expansion
- * of Student's t, intervals of two standard errors of 32 figures then hold some
- * 1 % less than they should. */
+/* Greatest squared skewness of a randomisation. By Edgeworth's expansion of Student's
+ * t, intervals of two standard errors of 32 figures then hold some 1 % less than they
+ * should. */
 static const double SKEWNESS_SQUARED = 1.5;
 
-/* Exponent of the fall of a mean's third moment with its paths, on the safe side. */
+/* Exponent with which a mean's third moment falls with its number of paths;
+ * conservative. */
 static const double THIRD_FALL = 2.0;
 
-/* Most paths of a randomisation that are added for skewness and for the bound on light
- * not found. */
+/* Most paths of a randomisation that are added because of skewness and the bound on
+ * light not found. */
 enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
 
-/* A pilot whose error is more than this many times the target is too vague: even the
- * value, of which the target is a share, is uncertain. It takes a sixth of the work of
- * a good plan. */
+/* A pilot whose error exceeds the target by this factor is too small: then even the
+ * value, to which the target is relative, is uncertain. A pilot at the limit takes a
+ * sixth of the work of a good plan. */
 static const double VAGUE = 5.0;
 
 /* Factors by which a half's randomisations grow, if at all: the least and the most. 16
@@ -83,7 +84,7 @@ static double skewness_squared(const struct outlook *outlook)
     return variance > 0.0 ? third * third / (variance * variance * variance) : 0.0;
 }
 
-/* Bound on the light not found, of the last value. */
+/* Bound on the light not found, for the last value. */
 static double unfound_bound(const struct outlook *outlook)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
@@ -116,9 +117,9 @@ static double height(const struct outlook *outlook, enum aim aim)
                              : unfound_bound(outlook);
 }
 
-/* Doubles the estimator that takes away most for its cost; false: none does. Of skewness
- * and bound nothing is taken where that estimator may have no more paths: the others
- * would cost without end. */
+/* Doubles the paths of the estimator that reduces the statistic most for its cost;
+ * false if none does. For skewness and bound it also stops if that estimator is at its
+ * limit of paths: reducing the others would cost too much. */
 static bool double_best(struct outlook *outlook, enum aim aim)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
@@ -144,8 +145,8 @@ static bool double_best(struct outlook *outlook, enum aim aim)
     return found;
 }
 
-/* The variance that one randomisation may have beside the bound, if there are only
- * PP_RANDOMISATIONS. */
+/* The variance that one of PP_RANDOMISATIONS may have, given the bound, for the target
+ * to be reached. */
 static double allowed_variance(const struct outlook *outlook, double wanted)
 {
     double planned = PLANNED_SHARE * wanted, bound = unfound_bound(outlook);
@@ -154,7 +155,7 @@ static double allowed_variance(const struct outlook *outlook, double wanted)
     return left * PP_RANDOMISATIONS / (student * student);
 }
 
-/* True if an estimator has as many paths as it may have. */
+/* True if an estimator has reached its limit of paths. */
 static bool is_limited(const struct outlook *outlook)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
@@ -164,8 +165,8 @@ static bool is_limited(const struct outlook *outlook)
     return false;
 }
 
-/* Searches, from the outlook on, for the cheapest paths and randomisations that reach
- * the variance alone. */
+/* Searches, from this outlook on, for the cheapest numbers of paths and randomisations
+ * that reach the variance; skewness and bound are ignored. */
 static struct outlook reach_variance(struct outlook at, double allowed,
                                      int *randomisations)
 {
@@ -207,7 +208,7 @@ static struct pp_plan plan_by(struct outlook outlook, double wanted)
     return plan;
 }
 
-/* Has the pilot seen too little? Then it is to have *counts. */
+/* True if the pilot is too small; *counts is then the size of a larger one. */
 static bool is_too_little(const struct outlook *now, double wanted,
                           struct pp_counts *counts)
 {

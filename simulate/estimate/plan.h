@@ -1,12 +1,12 @@
 /* plan.h - number of paths that a point needs, estimated from a pilot.
  *
- * The value's variance is to reach the target by the cheapest numbers of paths of each
- * estimator. There are two more conditions, without which a standard error is worth
- * little:
+ * The plan is the cheapest numbers of paths of each estimator with which the value's
+ * variance reaches the target. There are two more conditions, without which a standard
+ * error is worth little:
  *
- *     - the randomisations are near normal: their skewness is below 1.2, or the mean
- *       of 32 and their standard deviation go together so far that intervals of two
- *       standard errors hold less than 94 %
+ *     - the randomisations are near normal: their skewness is below 1.2. With
+ *       more, mean and standard deviation of 32 are so correlated that intervals of two
+ *       standard errors cover less than 94 %
  *     - the bound on light not found is below half of the target error
  *
  * A pilot that is too small for a plan grows first. All decisions are based on paths
@@ -44,7 +44,7 @@ static inline uint32_t pp_plan_most(const struct pp_sampler *sampler, int estima
 bool pp_plan_grows(const struct pp_sampled *pilot, double wanted, bool may_grow,
                    struct pp_counts *grown, struct pp_plan *plan);
 
-/* The randomisations that the two halves (spread.h) are to have for that. */
+/* Numbers of randomisations that the two halves (spread.h) need for that error. */
 void pp_plan_halves(const struct pp_sampled *done, double wanted, int halves[2]);
 
 #endif

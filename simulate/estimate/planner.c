@@ -15,8 +15,8 @@
 
 enum {
     STEP = 1024, /* most paths of a randomisation at a time */
-    BLOCK = 64,  /* randomisations at a time, where points share something of each */
-    APART = 64   /* bytes between data written by two threads, for their caches */
+    BLOCK = 64,  /* randomisations at a time, if points share samples of each */
+    APART = 64   /* bytes between data written by two threads: a cache line */
 };
 
 /* Share of the last round's error for which each round is planned, if run by the
@@ -150,7 +150,7 @@ void pp_planner_restart(struct pp_planner *planner, int points)
                (size_t)planner->points[i].randomisations[PP_FINAL]
                    * sizeof **planner->points[i].stages);
     planner->point_count = points;
-    begin_planned_points(planner, NULL); /* completes only what is missing */
+    begin_planned_points(planner, NULL); /* creates only what is missing */
 }
 
 /* ---- stages ---- */
@@ -178,7 +178,7 @@ static double wanted_error(const struct pp_planner *planner, int index)
                 1e-12);
 }
 
-/* Plans a point by its pilot. */
+/* Plans a point from its pilot. */
 static bool foresee(void *data, int worker, int index)
 {
     (void)worker;
@@ -192,7 +192,7 @@ static bool foresee(void *data, int worker, int index)
     return true;
 }
 
-/* The same of all, by all threads. Has a pilot to grow before any plan is carried out? */
+/* Plans all points, on all threads. Returns true if a pilot has to grow first. */
 static bool foresee_all(struct pp_planner *planner)
 {
     bool grows = false;
@@ -205,8 +205,9 @@ static bool foresee_all(struct pp_planner *planner)
     return grows;
 }
 
-/* Plans the paths of each point by its pilot. If run by the clock each round has more,
- * until all points have as many as possible. */
+/* Starts the final stage with the planned paths of each point. If run by the clock each
+ * call is a further round with more paths, until all points have as many as
+ * possible. */
 static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *err)
 {
     bool again = planner->stage == PP_FINAL, grows = !again;
@@ -235,7 +236,7 @@ static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *er
     return status;
 }
 
-/* Plans the halves of a point by each other's spread. */
+/* Plans each half of a point's randomisations from the variance of the other half. */
 static bool foresee_halves(void *data, int worker, int index)
 {
     (void)worker;
@@ -346,7 +347,7 @@ static enum pp_status list_units(struct pp_planner *planner, struct pp_error *er
     return status;
 }
 
-/* A step of one randomisation: the sums do not depend on how the way is divided. */
+/* Runs a step of one randomisation; the sums do not depend on the lengths of steps. */
 static void run_planned_unit(const struct pp_planner *planner,
                              struct pp_planner_unit unit, void *state)
 {
@@ -372,7 +373,7 @@ static void run_planned_unit(const struct pp_planner *planner,
     }
 }
 
-/* The units that are run until the caller's time is up. */
+/* Units that are run until the caller's time is used up. */
 struct slice {
     struct pp_planner *planner;
     double end_s;

@@ -20,11 +20,11 @@
 
 /* End of a sampler's work: by error, by samples, or by the caller's clock. */
 struct pp_planner_options {
-    double error; /* wanted standard error over the last value. 0: go by samples or the
-                   * caller's clock alone */
-    double least_error; /* no smaller error is wanted */
-    double least_share; /* nor one for less than this share of the greatest of all
-                         * points' values */
+    double error; /* target standard error relative to the last value. 0: by samples or
+                   * by the caller's clock alone */
+    double least_error; /* lower limit of the target (in units of the value) */
+    double least_share; /* target is for at least this share of the greatest value of
+                         * all points */
     long samples;       /* paths of each estimator in a randomisation; 0: not set */
     int randomisations; /* by samples; 0: PP_RANDOMISATIONS */
     int threads;        /* 0: as many as there are processors */
@@ -41,7 +41,7 @@ enum pp_status pp_planner_create(struct pp_planner **planner,
 void pp_planner_destroy(struct pp_planner *planner); /* NULL is allowed */
 
 /* Resets the planner to other points, at most as many as when it was created, and keeps
- * only the count of work. Only if run by samples. */
+ * only the work counters. Only for a planner run by samples. */
 void pp_planner_restart(struct pp_planner *planner, int points);
 
 /* Works for about `seconds` (by the clock; at least one step of one randomisation). */
@@ -49,7 +49,7 @@ enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
                                   struct pp_error *err);
 bool pp_planner_done(const struct pp_planner *planner);
 
-/* The threads at work, for more that belongs to it. */
+/* The pool of worker threads, for other work of the same run. */
 struct pp_thread_pool *pp_planner_crew(const struct pp_planner *planner);
 
 /* The share of the work that is done, 0 to 1, by the present plan. */

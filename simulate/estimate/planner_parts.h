@@ -9,11 +9,12 @@ enum pp_planner_stage { PP_PILOT, PP_FINAL, PP_FINISHED };
 struct pp_planned_point {
     uint64_t seed;
     struct pp_counts counts;            /* target for each randomisation of the stage */
-    struct pp_plan plan;                /* by the pilot, */
-    bool grows;                         /* unless that has to grow first */
-    struct pp_randomisation *stages[2]; /* the pilot's, and those that count */
+    struct pp_plan plan;                /* from the pilot; valid unless */
+    bool grows;                         /* the pilot has to grow first */
+    struct pp_randomisation *stages[2]; /* randomisations of the pilot, and final
+                                         * ones */
     int randomisations[2];
-    int halves[2]; /* targets of even and of odd number, of those that count */
+    int halves[2]; /* target numbers of final randomisations, even and odd */
 };
 
 struct pp_planner_unit {
@@ -26,19 +27,19 @@ struct pp_planner {
     struct pp_planner_options options;
     struct pp_sobol sobol;
     struct pp_thread_pool *pool;
-    char *states; /* one for each of the pool, `state_step` bytes apart */
+    char *states; /* thread states, `state_step` bytes apart */
     size_t state_step;
     struct pp_planned_point *points;
     int point_count, most_points;
 
     enum pp_planner_stage stage;
     bool topped_up;
-    double greatest; /* value by the pilots, where the options ask for a share of it */
+    double greatest; /* greatest value of the pilots, if options.least_share is set */
     double round;    /* by the clock: the target as a share of the pilot's error */
     struct pp_planner_unit *units; /* of this pass */
     int unit_count, unit_capacity, next_unit;
-    int block; /* where points share: the first randomisation of this pass */
-    struct pp_path_work forgotten; /* before the last restart */
+    int block; /* if points share samples: first randomisation of this pass */
+    struct pp_path_work forgotten; /* work before the last restart */
 };
 
 static inline bool pp_planner_by_samples(const struct pp_planner *planner)

@@ -48,8 +48,8 @@ struct pp_sampler {
      * the minus this. */
     double fall[PP_ESTIMATORS_MOST];
 
-    /* Paths of each estimator in a randomisation: of the pilot, and at least in the
-     * end. */
+    /* Number of paths of each estimator in a randomisation: in the pilot, and the final
+     * minimum. */
     struct pp_counts pilot, least;
 
     /* Randomisations of the pilot, by error: even, and fewer than PP_RANDOMISATIONS
@@ -59,17 +59,18 @@ struct pp_sampler {
     /* Greatest number of paths of each estimator in a randomisation; 0: no limit. */
     struct pp_counts most;
 
-    /* The cost of a path beside its rays, in rays; 0: 1. */
+    /* Cost of a path besides its rays, in rays; 0: 1. */
     double cost[PP_ESTIMATORS_MOST];
 
-    /* And of a randomisation more than PP_RANDOMISATIONS (plan.h), beside its paths. */
+    /* Cost of each randomisation beyond PP_RANDOMISATIONS (plan.h), besides its
+     * paths. */
     double cost_of_more;
 
     /* Makes the samples that points share, before paths are followed. They are for
-     * randomisations `first` to first + count - 1 of a stage, which have seeds of their
-     * own, and for the greatest number of paths of each by estimator. Earlier samples
-     * are no longer needed, except for the same `first` of the same stage. pool: the
-     * threads to use. NULL: none to make. */
+     * randomisations `first` to first + count - 1 of a stage, each with its own seed,
+     * and for the greatest number of paths of each estimator. Earlier samples are no
+     * longer needed, except for the same `first` of the same stage. pool: the threads
+     * to use. NULL: none to make. */
     enum pp_status (*prepare)(const void *client, int stage, int first, int count,
                               const struct pp_counts *wanted,
                               struct pp_thread_pool *pool, struct pp_error *err);
@@ -94,8 +95,8 @@ struct pp_sampler {
                    const struct pp_randomisation *randomisation, int estimator);
 
     /* Upper bound on light that this many paths of each estimator, over all
-     * randomisations, may have missed without a trace in the spread of a value. found:
-     * bit i is set if the randomisations of value i differ. NULL: no bound. */
+     * randomisations, may have missed so that the spread of a value does not show it.
+     * found: bit i is set if the randomisations of value i differ. NULL: no bound. */
     double (*bound)(const void *client, int point, int value, unsigned found,
                     const double *paths);
 };

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* Randomisations that differ by less than this share agree but for rounding. */
+/* Values with a smaller relative difference count as equal (rounding errors). */
 static const double ROUNDING = 1e-14;
 
 static bool is_begun(const struct pp_sampler *sampler,
@@ -31,7 +31,7 @@ struct half {
     int count;
 };
 
-/* The variance of a half's mean, widened for the number that it is known by. */
+/* The variance of a half's mean, by Student's t for its number of randomisations. */
 static double variance_of_mean(const struct half *half, double mean)
 {
     double off = half->mean - mean, n = half->count;
@@ -42,7 +42,7 @@ static double variance_of_mean(const struct half *half, double mean)
 static struct pp_spread spread_of(const struct pp_sampled *sampled, int value,
                                   int estimator)
 {
-    enum { KEPT = 64 }; /* figures that are not worked out twice */
+    enum { KEPT = 64 }; /* values stored, so as not to be calculated twice */
     double kept[KEPT];
     struct half halves[2] = {{.count = 0}, {.count = 0}};
     struct pp_spread spread = {.std_error = NAN};
@@ -107,7 +107,8 @@ double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half)
     return squares / (n - 1.0);
 }
 
-/* Has the value not come out the same in all randomisations? Mostly the second one tells. */
+/* True if the value differs between randomisations; usually the second one already
+ * shows it. */
 static bool differs(const struct pp_sampled *sampled, int value)
 {
     double first = NAN;

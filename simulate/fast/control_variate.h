@@ -11,7 +11,7 @@
 #include "simulate/scene/light_scene.h"
 #include "simulate/transport/niche_light.h"
 
-/* The patches of one side of a part, in a grid; a patch's value stands at its
+/* The patches of one side of a part, in a grid; a patch's value belongs to its
  * centre. */
 struct pp_control_variate_grid {
     int first;           /* of its values; -1: no patches on this side */
@@ -25,7 +25,8 @@ struct pp_control_variate {
     double *values;                             /* exitance over Eh */
     int count;
     const struct pp_light_scene *scene; /* not owned */
-    struct pp_niche_light niches;       /* of the sides of niches, by these values */
+    struct pp_niche_light niches;       /* light of the sides of niches, from these
+                                         * values */
 };
 
 void pp_control_variate_destroy(
@@ -36,11 +37,12 @@ double pp_control_variate_at(const struct pp_control_variate *variate,
                              const struct pp_light_scene *scene,
                              const struct pp_light_hit *hit);
 
-/* The same as a niche's light: `variate` is that solution. */
+/* The same, as the callback of a niche's light; `variate` is a struct
+ * pp_control_variate. */
 double pp_control_variate_of_side(void *variate, const struct pp_light_hit *side,
                                   double worth);
 
-/* The number of the patch nearest to the hit; -1 where there are none. */
+/* Index of the patch nearest to the hit; -1 if there is none. */
 int pp_control_variate_nearest(const struct pp_control_variate *variate,
                                const struct pp_light_scene *scene,
                                const struct pp_light_hit *hit);

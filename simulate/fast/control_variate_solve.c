@@ -15,7 +15,7 @@
 enum {
     /* Chosen by trial: */
     PATCHES = 1200,       /* about this many in a room */
-    MOST_SURFACES = 2000, /* of a room that gets a solution */
+    MOST_SURFACES = 2000, /* a room with more gets no solution */
     OPENING_SAMPLES = 8,  /* of each patch */
     LOBE_SAMPLES = 16,    /* of each patch */
     MOST_SWEEPS = 40,     /* Gauss-Seidel iterations */
@@ -28,10 +28,11 @@ struct variate_patch {
     int part;
     bool back;
     bool in_figure;                /* the centre is in the surface's outline */
-    double own;                    /* exitance without exchange: M + rho E */
-    double exchanged;              /* and the light by that exchange, before
+    double own;                    /* exitance by emission and direct light: M + rho
+                                    * E */
+    double exchanged;              /* the same plus interreflected light, before
                                     * smoothing */
-    int seen[LOBE_SAMPLES];        /* patches that its rays meet; -1: none */
+    int seen[LOBE_SAMPLES];        /* indices of patches that its rays meet; -1: none */
     int sides[OPENING_SAMPLES];    /* niche sides met by directions to mouths, */
     double worth[OPENING_SAMPLES]; /* and the share of their exitance that the patch
                                     * receives */
@@ -80,7 +81,7 @@ static bool has_side(const struct pp_light_part *part, const struct pp_surface *
     return surface->inside && (side == 0 || !part->envelope);
 }
 
-/* Grids for all sides that the room sees; returns how many patches they have. */
+/* Lays out grids on all sides that face the room; returns the number of patches. */
 static int lay_out_patches(struct pp_control_variate *variate,
                            const struct pp_light_scene *scene,
                            const struct pp_world *world)
@@ -141,13 +142,14 @@ static const struct pp_material *patch_material(const struct pp_light_scene *sce
     return &scene->materials[scene->parts[patch->part].material[patch->back]];
 }
 
-/* A patch that notes the sides of niches that it sees. */
+/* A patch, and the solution in which the niche sides that it sees are patches. */
 struct noting {
     struct variate_patch *patch;
     const struct pp_control_variate *variate;
 };
 
-/* Adds nothing yet: the sides' exitance is calculated by the exchange. */
+/* Callback: records a niche side. Returns 0, as light of sides is added by the
+ * exchange. */
 static double note_side(void *of, const struct pp_light_hit *side, double worth)
 {
     const struct noting *noting = of;
@@ -193,7 +195,7 @@ static void light_patch(struct variate_patch *patch,
     }
 }
 
-/* The irradiance of the patch by other patches, per exitance as `values`. */
+/* The irradiance of the patch by other patches, for the exitances `values`. */
 static double exchanged(const struct variate_patch *patch, const double *values)
 {
     double sum = 0.0, sides = 0.0;
@@ -226,7 +228,7 @@ static void exchange(double *values, const struct variate_patch *patches, int co
     }
 }
 
-/* Patch at this offset in columns and rows from number i of the grid; NULL: none, or it
+/* Patch at this offset in columns and rows from patch i of the grid; NULL: none, or it
  * lies outside the figure. */
 static const struct variate_patch *neighbour(const struct variate_patch *patches,
                                              const struct pp_control_variate_grid *grid,
@@ -240,10 +242,10 @@ static const struct variate_patch *neighbour(const struct variate_patch *patches
     return patch->in_figure ? patch : NULL;
 }
 
-/* Smooths exchanged light, which varies little from patch to patch, though its noise is
- * each patch's own: it becomes the mean over a patch and its neighbours, by weights 1, 2,
- * 1 along either axis. Neighbours count in opposite pairs, so that a linear course is
- * kept. Measured over 40 rooms: half as many samples then do as well. */
+/* Smooths exchanged light, which varies little from patch to patch, while its noise is
+ * independent: it becomes the mean over a patch and its neighbours with weights 1, 2, 1
+ * along each axis. Neighbours count in opposite pairs only, so that a linear variation
+ * is kept. Measured over 40 rooms: with smoothing half as many samples suffice. */
 static void smooth(struct pp_control_variate *variate, struct variate_patch *patches,
                    const struct pp_control_variate_grid *grid)
 {
@@ -289,7 +291,7 @@ static void fill_beside(struct pp_control_variate *variate,
             variate->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
-/* The patches that are lit, by any worker of a pool. */
+/* Task: patches lit by the workers of a pool. */
 struct lighting {
     const struct pp_control_variate *variate;
     struct variate_patch *patches;

@@ -1,5 +1,5 @@
-/* gather_cells.c - cells laid out on the faces of a convex room, and sums over them by
- * lanes. */
+/* gather_cells.c - cells laid out on the faces of a convex room, and vectorised sums
+ * over them. */
 #include "simulate/fast/gather_cells.h"
 
 #include <math.h>
@@ -10,11 +10,13 @@
 #include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* c in (1), and patches of G along either side of a cell, about. Chosen by trial. */
+/* c in (1); also about the number of patches of G along each side of a cell. Chosen by
+ * trial. */
 static const double RAYS_WEIGHED = 32.0;
 enum { PATCHES_ALONG = 2 };
 
-/* Cells that are no larger than this many times their face fill it, but for rounding. */
+/* Cells with at most this many times the area of their face fill it; allows for
+ * rounding. */
 static const double FILLED = 1.0 + 1e-9;
 
 /* Arrays of a net: coordinates, and G above its level; each an array of as many numbers
@@ -33,7 +35,7 @@ struct pp_gather_cells {
     const struct pp_control_variate *variate; /* not owned */
     struct cell_face *faces;
     int lanes;    /* of all faces */
-    double level; /* G is nowhere below it */
+    double level; /* lower bound of G */
 };
 
 static int cells_along(int patches)
@@ -165,7 +167,7 @@ void pp_gather_cells_draw(const struct pp_gather_cells *cells,
         draw_face(cells, light, i, u, net);
 }
 
-/* k A r4 over n . (y - x): of a receiver so far before the face. */
+/* k A r4 over n . (y - x), for a receiver at this distance from the face's plane. */
 static double per_cosine(const struct cell_face *face, double before_m)
 {
     return face->width_m * face->height_m * before_m / PP_PI;

@@ -12,12 +12,12 @@
  *
  * and the rest of G is left to the lobe's rays, by the balance heuristic of [VG95] as
  * if with c rays per cell. g is the least value of G: a uniform part makes no noise in
- * the lobe. The sum has no bias, whatever c and g. All cells of a net have their point
- * at the same place but mirrored from one to the next, which cancels errors linear in
- * it; G there is used by all receivers.
+ * the lobe. The sum has no bias, whatever c and g. In all cells of a net the point has
+ * the same relative position, mirrored from cell to cell, which cancels linear errors;
+ * the values of G at these points are used by all receivers.
  *
- * Used only where shared_density.h is, since no point is hidden there. Sides of niches
- * have no cells.
+ * Used only in rooms where shared_density.h is used, since all points there are
+ * visible. Sides of niches have no cells.
  */
 #ifndef PP_SIMULATE_FAST_GATHER_CELLS_H
 #define PP_SIMULATE_FAST_GATHER_CELLS_H
@@ -36,24 +36,26 @@ enum pp_status pp_gather_cells_create(struct pp_gather_cells **cells,
                                       struct pp_error *err);
 void pp_gather_cells_destroy(struct pp_gather_cells *cells); /* NULL is allowed */
 
-/* The numbers that a net of points takes. */
+/* Number of doubles in a net of points. */
 size_t pp_gather_cells_size(const struct pp_gather_cells *cells);
 
-/* A net for two numbers in (0, 1): points with their G over Eh, which is nothing in an opening
- * and beside the figure. `light` traces rays. net: pp_gather_cells_size() numbers. */
+/* A net for two numbers in (0, 1): points with their G over Eh, which is 0 in an
+ * opening and outside the outline. `light` traces rays. net: pp_gather_cells_size()
+ * numbers. */
 void pp_gather_cells_draw(const struct pp_gather_cells *cells,
                           struct pp_radiance_state *light, const double u[2],
                           double *net);
 
-/* True if the part has cells. From all of it they are all seen. */
+/* True if the part has cells; all of them are visible from anywhere on it. */
 bool pp_gather_cells_are_on(const struct pp_gather_cells *cells, int part);
 
-/* (1) by the cells of a net, over Eh, at a point in the room that faces `normal`. */
+/* Sum (1) over the cells of a net, over Eh, at a point in the room with normal
+ * `normal`. */
 double pp_gather_cells_taken(const struct pp_gather_cells *cells, const double *net,
                              struct pp_vec3 point, struct pp_vec3 normal);
 
-/* Rest of a G over Eh that (1) leaves to a ray of the lobe that has come straight to it:
- * all where there are no cells. */
+/* The part of a value G (over Eh) that (1) leaves to a ray of the lobe that reaches it
+ * directly; all of it if the part has no cells. */
 double pp_gather_cells_left(const struct pp_gather_cells *cells,
                             const struct pp_light_ray *ray,
                             const struct pp_light_hit *met, double guess);

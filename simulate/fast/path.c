@@ -10,7 +10,7 @@
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/light_scene_of_world.h"
 
-/* NULL where no niche is known. */
+/* The light of niches by the control variate; NULL if there is none. */
 static const struct pp_niche_light *niches_of(const struct pp_control_variate *variate)
 {
     return variate && variate->scene->convex && variate->scene->has_niches
@@ -64,7 +64,7 @@ static struct pp_light_ray lobe_ray(const struct pp_path_state *state,
                      pp_lobe_sample_in_frame(a, b, start->normal, u[0], u[1]));
 }
 
-/* The light of niches that next-event estimation at that point of the room has; NULL: none. */
+/* The light of niches counted by next-event estimation at that point; NULL if none. */
 static const struct pp_niche_light *niches_from(const struct pp_path_state *state,
                                                 struct pp_vec3 point)
 {
@@ -107,9 +107,8 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
 }
 
 /* Adds light through the openings for the paths from the present index on, one or a
- * run. Existing sums are divided by the number of paths, a power of two, and multiplied
- * afterwards: the result is the same to the bit as if every path were added by
- * itself. */
+ * run. The existing sum is divided by the number of paths, a power of two, before and
+ * multiplied after: the result is bit-identical to adding every path by itself. */
 static void add_direct(struct pp_path_state *state, const struct pp_start *start,
                        struct pp_vec3 point, int paths, struct pp_light *light)
 {
@@ -156,7 +155,7 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     for (; !scene->has_room && state->light.index < end; state->light.index++)
         add_open_direct(state, start, light);
     while (state->light.index < end) {
-        /* Each call includes one sample of images outside. */
+        /* Runs of several paths are possible only if no call samples images outside. */
         bool runs = !start->anywhere && scene->window_image_count == 0;
         int paths = runs ? pp_path_run_from(state->light.index, end, PP_RUN_MOST) : 1;
         double u[2];

@@ -21,9 +21,9 @@
  *
  * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
  * That variance is the noise of the samples at each surface, and grows with the light
- * there. So the direction that continues is drawn in proportion to the G that it has
- * met, as in the importance resampling of [TCE05]. Russian roulette ends it by its
- * expected contribution according to G.
+ * there. So the direction that continues is drawn in proportion to G at the surface
+ * that it meets, as in the importance resampling of [TCE05]. Russian roulette ends it
+ * by its expected contribution according to G.
  *
  * Without G the correction is plain path tracing. Where receivers share light
  * (shared_density.h) most of the correction comes from shared points, and a path
@@ -41,8 +41,8 @@
  *
  * Light of other openings reflected by glass to the point itself is sampled with the
  * direct light, by the openings' images, and excluded from the correction's own rays.
- * These found it so seldom that one in a hundred points, in rooms with windows in
- * several walls, ended with three to fifteen times the target error.
+ * Rays found it so seldom that, in rooms with windows in several walls, one point in a
+ * hundred had three to fifteen times the target error.
  *
  * All light is over Eh.
  */
@@ -67,10 +67,11 @@ struct pp_path_state {
     struct pp_radiance_state light;
     const struct pp_control_variate
         *variate; /* the control variate; not owned; NULL: none */
-    const struct pp_niche_light *niches; /* by it; not owned; NULL: none are aimed at */
+    const struct pp_niche_light *niches; /* from the control variate; not owned; NULL:
+                                          * niches are not sampled */
     const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
     const struct pp_gather_cells *cells;    /* not owned; NULL: rays gather all */
-    const double *net;         /* of the cells, in this randomisation; not owned */
+    const double *net;         /* of cells, for this randomisation; not owned */
     bool glass;                /* openings are sampled by their images in glass */
     struct pp_glass_view view; /* images seen from the last point */
 };
@@ -87,9 +88,10 @@ struct pp_start {
     struct pp_vec3 normal;
 };
 
-/* The irradiance by the openings at a point indoors, of that many directions with the
- * random numbers of a vertex: straight from the sky, from outside, and (`rest`) from the
- * sides of niches, by G, and by way of another opening from the room itself. */
+/* The irradiance by the openings at a point indoors, from that many directions with the
+ * random numbers of a vertex. Components: directly from the sky, from outside, and
+ * (`rest`) from sides of niches (by G) and from the room itself through other
+ * openings. */
 struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
                                          struct pp_vec3 point, struct pp_vec3 normal,
                                          int vertex, uint32_t directions);
@@ -98,9 +100,9 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
 bool pp_path_counted_by_nee(const struct pp_path_state *state, struct pp_vec3 from,
                             const struct pp_light_hit *met);
 
-/* Add the samples of the paths from state->light.index to `end`, one after the other; the
- * index is `end` afterwards. Gathered light and its correction are internally reflected,
- * and 0 where there is no room. */
+/* Add the samples of the paths from state->light.index to `end`, one after the other;
+ * the index is `end` afterwards. Gathered light and its correction are internally
+ * reflected light, 0 without a room. */
 void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
                     uint32_t end, struct pp_light *light);
 void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
@@ -108,8 +110,8 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
 void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
                         uint32_t end, double *sum);
 
-/* Light gathered by cells beside the paths, in a randomisation: 0 where there are none,
- * or a path starts anywhere. */
+/* Light gathered by cells, in addition to paths, in a randomisation; 0 if there are no
+ * cells or the path starts anywhere on the plane. */
 double pp_path_gather_cells(const struct pp_path_state *state,
                             const struct pp_start *start);
 
@@ -118,8 +120,8 @@ double pp_path_gather_cells(const struct pp_path_state *state,
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
                       const struct pp_shared_light *shared);
 
-/* One sample of B - G at a surface that was met: by a path or, given other shared
- * points independent of it, by one step of (2) and the light of those points. */
+/* One sample of B - G at a surface: by a path or, given independent shared points, by
+ * one step of (2) and the light of those points. */
 double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *met,
                         const struct pp_shared_light *others, int count);
 

@@ -7,39 +7,39 @@
 #include "simulate/fast/path_parts.h"
 
 enum {
-    /* Directions from each surface met, where the control variate leaves a small
-     * difference of two large numbers. Measured in two rooms: half and twice as many
-     * lose 10 to 40 % of the efficiency, one of each two thirds. Where cells leave the lobe
-     * little, half and twice as many of its rays lose up to 10 %, twice as many to openings
-     * a fifth. */
+    /* Directions from each surface met. Several are needed, since with the control
+     * variate a step is a small difference of large numbers. Measured in two rooms:
+     * half or twice as many lose 10 to 40 % of the efficiency, one of each loses two
+     * thirds. In rooms with cells half or twice as many lobe rays lose up to 10 %,
+     * twice as many to openings a fifth. */
     OPENINGS = 4,
     LOBES = 8,
     FIRST_LOBES = 4,    /* from the point itself, where nothing is shared */
     MOST_LOBES = LOBES, /* all of these must be a power of two, PP_RUN_MOST or less */
-    /* A path ends here where nothing ever absorbs: in an enclosure that reflects all.
-     * With a reflectance of 0.99 one path in 10^70 comes so far. */
+    /* Limit of bounces for an enclosure in which nothing absorbs. With a reflectance of
+     * 0.99 one path in 10^70 reaches it. */
     MOST_BOUNCES = 1 << 14
 };
 
 /* Probability with which a path continues, for the remaining share of its importance at
- * its first surface. Measured: 0.6 and 1 are equally good for points of their own; with
- * 1 shared points take 8 % longer. */
+ * its first surface. Measured: 0.6 and 1 are equally good without shared points; with
+ * them 1 takes 8 % longer. */
 static const double GOING_ON = 0.6;
 
-/* An arm is drawn as if the control variate were nowhere below this share of its mean
- * over the arms that leave together: it may be wrong there. */
+/* Defensive sampling: for the choice of an arm, G counts as at least this share of its
+ * mean over the arms of the fan. */
 static const double LEAST_SHARE = 0.5;
 
-/* A path on its way to a surface of the room. */
+/* An arm: a path on its way to a surface of the room. */
 struct path_arm {
     struct pp_light_ray ray;
     double throughput;
-    double importance; /* approximate contribution by G: its own share of several */
+    double importance; /* estimated contribution, by G */
     struct pp_light_hit met;
     bool at_once; /* true if it got there without meeting an opening */
 };
 
-/* Arms that leave one place together. */
+/* Arms that leave one point together. */
 struct path_fan {
     struct pp_vec3 from;
     struct pp_frame frame; /* z: of their cosine lobe */
@@ -83,9 +83,9 @@ static void leave_out_image(const struct pp_light_scene *scene, int pane,
 }
 
 /* Follows the ray to a surface of the room, past glass and frames; false if the path
- * ends before. Light that enters on the way is added to *sum. nearest: the ray's plane;
- * NULL: unknown. glass: exclude openings that are mirrored in the first glass that it
- * meets. */
+ * ends before. Light that enters on the way is added to *sum. nearest: the plane that
+ * the ray meets first; NULL: unknown. glass: exclude openings that are mirrored in the
+ * first glass that it meets. */
 static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
                        const struct pp_convex_nearest *nearest, bool glass, int vertex,
                        double *sum)
@@ -153,9 +153,8 @@ static double gathered(const struct pp_path_state *state, const struct path_fan 
                       : guess;
 }
 
-/* K G by the arms of the fan, the rays from `first` on, each of which reaches a surface
- * or ends. One of them continues as *arm with the throughput of all. False if none
- * does. */
+/* Adds K G from the arms of the fan, whose rays begin at `first`. One of them continues
+ * as *arm with the throughput of all. False if none does. */
 static bool spread(struct pp_path_state *state, const struct path_fan *fan,
                    const struct fan_rays *rays, int first, int vertex,
                    struct path_arm *arm, double *sum)
@@ -216,7 +215,8 @@ static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex
     return spread(state, &fan, &rays, 0, vertex, arm, sum);
 }
 
-/* Does the path go on? `first`: the importance that it had at its first surface. */
+/* Russian roulette: true if the path continues. `first`: its importance at its first
+ * surface. */
 static bool survives(const struct pp_path_state *state, struct path_arm *arm,
                      double first, int vertex)
 {
@@ -258,8 +258,8 @@ static double residual(struct pp_path_state *state, struct path_arm *arm, int ve
     return sum;
 }
 
-/* True if the residual at the arm's vertex must be sampled by this ray. A part of it is
- * shared if the ray arrived directly. */
+/* True if the residual at the arm's vertex must be sampled by this ray. Shared points
+ * cover a part of it if the ray arrived directly. */
 static bool is_left(const struct pp_path_state *state, const struct path_arm *arm,
                     int vertex)
 {

@@ -28,7 +28,7 @@ static inline double pp_path_guess(const struct pp_path_state *state,
                : 0.0;
 }
 
-/* A light path along a ray, from `vertex` on; openings are left out, which are sampled
+/* A light path along a ray, from `vertex` on, without openings that are sampled
  * directly. */
 static inline struct pp_light_path pp_path_of_ray(const struct pp_path_state *state,
                                                   const struct pp_light_ray *ray,

@@ -31,7 +31,7 @@ struct pp_shared_density {
     double *below;  /* by patch: the cumulative probability of those before it */
 };
 
-/* In such a room all patches are on the fronts of the envelope. */
+/* All patches are on front sides, since the room is convex. */
 static void place_patches(struct pp_shared_density *density)
 {
     const struct pp_light_scene *scene = density->scene;
@@ -47,7 +47,7 @@ static void place_patches(struct pp_shared_density *density)
     }
 }
 
-/* The point of a patch for two numbers in (0, 1). */
+/* The point of a patch given by two numbers in (0, 1). */
 static struct pp_vec3 patch_point(const struct pp_light_scene *scene,
                                   const struct density_patch *patch, double u, double v)
 {
@@ -94,7 +94,7 @@ static void weigh_patches(struct pp_shared_density *density)
     }
 }
 
-/* The patch that u in (0, 1) falls to. */
+/* The patch selected by u in (0, 1). */
 static int patch_of(const struct pp_shared_density *density, double u)
 {
     int low = 0, high = density->variate->count;

@@ -2,15 +2,15 @@
  * share, and the weight of a point at a receiver.
  *
  * The residual of the control variate G of path.h, D = B - G, is noise at each surface
- * met, and the same noise for all receivers. So it is sampled once, at points y on the
- * room's surfaces of density p (1/m2). With an unbiased estimate D(y) at every one of
- * them (shared_light.h) a receiver at x gets
+ * met, and would be sampled anew for each receiver. So it is sampled once, at points y
+ * on the room's surfaces of density p (1/m2). With an unbiased estimate D(y) at every
+ * one of them (shared_light.h) a receiver at x gets
  *
  *     min(k(x, y)/p(y), c) D(y),        k = cos cos' / (pi r2)                      (1)
  *
  * whose mean over p is the mean of D over the cosine lobe at x, except for the part
  * that the bound c cuts off where x and y are near. That part is sampled by the lobe's
- * own rays: one that has met y continues with the probability
+ * own rays: a ray that has met y continues with the probability
  *
  *     1 - c p(y)/k(x, y)                                                            (2)
  *
@@ -43,7 +43,7 @@ struct pp_shared_light {
 struct pp_shared_density;
 
 /* Makes the density for a scene with a known G; both must outlive *density. On success
- * *density is the caller's; NULL if nothing can be shared. */
+ * *density is the caller's; NULL if the room does not allow sharing. */
 enum pp_status pp_shared_density_create(struct pp_shared_density **density,
                                         const struct pp_light_scene *scene,
                                         const struct pp_control_variate *variate,
@@ -65,12 +65,13 @@ struct pp_shared_place {
 struct pp_shared_place pp_shared_density_draw(const struct pp_shared_density *density,
                                               const double u[3]);
 
-/* (2), or 0, for a ray of the lobe that has come from x straight to y. */
+/* Probability (2), or 0 if it is negative, for a ray of the lobe that reaches y
+ * directly from x. */
 double pp_shared_density_left(const struct pp_shared_density *density,
                               const struct pp_light_ray *ray,
                               const struct pp_light_hit *met);
 
-/* (1) of a receiver that faces `normal`. */
+/* Weight (1), for a receiver with normal `normal`. */
 static inline double pp_shared_density_taken(const struct pp_shared_light *shared,
                                              struct pp_vec3 point,
                                              struct pp_vec3 normal)

@@ -8,9 +8,8 @@
 #include "simulate/sampling/hash.h"
 
 enum {
-    /* The first points follow paths to their end. The others get light of more than one
-     * reflection from this many earlier points, which are independent of them. Chosen
-     * by trial. */
+    /* The first points follow paths to their end. Later points get light of more than
+     * one reflection from this many earlier, independent points. Chosen by trial. */
     FIRST_BLOCK = 32,
     MOST_OTHERS = 128,
 };
@@ -24,12 +23,12 @@ struct shared_set {
 };
 
 struct pp_shared_lights {
-    struct pp_path_state path;    /* as each thread begins */
+    struct pp_path_state path;    /* initial state of each thread */
     const struct pp_sobol *sobol; /* not owned */
     uint64_t seed;
     struct shared_set *sets;
     int set_count, set_capacity, stage, first;
-    long long rays, leaks; /* of sets that are forgotten */
+    long long rays, leaks; /* work for sets that were discarded */
 };
 
 enum pp_status pp_shared_light_create(struct pp_shared_lights **result,
@@ -68,7 +67,7 @@ void pp_shared_light_destroy(struct pp_shared_lights *lights)
     free(lights);
 }
 
-/* Draws a point, with the light of `count` other points there. */
+/* Draws a point and calculates its light, with that of `count` earlier points. */
 static struct pp_shared_light draw_point(struct pp_path_state *state,
                                          const struct pp_shared_light *others,
                                          int count)
@@ -84,8 +83,8 @@ static struct pp_shared_light draw_point(struct pp_path_state *state,
     return (struct pp_shared_light){met.point, met.normal, place.per_density, light};
 }
 
-/* The first point of the net that point i belongs to: each is as long as all that come
- * before it. */
+/* Index of the first point of the net with point i; each net is as long as all earlier
+ * ones together. */
 static int block_of(int i)
 {
     int block = FIRST_BLOCK;

@@ -18,7 +18,7 @@
 
 struct pp_shared_lights;
 
-/* Makes the shared light for paths like this one. Its scene, light, control variate,
+/* Makes the shared light for paths like `path`. Its scene, light, control variate,
  * cells and density (path->shared, not NULL) must outlive *lights, as must sobol. On
  * success *lights is the caller's. */
 enum pp_status pp_shared_light_create(struct pp_shared_lights **lights,

@@ -27,30 +27,31 @@ enum {
     SUM_CELLS = 6 /* gathered by cells, not a sum over paths */
 };
 
-/* Points that receivers share in one randomisation. About this number over the square
- * of the target error remain, measured in rooms of several depths. At least 64 are
- * used, since fewer need more randomisations: with 8 a grid at 3 % took 1.8 times the
- * work of one at 1 %. */
+/* Points that receivers share in one randomisation. At least 64 are used, since fewer
+ * need more randomisations: with 8 a grid at 3 % took 1.8 times the work of one at 1
+ * %. */
 enum { LEAST_SHARED = 64, MOST_SHARED = 1 << 12 };
 static const double SHARED_VARIANCE = 0.0033;
 
-/* Cost of one shared point to a receiver, in rays: a connection, and a share of the point's
- * own 15 rays as if 15 receivers used it, whatever their number: values must not depend on
- * it. A third or twice the cost changes the work of 8, 17 or 384 by about a tenth. */
+/* Cost of one shared point to a receiver, in rays: a connection, plus a share of the
+ * point's own 15 rays, as if 15 receivers used it. The true number of receivers must
+ * not enter, so that values do not depend on it. A third or twice the cost changes the
+ * work of 8, 17 or 384 by about a tenth. */
 static const double SHARED_COST = 1.0;
 
 /* Share of the inside surface below which openings light it in spots that few paths
- * find: a small pilot sees none, and plans too few paths. Pilot and least number of
- * paths then rise until they are like those of a room with the second share, by up to
- * SPOTTED_MOST. In three rooms with slits of 0.05 to 0.1 m, up to half of the averages had
- * over twice the target error of 0.5 %; now 5 of 90 do, for half as much time again. */
+ * find: a small pilot misses them and plans too few paths. Pilot and least number of
+ * paths are then multiplied as for a room with the second share, by at most
+ * SPOTTED_MOST. In three rooms with slits of 0.05 to 0.1 m, up to half of the averages
+ * had over twice the target error of 0.5 %; now 5 of 90 do, for half as much time
+ * again. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
 /* A receiver, or the working plane as a whole. */
 struct traced_point {
     struct pp_start start;
-    bool shares; /* does it take shared light? */
+    bool shares; /* receives shared light */
     struct pp_room_bound most;
     uint64_t seed;
 };
@@ -88,7 +89,7 @@ static uint64_t traced_point_seed(const void *client, int point)
     return ((const struct pp_tracer *)client)->points[point].seed;
 }
 
-/* Light that the shared points of the randomisation bring to a receiver. */
+/* Light of the randomisation's shared points at a receiver. */
 static double shared_of(const struct pp_tracer *tracer, struct pp_path_state *path,
                         const struct pp_path_range *range)
 {
@@ -156,7 +157,7 @@ static void follow_traced_paths(const void *client, void *state,
     randomisation->leaks += path->light.leaks - leaks;
 }
 
-/* Internally reflected light is read with the allowance for decorations. */
+/* Internally reflected light includes the allowance for decorations. */
 static double tracer_part(const void *client, int point,
                           const struct pp_randomisation *randomisation, int estimator)
 {
@@ -200,7 +201,7 @@ static double tracer_bound(const void *client, int point, int component, unsigne
                            const double *paths)
 {
     const struct pp_tracer *tracer = client;
-    /* A receiver takes 1 shared point on the average. */
+    /* On average 1 shared point contributes to a receiver. */
     double reflected = paths[tracer->points[point].shares ? SHARED : CORRECTION];
     if (tracer->scene->glass_image_count > 0) /* other openings mirrored in glass */
         reflected = fmin(reflected, PP_GLASS_CHANCE * paths[DIRECT]);
@@ -212,7 +213,7 @@ static double tracer_bound(const void *client, int point, int component, unsigne
 static const struct pp_sampler sampler = {
     .estimators = SHARED,
     .values = PP_COMPONENT_COUNT,
-    .fall = {1.5, 1.2, 1.05}, /* measured, on the safe side */
+    .fall = {1.5, 1.2, 1.05}, /* measured, conservative */
     .pilot = {{4, 4, 1}},
     .least = {{16, 8, 2}},
     .state_size = sizeof(struct pp_path_state),
@@ -245,7 +246,7 @@ static double direct_part_of(const void *client, int point,
            / randomisation->done.of[DIRECT];
 }
 
-/* There is no more of it than its parts. */
+/* Components of direct light, or their sum for any other index. */
 static double direct_value_of(const void *client, int point,
                               const struct pp_randomisation *randomisation,
                               int component)
@@ -281,8 +282,9 @@ static struct pp_sampler sharing(double error)
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
     /* With only 8 shared points one of them may cause most of a point's error. */
     shared.least = (struct pp_counts){{4, 8, 4, 16}};
-    /* Half as many take a fifth off a grid at 1 %, with standard errors as true. Where the
-     * correction is a point's own, twice as many values would be a third less sure. */
+    /* Half of PP_RANDOMISATIONS: saves a fifth of the time for a grid at 1 %, with
+     * equally reliable standard errors. Without shared points they would be less
+     * reliable. */
     shared.pilot_randomisations = 16;
     shared.most.of[SHARED] = most_shared(error);
     shared.cost[SHARED] = SHARED_COST;
@@ -303,7 +305,7 @@ static double share_of_openings(const struct pp_world *world)
     return openings_m2 > 0.0 && inside_m2 > 0.0 ? openings_m2 / inside_m2 : 1.0;
 }
 
-/* More paths to begin with where openings are small. */
+/* Increases the first numbers of paths if openings are small. */
 static void look_closer(struct pp_sampler *changed, const struct pp_world *world)
 {
     uint32_t times = 1;
@@ -317,7 +319,7 @@ static void look_closer(struct pp_sampler *changed, const struct pp_world *world
     }
 }
 
-/* Random numbers depend on where a receiver is, not on which others there are. */
+/* Seeds depend on a receiver's position, not on other receivers. */
 static struct traced_point traced_at(const struct pp_tracer *tracer,
                                      const struct pp_receiver *receiver, uint64_t seed)
 {
@@ -340,7 +342,7 @@ static struct traced_point traced_at(const struct pp_tracer *tracer,
     return point;
 }
 
-/* Prepares light that receivers share, where they can. */
+/* Prepares light shared by receivers, if the room allows it. */
 static enum pp_status share(struct pp_tracer *tracer, uint64_t seed,
                             struct pp_error *err)
 {
@@ -474,7 +476,7 @@ double pp_tracer_common_near(const struct pp_tracer *tracer)
     int count = tracer->receiver_count;
     struct pp_vec3 *places = calloc((size_t)count + 1, sizeof *places);
     if (!places)
-        return 1.0; /* on the safe side */
+        return 1.0; /* without memory: full correlation, the conservative value */
     for (int i = 0; i < count; i++)
         places[i] = tracer->points[i].start.position;
     double common = pp_common_variance_of_near(tracer->planner, places, count);

@@ -32,10 +32,10 @@ struct pp_tracer_options {
     uint64_t seed;
     int threads;    /* 0: one for each processor */
     bool average;   /* the average over the working plane too */
-    bool alone;     /* points share no light: sooner for ten points or less at 1 % */
-    bool direct;    /* sky and externally reflected component alone; the error is over
-                     * their sum then, and nothing else can be read */
-    bool every_ray; /* also trace rays whose end is known beforehand, for checks */
+    bool alone;     /* points share no light: faster for ten points or less at 1 % */
+    bool direct;    /* sky and externally reflected component only; the target error is
+                     * for their sum, and no other reading is valid */
+    bool every_ray; /* also trace rays whose result is known in advance (for checks) */
 };
 
 struct pp_tracer;

@@ -7,12 +7,12 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* Russian roulette begins where beta has fallen below LEAST. A path ends at MOST_BOUNCES
- * where nothing absorbs. */
+/* Russian roulette begins where beta has fallen below LEAST. MOST_BOUNCES ends paths in
+ * scenes without absorption. */
 static const double LEAST = 0.3;
 enum { MOST_BOUNCES = 1 << 14 };
 
-/* The radiance that a surface gives off itself. */
+/* Radiance emitted by the surface itself. */
 static struct pp_rgb emitted(const struct pp_path_walk *walk,
                              const struct pp_light_hit *hit)
 {
@@ -23,10 +23,10 @@ static struct pp_rgb emitted(const struct pp_path_walk *walk,
 }
 
 /* theory: next event */
-/* An opening, drawn in proportion to a guess of the light that each brings, and a direction
- * to it: uniform over its solid angle, but for the cosine and a guess of the brightness
- * behind it. *per_pdf: the reciprocal of the direction's density, steradians. False where
- * no opening is in sight. */
+/* Draws an opening in proportion to an estimate of its light, and a direction to it:
+ * density uniform in solid angle, weighted by the cosine and the estimated brightness
+ * behind it. *per_pdf: reciprocal of the direction's density (sr). False if no opening
+ * is visible. */
 static bool aim_at_opening(struct pp_path_walk *walk, const struct pp_lit_point *at,
                            int *opening, struct pp_light_ray *ray, double *per_pdf)
 {
@@ -65,7 +65,8 @@ struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
         || hit.part != walk->scene->panes[opening].part)
         return none;
 
-    /* Out through the pane. A path that goes on outside aims at no opening. */
+    /* Out through the pane. Outside, the path continues without next-event
+     * estimation. */
     struct pp_lobes lobes = pp_path_walk_lobes(walk, &hit, pp_vec_scale(ray.to, -1.0));
     for (int i = 0; i < PP_LOBE_COUNT; i++)
         if (!pp_scatter_goes_through((enum pp_lobe)i))
@@ -77,8 +78,8 @@ struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
 }
 /* theory: end */
 
-/* The radiance that the surface's diffuse lobes send towards the eye, on either side, of
- * light that comes straight from the openings. */
+/* Radiance towards the eye that the surface's diffuse lobes, on both sides, scatter
+ * from light that comes directly through openings. */
 static struct pp_rgb direct_light(struct pp_path_walk *walk,
                                   const struct pp_lobes *lobes,
                                   const struct pp_light_hit *hit)
@@ -122,12 +123,13 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_
             break;
         }
 
-        /* 2. Its own light. */
+        /* 2. Emission. */
         if (meeting == PP_MEETS_PART)
             L = pp_rgb_add(L, pp_rgb_times(beta, emitted(walk, &hit)));
 
-        /* 3. The lobes of its BSDF. Light that comes in by an opening has been counted
-         * where the ray began: of that opening, the ray sees the reflection alone. */
+        /* 3. The lobes of its BSDF. If next-event estimation at the ray's origin has
+         * counted the light through openings, only the reflection of the pane is
+         * left. */
         struct pp_vec3 wo = pp_vec_scale(ray.to, -1.0);
         struct pp_lobes lobes = pp_path_walk_lobes(walk, &hit, wo);
         bool opening =
@@ -140,7 +142,7 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_
         if (aims)
             L = pp_rgb_add(L, pp_rgb_times(beta, direct_light(walk, &lobes, &hit)));
 
-        /* 5. A direction wi of one of the lobes. */
+        /* 5. Sample a direction wi from one of the lobes. */
         enum pp_lobe lobe = pp_path_walk_scatter(walk, &lobes, &hit, &ray, &beta);
         if (lobe == PP_LOBE_COUNT)
             break;
@@ -150,7 +152,8 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_
             counted = aims && ray.space != PP_OUTDOORS
                       && (lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE);
 
-        /* 6. Russian roulette: a faint path goes on with probability q. */
+        /* 6. Russian roulette: a path of low throughput continues with probability
+         * q. */
         double u, q = pp_rgb_most(beta) / LEAST;
         pp_path_walk_draw(walk, 1, &u);
         if (u >= q)

@@ -4,7 +4,7 @@
  * next-event estimation of the openings. docs/theory.md explains it step by step. The
  * tracer of simulate/fast/ and the transport of simulate/transport/ calculate the same
  * faster, with control variates, shared points and weights of several samplers; tests
- * hold them against this.
+ * compare them with this one.
  *
  * Terms and symbols are those of [PJH23]:
  *
@@ -19,20 +19,20 @@
 
 #include "simulate/path_tracer/path_walk.h"
 
-/* The first surface that a path meets, glass aside: it decides between sky component,
- * externally and internally reflected component. */
+/* The first surface that a path meets, other than glass: it determines the component
+ * (sky, externally or internally reflected). */
 enum pp_path_first { PP_FIRST_NONE, PP_FIRST_SKY, PP_FIRST_OUTSIDE, PP_FIRST_INSIDE };
 
-/* One lit side of a surface; normal: unit, on that side. */
+/* A point on one side of a surface; normal: unit, on that side. */
 struct pp_lit_point {
     struct pp_vec3 point, normal;
     enum pp_space space;
 };
 
 /* One sample of the radiance along the ray. counted: light straight through the
- * openings was already sampled at the ray's origin. aims: openings are sampled along
- * the path. Must be false once a path has left the room by an opening, since each of
- * its surfaces would begin another such path. *first may be NULL. */
+ * openings was already sampled at the ray's origin. aims: next-event estimation of
+ * openings along the path; must be false outside the room, where each surface would
+ * begin another such path. *first may be NULL. */
 struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_ray ray,
                                      bool counted, bool aims,
                                      enum pp_path_first *first);

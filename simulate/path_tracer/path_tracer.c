@@ -104,7 +104,7 @@ static void follow_paths(const void *client, void *state,
     randomisation->leaks += walk->leaks - leaks;
 }
 
-/* Internally reflected light is read with the allowance for decorations. */
+/* Internally reflected light includes the allowance for decorations. */
 static double component_of(const void *client, int point,
                            const struct pp_randomisation *randomisation, int component)
 {
@@ -184,7 +184,7 @@ static enum pp_status make_points(struct pp_path_tracer *tracer,
                                   const struct pp_path_tracer_options *options,
                                   struct pp_error *err)
 {
-    /* Other random numbers than the tracer's, by the same seed. */
+    /* Seeds differ from the tracer's for the same option --seed. */
     uint64_t seed = pp_hash_name(options->seed, tracer->scene->world->name);
     int count = tracer->receiver_count;
     tracer->point_count = count + (options->average && tracer->scene->plane_count > 0);

@@ -2,16 +2,17 @@
  *
  * It has the same expectations, options and readings as the tracer
  * (simulate/fast/tracer.h), but uses only the loop of path_trace.c: slower, and easy to
- * check. Tests hold the tracer against it.
+ * check. Tests compare the tracer with it.
  *
  * At a point in a room the daylight factor is
  *
- *     direct     irradiance through the openings, by next-event estimation: sky component
- *                and externally reflected component, by what the path outside meets first
+ *     direct     irradiance through the openings, by next-event estimation: sky
+ *                component or externally reflected component, by the first thing that
+ *                the path meets outside
  *     reflected  pi times the mean radiance over the cosine lobe of the point, without
  *                that light: internally reflected component
  *
- * Where there is no room, the whole is the cosine lobe's.
+ * Without a room all light is sampled by the cosine lobe.
  */
 #ifndef PP_SIMULATE_PATH_TRACER_PATH_TRACER_H
 #define PP_SIMULATE_PATH_TRACER_PATH_TRACER_H

@@ -16,13 +16,13 @@
 #include "simulate/scene/light_scene.h"
 #include "simulate/scene/openings.h"
 
-/* A thread's own. Fill the first five, then trace. */
+/* State of one thread. The caller sets the first five members before tracing. */
 struct pp_path_walk {
     const struct pp_light_scene *scene;       /* of a world; not owned */
     const struct pp_environment *environment; /* not owned */
-    struct pp_sobol_sequence sequence;        /* random numbers: a randomisation, */
-    uint32_t index;                           /* which path of it, */
-    int vertex;                               /* and how often the path has drawn: 0 */
+    struct pp_sobol_sequence sequence;        /* randomisation of the random numbers */
+    uint32_t index;                           /* index of the path in it */
+    int vertex;                               /* number of draws so far; begins at 0 */
 
     long rays, leaks;                 /* traced so far; lost between two surfaces */
     struct pp_openings_shares shares; /* importances of openings at the last point */
@@ -31,8 +31,8 @@ struct pp_path_walk {
 /* The next `count` random numbers of the path, at most PP_SOBOL_DIMENSIONS, in (0, 1). */
 void pp_path_walk_draw(struct pp_path_walk *walk, int count, double *u);
 
-/* The first meeting of the ray, counted. hit->point is drawn back from the surface
- * (rays.h), ready for the next ray to start there. */
+/* Finds what the ray meets first, and counts the ray. hit->point is moved back from the
+ * surface (rays.h), so that the next ray can start there. */
 enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
                                   const struct pp_light_ray *ray,
                                   struct pp_light_hit *hit);

@@ -1,4 +1,5 @@
-/* cache_warm_up.c - rays of a picture's pixels shown to the cache, part by part. */
+/* cache_warm_up.c - requests the rays of a picture's pixels from the cache, part by
+ * part. */
 #include "simulate/render/cache_warm_up.h"
 
 #include <math.h>
@@ -8,10 +9,10 @@
 #include "simulate/cache/cache_grow.h"
 #include "simulate/render/render_parts.h"
 
-/* Pixels of a part where the caller says nothing: some 100 MB of requests. */
+/* Pixels of a part by default: some 100 MB of requests. */
 enum { PART_PIXELS = 1 << 20 };
 
-/* The share of the progress that showing the first round of parts is worth. */
+/* Share of the progress for the first round of parts. */
 static const double FIRST_ROUND = 0.9;
 
 struct pp_cache_warm_up {
@@ -88,8 +89,8 @@ static enum pp_status show(const struct pp_cache_warm_up *warm_up, int number,
     return pp_cache_grow_request_rays(warm_up->cache, ray_of, &part, count, err);
 }
 
-/* Shows the next part once the cache covers the last one, and after the last part
- * another round, unless this one made no record. A single part needs no second round:
+/* Requests the next part once the cache covers the current one; after the last part
+ * another round, unless this round made no record. A single part needs no second round:
  * the cache has checked all its requests again. */
 static enum pp_status show_next_part(struct pp_cache_warm_up *warm_up,
                                      struct pp_error *err)
@@ -135,7 +136,7 @@ double pp_cache_warm_up_progress(const struct pp_cache_warm_up *warm_up)
         return 1.0;
     if (warm_up->part == 0)
         return 0.0;
-    /* The first requests bring most of the records. */
+    /* The first requests lead to most of the records, so progress is not linear. */
     return warm_up->first ? sqrt(shown) * (parts > 1.0 ? FIRST_ROUND : 1.0)
                           : FIRST_ROUND + (1.0 - FIRST_ROUND) * shown;
 }

@@ -1,10 +1,10 @@
 /* cache_warm_up.h - fills the irradiance cache for a picture before rendering.
  *
- * As Radiance's overture does: the cache grows until it covers the requests of the
- * middles of all pixels, so that the picture interpolates between records and does not
+ * Like Radiance's overture calculation: the cache grows until it covers the requests of
+ * all pixel centres, so that the picture interpolates between records and does not
  * extrapolate; then it may be used as the ambient store. A large picture is processed
- * in parts, first each pixel of a coarser one, over and over until no new record is
- * made: memory is that of one part.
+ * in parts, each a coarse grid of pixels, in rounds until no new record is made. Memory
+ * is needed for one part at a time.
  */
 #ifndef PP_SIMULATE_RENDER_CACHE_WARM_UP_H
 #define PP_SIMULATE_RENDER_CACHE_WARM_UP_H
@@ -22,7 +22,7 @@ enum pp_status pp_cache_warm_up_create(struct pp_cache_warm_up **warm_up,
                                        int part_pixels, struct pp_error *err);
 void pp_cache_warm_up_destroy(struct pp_cache_warm_up *warm_up); /* NULL is allowed */
 
-/* Works for about `seconds`; the records don't depend on how often. */
+/* Works for about `seconds`; the records do not depend on the length of calls. */
 enum pp_status pp_cache_warm_up_advance(struct pp_cache_warm_up *warm_up,
                                         double seconds, struct pp_error *err);
 bool pp_cache_warm_up_done(const struct pp_cache_warm_up *warm_up);

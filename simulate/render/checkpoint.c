@@ -1,4 +1,4 @@
-/* checkpoint.c - the tiles of a render written as bytes, and taken up again. */
+/* checkpoint.c - the tiles of a render written as bytes, and restored. */
 #include "simulate/render/checkpoint.h"
 
 #include <stdlib.h>
@@ -106,7 +106,7 @@ static void put_tile(unsigned char **at, const struct pp_render *render, int til
         }
 }
 
-/* The whole file; cache: `kept` bytes. */
+/* Writes the whole file; cache: `kept` bytes. */
 static void put_all(unsigned char *bytes, size_t size, const struct pp_render *render,
                     const char *cache, size_t kept)
 {
@@ -159,7 +159,8 @@ enum pp_status pp_checkpoint_save(const struct pp_render *render,
 
 /* ---- reading ---- */
 
-/* Are the bytes a checkpoint, and whole? *kept: how many are its cache. */
+/* Checks that the bytes are a complete checkpoint. *kept: number of bytes of its
+ * cache. */
 static enum pp_status check_whole(const unsigned char *bytes, size_t length,
                                   size_t *kept, struct pp_error *err)
 {
@@ -192,8 +193,8 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
     return status;
 }
 
-/* Is the checkpoint of this render? *at: behind the version; moved behind the
- * counts. */
+/* Checks that the checkpoint is of this render. *at: after the version on entry, after
+ * the counts on return. */
 static enum pp_status check_checkpoint_head(const struct pp_render *render,
                                             const unsigned char **at, long long work[2],
                                             struct pp_error *err)

@@ -34,7 +34,7 @@ static void place_sample(const struct pp_render *render,
         place[1] = y + u[1];
         return;
     }
-    /* The radius by its distribution up to `reach`, turned to any angle. */
+    /* Radius from its distribution up to `reach`, at a uniform angle. */
     double whole = -expm1(-0.5 * reach * reach / (deviation * deviation));
     double r = deviation * sqrt(-2.0 * log1p(-u[0] * whole));
     place[0] = x + 0.5 + r * cos(2.0 * PP_PI * u[1]);
@@ -64,7 +64,7 @@ double pp_render_decorations(const struct pp_render *render)
     return render->options.irradiance ? render->scene->decorations : 1.0;
 }
 
-/* Irradiance of the surface that the ray meets; false: glass, or nothing. */
+/* Irradiance of the surface that the ray meets; false for glass or no surface. */
 static bool irradiance_seen(const struct pp_render *render,
                             struct pp_radiance_state *state,
                             const struct pp_light_ray *ray, struct pp_rgb *value)
@@ -106,7 +106,7 @@ static void pixel_of_point(const struct pp_render *render, int point, int *x, in
     *y = tile->y0 + point / (tile->x1 - tile->x0);
 }
 
-/* A thread's own: of the transport's paths, or of plain ones. */
+/* State of one thread: for the transport's paths, or for plain ones. */
 struct render_state {
     struct pp_radiance_state radiance;
     struct pp_path_walk walk;
@@ -200,7 +200,7 @@ static const struct pp_sampler sampler = {
     .value = rendered_value,
 };
 
-/* The share of the pixel's paths that show something. */
+/* Share of the pixel's paths that have a value. */
 static double share_seen(const struct pp_render *render, int point)
 {
     struct pp_sampled sampled = pp_planner_sampled(render->planner, point);
@@ -210,7 +210,7 @@ static double share_seen(const struct pp_render *render, int point)
     return seen / render->options.samples;
 }
 
-/* Irradiances are means over the part of the pixel that has one. */
+/* Irradiances are means over the part of the pixel with a surface. */
 static void read_pixel(struct pp_render *render, int point)
 {
     int x, y;

@@ -1,9 +1,9 @@
 /* render.h - a picture of a scene: light along the rays of a camera, pixel by pixel.
  *
  * The caller holds the loop: create, then advance until done, looking at the picture
- * whenever it likes, then destroy. The picture grows tile by tile; a pixel depends on
- * the scene, the options and its own place alone, so that it is the same, to the bit,
- * whatever the number of threads, the length of the slices and where it was resumed.
+ * whenever it likes, then destroy. The picture grows tile by tile; a pixel depends only
+ * on the scene, the options and its position. It is the same, bit for bit, for any
+ * number of threads, length of slices and point of resumption.
  *
  * A pixel is the mean over stratified places in and about it, weighted by its filter;
  * each place has one path of radiance.h. Light of a world is over Eh, as there.
@@ -21,7 +21,7 @@
 
 /* The reconstruction filter: the weight of places about a pixel's middle. */
 enum pp_pixel_filter {
-    PP_FILTER_BOX,   /* all of the pixel alike */
+    PP_FILTER_BOX,   /* uniform over the pixel */
     PP_FILTER_GAUSS, /* a standard deviation of half a pixel, to 1.5 pixels */
 };
 
@@ -30,14 +30,14 @@ enum { PP_RENDER_SAMPLES_MOST = 1 << 16, PP_RENDER_RANDOMISATIONS_LEAST = 4 };
 struct pp_render_options {
     struct pp_camera camera;
     int width, height; /* pixels */
-    bool irradiance;   /* of the surfaces that are seen, instead of their radiance; of a
+    bool irradiance;   /* of the visible surfaces, instead of their radiance; for a
                         * world with its allowance for decorations, as the tracer's */
-    bool indoors;      /* of a parallel view: only from where it cuts the room */
+    bool indoors;      /* for a parallel view: begins at the cut through the room */
     enum pp_pixel_filter filter;
     int samples;        /* a pixel; the next power of two is taken */
-    int randomisations; /* independent ones that share the samples, a power of two from 4
-                         * on, so that each pixel has a standard error; 0: a single one,
-                         * which has the least noise and states none */
+    int randomisations; /* number of randomisations among which samples are divided, a
+                         * power of two from 4 on, to give each pixel a standard error;
+                         * 0: one, with least noise and no standard error */
     bool plain;         /* by plain path tracing (simulate/path_tracer/): `light`, store
                          * and ambient are not used */
     struct pp_radiance_options light;
@@ -78,8 +78,8 @@ const struct pp_picture *pp_render_picture(const struct pp_render *render);
  * are not included. */
 const struct pp_picture *pp_render_errors(const struct pp_render *render);
 
-/* The picture to keep, once it is done, and its errors (empty where there are none):
- * both are the caller's to clear, and the render's own are empty. */
+/* Moves the finished picture and its errors (empty if not requested) to the caller, who
+ * clears them; the render's own become empty. */
 void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture,
                             struct pp_picture *errors);
 

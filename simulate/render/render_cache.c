@@ -1,4 +1,4 @@
-/* render_cache.c - records hashed, and projected into the picture. */
+/* render_cache.c - hashes records, and projects them into the picture. */
 #include "simulate/render/render_cache.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 #include "simulate/render/render_parts.h"
 #include "simulate/sampling/hash.h"
 
-/* A record is seen where the ray towards it ends within this share of its way. */
+/* A record is visible if the ray towards it ends within this share of the distance. */
 static const double seen_share = 1e-3;
 
 uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache)

@@ -1,5 +1,4 @@
-/* gloss.c - the gloss lobe: its scale worked out and tabulated, its value, its
- * sampling. */
+/* gloss.c - the gloss lobe: tabulates its scale, evaluates and samples it. */
 #include "simulate/sampling/gloss.h"
 
 #include <math.h>
@@ -10,7 +9,7 @@ enum {
     COSINES = PP_GLOSS_COSINES,
     SLOPES = 64, /* of facets, by size and by azimuth each */
     FACETS = SLOPES * SLOPES,
-    ROUNDS = 60, /* of scaling; after 40 nothing changes in the twelfth digit */
+    ROUNDS = 60, /* of the iteration; after 40 nothing changes in the twelfth digit */
 };
 
 static const double SMOOTH = 1e-3;
@@ -27,7 +26,7 @@ bool pp_gloss_is_of(const struct pp_gloss *gloss, double along, double across)
 
 /* ---- the table's nodes ---- */
 
-/* The roughness in a direction's azimuth. Rows of the table are even in it. */
+/* Roughness in the azimuth of a direction, an even function. */
 static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
 {
     double flat2 = d.x * d.x + d.y * d.y;
@@ -37,12 +36,12 @@ static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
     return sqrt((x * x + y * y) / flat2);
 }
 
-/* The scale changes most where the cosine is about the roughness: by this factor,
- * chosen by trial, the columns are closest from there down to grazing incidence. */
+/* The scale changes most where the cosine is about the roughness: this factor, chosen
+ * by trial, makes columns densest from there down to grazing incidence. */
 static const double COLUMN_SPACING = 4.0;
 
-/* The nodes of the table that a direction lies between: the row and column below it,
- * and the share of the next ones. */
+/* The table's cell around a direction: the lower row and column, and the interpolation
+ * shares of the next ones. */
 struct gloss_node {
     int row, column;
     double up, right;
@@ -98,7 +97,7 @@ double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
 
 /* ---- the lobe ---- */
 
-/* f before it is scaled; the slope of h goes to *p and *q. */
+/* f without the scale; the slope of h goes to *p and *q. */
 static double ward(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o,
                    double *p, double *q)
 {
@@ -119,7 +118,7 @@ double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_
 }
 
 /* The direction into which a facet of slope (a_x p, a_y q) mirrors i, and its weight in
- * the lobe before that is scaled; 0 where the direction goes down. */
+ * the unscaled lobe; 0 if the direction goes down. */
 static double mirrored(const struct pp_gloss *gloss, struct pp_vec3 i, double p,
                        double q, struct pp_vec3 *o)
 {
@@ -161,7 +160,7 @@ double pp_gloss_pdf(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_ve
 
 /* ---- the scale ---- */
 
-/* Facets of equal share: the midpoints of the cells of a square that is mapped to the
+/* Facets of equal probability: midpoints of a grid on the unit square, mapped to the
  * Gaussian. */
 static void draw_facets(double (*facets)[2])
 {
@@ -195,8 +194,8 @@ static void distribute(const struct pp_gloss *gloss, const double (*facets)[2],
     }
 }
 
-/* The iteration of [SK67] for a symmetric lobe: a scale that is too small by a factor
- * grows by the root of that. */
+/* One iteration of [SK67] for a symmetric lobe: each scale is multiplied by the root of
+ * its relative error. */
 static void balance(double *scale, const double *lobe, int nodes)
 {
     double next[PP_GLOSS_AZIMUTHS * COSINES];

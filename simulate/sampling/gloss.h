@@ -8,20 +8,21 @@
  *         (h.h) / (h.n)^4
  *
  * Its half vectors are drawn as Gaussian slopes; a direction then has the weight 2 cos
- * o / (cos i + cos o). Light that a facet throws down on the surface is lost: a_x a_y
- * of it at normal incidence, up to a fifth near grazing incidence however smooth the
- * surface, two thirds at a roughness of 1. In a real surface that light meets other
- * facets and goes on. So the lobe is scaled at both of its ends,
+ * o / (cos i + cos o). Light that a facet reflects down into the surface is lost: a_x
+ * a_y of it at normal incidence, up to a fifth near grazing incidence however smooth
+ * the surface, two thirds at a roughness of 1. On a real surface that light is
+ * reflected again by other facets. So the lobe is scaled for both directions,
  *
  *     f'(i, o) = s(i) s(o) f(i, o)        s(i) int f(i, o) s(o) cos o do = 1
  *
- * for every i: nothing is lost, light may run either way, and the lobe keeps its shape.
- * Such an s exists and is unique [SK67]; it lies between 0.88 and 1.18 at roughnesses
- * up to 0.4.
+ * for every i: no energy is lost, the lobe is reciprocal, and keeps its shape. Such an
+ * s exists and is unique [SK67]; it lies between 0.88 and 1.18 at roughnesses up to
+ * 0.4.
  *
  * The scale s is tabulated over the cosine of the direction and, where there are two
- * roughnesses, over its azimuth, and read by linear interpolation: the albedo is that
- * declared to 0.3 % (to 1 % where one roughness is hundreds of times the other).
+ * roughnesses, over its azimuth, and read by linear interpolation: the albedo equals
+ * the declared one to 0.3 % (to 1 % where one roughness is hundreds of times the
+ * other).
  */
 #ifndef PP_SIMULATE_SAMPLING_GLOSS_H
 #define PP_SIMULATE_SAMPLING_GLOSS_H
@@ -43,8 +44,8 @@ struct pp_gloss {
     double scale[PP_GLOSS_AZIMUTHS][PP_GLOSS_COSINES];
 };
 
-/* Works s out, which takes some milliseconds, or tens where the roughnesses differ.
- * They must not make a mirror. */
+/* Calculates s, in some milliseconds, or tens if the roughnesses differ. They must not
+ * be those of a mirror. */
 enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across,
                              struct pp_error *err);
 
@@ -52,14 +53,14 @@ enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across
 bool pp_gloss_is_of(const struct pp_gloss *gloss, double along, double across);
 
 /* s in a unit direction of the surface's frame: x along the first roughness, z off the
- * surface, from 0 to 1. The same frame for all that follows. */
+ * surface, from 0 to 1. All functions below use the same frame. */
 double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction);
 
 /* f' between two unit directions, of a gloss that reflects all, 1/sr. */
 double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o);
 
 /* A direction o to i by two numbers in (0, 1): i mirrored in a facet of random slope.
- * Returns f' cos o over its density, at most 4/3 s(i) s(o); 0 where it goes down. */
+ * Returns f' cos o over its density, at most 4/3 s(i) s(o); 0 if it goes down. */
 double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
                        double v, struct pp_vec3 *o);
 

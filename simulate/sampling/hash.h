@@ -27,7 +27,7 @@ static inline uint64_t pp_hash(uint64_t seed, uint64_t part)
     return pp_hash_mix64(pp_hash_mix64(seed + UINT64_C(0x9e3779b97f4a7c15)) ^ part);
 }
 
-/* The same of a part that is known by its name; NULL or "": the seed itself. */
+/* The seed of a part identified by its name; NULL or "": the seed itself. */
 static inline uint64_t pp_hash_name(uint64_t seed, const char *name)
 {
     for (const char *c = name ? name : ""; *c; c++)
@@ -35,7 +35,7 @@ static inline uint64_t pp_hash_name(uint64_t seed, const char *name)
     return seed;
 }
 
-/* The same of a part that is known by a number (-0 counts as 0), or by a point. */
+/* The seed of a part identified by a number (-0 counts as 0), or by a point. */
 static inline uint64_t pp_hash_double(uint64_t seed, double part)
 {
     uint64_t bits;

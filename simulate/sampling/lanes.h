@@ -15,7 +15,7 @@
 enum {
     PP_LANES = 4,     /* numbers of double precision */
     PP_INT_LANES = 8, /* integers of 32 bits */
-    PP_RUN_MOST = 16  /* numbers that are worked out in one call; a multiple of both */
+    PP_RUN_MOST = 16  /* numbers calculated in one call; a multiple of both */
 };
 
 typedef double pp_lanes __attribute__((vector_size(32)));
@@ -24,7 +24,8 @@ typedef uint32_t pp_int_lanes __attribute__((vector_size(32)));
 
 #define PP_LANES_BODY static inline __attribute__((always_inline))
 
-/* -DPP_LANES_NARROW: as on processors without. tests/house/same_bytes.sh tries it. */
+/* -DPP_LANES_NARROW: compile as for processors without wide registers (see
+ * tests/house/same_bytes.sh). */
 #if defined(__x86_64__) && !defined(PP_LANES_NARROW)
 #define PP_LANES_WIDE __attribute__((target("avx2")))
 static inline bool pp_lanes_are_wide(void)
@@ -41,8 +42,8 @@ static inline bool pp_lanes_are_wide(void)
 
 #define PP_LANES_ALL(a) ((pp_lanes){(a), (a), (a), (a)})
 
-/* a where the mask is set, b elsewhere. A macro, as vectors are not handed to functions:
- * how would depend on the processor. */
+/* a where the mask is set, b elsewhere. A macro, since the calling convention for
+ * vectors depends on the processor. */
 #define PP_LANES_CHOOSE(mask, a, b)                                                    \
     ((pp_lanes)(((mask) & (pp_lanes_mask)(a)) | (~(mask) & (pp_lanes_mask)(b))))
 

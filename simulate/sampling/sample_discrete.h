@@ -60,7 +60,7 @@ static inline double pp_sample_discrete_estimate(const void *estimates, int i)
     return ((const double *)estimates)[i];
 }
 
-/* The same by estimates that are known. */
+/* The same for estimates in an array. */
 static inline int pp_sample_discrete_defensive(const double *estimates, int count,
                                                double u, double *probability)
 {

@@ -7,8 +7,8 @@
 #include "model/geometry/min_max.h"
 #include "simulate/sampling/triangle.h"
 
-/* Any part of the unit square gets about this share of the mean density at least, so
- * that the variance that a wrong guess may cost is bounded. Chosen by trial. */
+/* Least density in the unit square, as a share of the mean: limits the variance that a
+ * wrong estimate can cause. Chosen by trial. */
 static const double LEAST_WEIGHT = 0.05;
 
 /* A rectangle nearer than this many of its diagonals is sampled by solid angle; chosen
@@ -19,12 +19,12 @@ static const double NEAR_DIAGONALS = 0.6;
  * solid angle: that of a long rectangle differs between its end and its middle. */
 static const double GUESSED_DIAGONALS = 1.0;
 
-/* Least weight with which an opening is chosen, since the estimate of its light may be
+/* Least weight of an opening in the choice, since the estimate of its light may be
  * wrong. */
 static const double LEAST_CHOICE = 0.1;
 
-/* Least height over an opening's plane in that estimate; above 0 for all points that
- * see the opening. */
+/* Least height over an opening's plane that the estimate assumes: positive for all
+ * points that see the opening. */
 static const double LEAST_HEIGHT_M = 1e-3;
 
 /* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
@@ -71,8 +71,8 @@ static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
                         : brightness.ground);
 }
 
-/* Turns a complex number by the solid angle, times `sign`, of the rectangle between the
- * foot of a point and x and y on its plane, that point being so far off. */
+/* Multiplies a complex number by exp(i sign omega), omega the solid angle of the
+ * rectangle from the foot of a point to x, y on its plane. */
 static void turn_by_solid_angle(double z[2], double sign, double x, double y,
                                 double off)
 {
@@ -82,8 +82,9 @@ static void turn_by_solid_angle(double z[2], double sign, double x, double y,
     z[0] = turned;
 }
 
-/* Importance of a rectangle to a point so near to it that its middle says little: its
- * solid angle, by the weight of its middle or of its nearest point. */
+/* Importance of a rectangle to a near point, for which the middle is not
+ * representative: its solid angle times the larger weight of its middle and its nearest
+ * point. */
 static double importance_when_near(const struct pp_target *target, struct pp_vec3 from,
                                    struct pp_vec3 n, struct pp_brightness brightness,
                                    double middle_weight)
@@ -119,8 +120,7 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
     if (target->rectangle
         && square < GUESSED_DIAGONALS * GUESSED_DIAGONALS * diagonal_squared(target))
         return importance_when_near(target, from, n, brightness, weight);
-    /* Interpolates between the far field and the half space that a near opening
-     * fills. */
+    /* Interpolates between the far field and a half space filled by a near opening. */
     double slant = pp_target_height(target, from) / length;
     double solid = target->area_m2 * pp_max(slant, 0.05) / (square + target->area_m2);
     return solid * pp_max(weight, LEAST_CHOICE);
@@ -284,8 +284,8 @@ static double per_area(const struct pp_polygon_sampler *sampler,
     return sampler->distance_m / (r * r * r);
 }
 
-/* The triangle that u falls to by solid angle or by area, u stretched to its share, and
- * the probability of that triangle. */
+/* The triangle selected by u in proportion to solid angle or area. u is rescaled to (0,
+ * 1) within it; returns the index, and the triangle's probability. */
 static int choose_triangle(const struct pp_polygon_sampler *sampler, double *u,
                            double *size, double *probability)
 {
@@ -399,7 +399,8 @@ static double rectangle_pdf(const struct pp_polygon_sampler *sampler,
     double u = x / target->width_m, v = y / target->height_m;
     double size = target->area_m2 * per_area(sampler, at);
     if (!sampler->by_area) {
-        /* The shares of the solid angle to the left and, there, below. */
+        /* Shares of the solid angle to the left of the point and, within its column,
+         * below it. */
         double z2 = sampler->distance_m * sampler->distance_m;
         x += sampler->x0;
         y += sampler->y0;

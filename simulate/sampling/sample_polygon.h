@@ -1,4 +1,4 @@
-/* sample_polygon.h - directions towards an opening, more of them where it counts.
+/* sample_polygon.h - directions towards an opening, by importance sampling.
  *
  * A rectangle is sampled uniformly in solid angle by the area-preserving map of Ureña,
  * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; where the opening looks

@@ -5,8 +5,8 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/sample_discrete.h"
 
-/* Russian roulette begins where a photon has this share of the mean flux of all. Measured:
- * 0.1 takes 20 % more work, 0.6 as much. */
+/* Russian roulette begins where a photon has this share of the mean flux of all.
+ * Measured: 0.1 takes 20 % more work, 0.6 the same. */
 static const double LEAST = 0.3;
 
 static struct pp_rgb through_of(const struct pp_photon_state *state,
@@ -19,9 +19,9 @@ static struct pp_rgb through_of(const struct pp_photon_state *state,
                          : material->through_diffuse;
 }
 
-/* Light that enters through an opening's point, and its direction; at clear glass also
- * that of the photon. Divided by the direction's density over that of the cosine
- * lobe. */
+/* Light that enters at a point of an opening from a sampled direction; at clear glass
+ * the photon continues in it. Divided by the direction's density over that of the
+ * cosine lobe. */
 static struct pp_rgb enter(struct pp_photon_state *state,
                            const struct pp_photon_source *source, const double u[2],
                            int vertex, struct pp_photon *photon)
@@ -40,7 +40,8 @@ static struct pp_rgb enter(struct pp_photon_state *state,
     return pp_rgb_scale(pp_rgb_times(light, through), 1.0 / density);
 }
 
-/* Sets out from a source drawn with that chance: direction by u, place by u + 2. */
+/* Starts a photon at a source drawn with that probability: direction by u, position by
+ * u + 2. */
 static void set_out(struct pp_photon_state *state,
                     const struct pp_photon_source *source, double chance,
                     const double u[4], int vertex, struct pp_photon *photon)
@@ -63,7 +64,7 @@ static void set_out(struct pp_photon_state *state,
     }
 }
 
-/* First place of the photon, in the form for receivers. */
+/* Position of the photon's start, as a source of light for receivers. */
 static struct pp_photon_place first_place(const struct pp_photon *photon,
                                           const struct pp_photon_source *source,
                                           int index, double chance)
@@ -130,8 +131,8 @@ bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon)
     return true;
 }
 
-/* Component of the photon's light. Light through a diffusing pane counts by its source
- * outside, as at clear glass. */
+/* Component of the photon's light. Light through a diffusing pane has the component of
+ * its source outside, as through clear glass. */
 static enum pp_photon_last last_of(const struct pp_photon *photon, bool through,
                                    enum pp_space space)
 {

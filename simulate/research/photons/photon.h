@@ -15,7 +15,7 @@
  * it. */
 enum pp_photon_last {
     PP_PHOTON_FROM_SKY,
-    PP_PHOTON_FROM_OUTSIDE, /* a surface there, or the ground */
+    PP_PHOTON_FROM_OUTSIDE, /* a surface outside, or the ground */
     PP_PHOTON_FROM_INSIDE,
 };
 
@@ -23,10 +23,12 @@ enum pp_photon_last {
 struct pp_photon_place {
     struct pp_vec3 point, normal; /* of the side that it leaves */
     enum pp_space space;          /* on that side */
-    struct pp_rgb exitance; /* flux that leaves diffusely, or at clear glass 1 over
-                                   * the density of the point times pi */
-    int clear;              /* the pane, where the light hangs on the direction; -1 */
-    int source;             /* of a photon's first place; -1: any other place */
+    struct pp_rgb exitance; /* flux density that leaves diffusely; at clear glass 1 over
+                             * (density of the point times pi) */
+    int clear;              /* index of a clear pane, whose light depends on direction;
+                             * else -1 */
+    int source;             /* index of the source if the place is the photon's start;
+                             * else -1 */
     enum pp_photon_last last;
 };
 
@@ -42,21 +44,21 @@ struct pp_photon {
 };
 
 /* Begins a photon on its ray, from one of the first `count` sources. False if there are
- * none. place: its start, whose exitance is that of direct light to receivers. vertex:
- * the first of its random numbers. */
+ * none. place: its start, with the exitance that gives receivers direct light. vertex:
+ * index of its first random numbers. */
 bool pp_photon_begin(struct pp_photon_state *state, int count, int vertex,
                      struct pp_photon *photon, struct pp_photon_place *place);
 
-/* A place on an opening, drawn by a receiver's own chances (photon_sources.h), not all
- * 0. */
+/* Samples a place on an opening by a receiver's own probabilities (photon_sources.h),
+ * not all 0. */
 void pp_photon_enter(struct pp_photon_state *state, const double *chances, int vertex,
                      struct pp_photon_place *place);
 
 /* Moves the photon to the next surface that it meets; false: none. */
 bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon);
 
-/* Power left there by the photon: the light that leaves its own side (0) or the far one
- * (1) diffusely. False where that is none. */
+/* Light that the photon causes at the surface: what leaves diffusely from the side that
+ * it met (0) or from the far side (1). False if there is none. */
 bool pp_photon_leaves(const struct pp_photon_state *state,
                       const struct pp_photon *photon, int side,
                       struct pp_photon_place *place);

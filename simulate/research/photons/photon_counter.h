@@ -11,9 +11,10 @@
 #include "simulate/research/photons/photon.h"
 
 struct pp_photon_counter {
-    struct pp_vec3 point, normal;         /* of the plane: where, and of its front */
+    struct pp_vec3 point, normal;         /* point of the plane, and normal of its
+                                           * front */
     double area_m2;                       /* 0: there is no counter */
-    double radius_m;                      /* of a disc round the point; 0: else */
+    double radius_m;                      /* of a disc round the point; 0: not a disc */
     const struct pp_vec3 (*triangles)[3]; /* not owned */
     int triangle_count;
 };
@@ -24,7 +25,7 @@ struct pp_photon_counter pp_photon_counter_disc(struct pp_vec3 point,
 /* The working plane of the scene's world. */
 struct pp_photon_counter pp_photon_counter_plane(const struct pp_light_scene *scene);
 
-/* Irradiance by the photon on its way to photon->hit, or by one that meets nothing. */
+/* Irradiance added by a photon on its way to photon->hit, or to nothing. */
 double pp_photon_counter_takes(const struct pp_photon_counter *counter,
                                const struct pp_photon *photon);
 

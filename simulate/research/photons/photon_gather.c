@@ -6,18 +6,19 @@
 #include "simulate/research/photons/photon_outside.h"
 #include "simulate/sampling/lobe.h"
 
-/* Kinds of branches of a vertex. */
+/* Labels of the branches of a vertex, for independent random numbers. */
 enum { OF_OUTSIDE, OF_PHOTON, OF_CONNECTION };
 
 /* A ray on its way from a receiver. */
 struct gathering {
-    struct pp_photon_receiver receiver; /* from where it has left, diffusely */
+    struct pp_photon_receiver receiver; /* where it left last diffusely */
     struct pp_light_ray ray;
-    struct pp_rgb throughput; /* irradiance at the first receiver, for a radiance */
-    double here;              /* its cosine at the receiver */
+    struct pp_rgb throughput; /* irradiance at the first receiver for unit radiance
+                               * along the ray */
+    double here;              /* cosine at the receiver */
     double gone_m;
     bool straight; /* it arrived directly, or through clear glass */
-    bool seen;     /* has the first receiver seen something, and what? */
+    bool seen;     /* the first receiver's component is known: `what` */
     enum pp_photon_last what;
     struct pp_light_hit hit;
     struct pp_lobes lobes;
@@ -32,7 +33,7 @@ static void add_gathered_light(struct gathering *ray, struct pp_rgb radiance,
     ray->sums[ray->seen ? ray->what : what] += share * pp_rgb_luminance(light);
 }
 
-/* Share left over by connections at the ray's end. */
+/* Share of the light at the ray's end not covered by connections. */
 static double left_of(const struct pp_photon_state *state, const struct gathering *ray,
                       int source)
 {
@@ -44,7 +45,7 @@ static double left_of(const struct pp_photon_state *state, const struct gatherin
     return projected > limit ? 1.0 - limit / projected : 0.0;
 }
 
-/* The light that enters by the pane that the ray has met from inside. */
+/* Adds light that enters by the pane that the ray has met from inside. */
 static void add_entering(struct pp_photon_state *state, struct gathering *ray, int pane)
 {
     double share = left_of(state, ray, pane), u[2];
@@ -83,7 +84,7 @@ static void add_sources(struct pp_photon_state *state, struct gathering *ray)
     }
 }
 
-/* Adds a photon's light to the receiver that the ray has become. */
+/* Adds light of photons at the ray's end, which becomes a receiver itself. */
 static void add_photon(struct pp_photon_state *state, struct gathering *ray)
 {
     struct pp_photon photon;

@@ -9,7 +9,7 @@
 #include "simulate/research/photons/photon_state.h"
 #include "simulate/sampling/scatter.h"
 
-/* The lobes where a ray has met a part or, with hit->part -1, the ground. */
+/* The lobes of the part that a ray has met or, with hit->part -1, of the ground. */
 struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
                                    const struct pp_light_hit *hit, struct pp_vec3 to);
 
@@ -20,8 +20,8 @@ struct pp_lobes pp_photon_lobes_at(const struct pp_photon_state *state,
 enum pp_lobe pp_photon_lobes_choose(const struct pp_lobes *lobes, const double *weights,
                                     double least, double u, struct pp_rgb *throughput);
 
-/* Makes the ray that leaves by that lobe and two numbers in (0, 1); false if it would
- * enter the surface. The throughput is multiplied by the rest of the share. */
+/* Samples the ray that leaves by that lobe, from two numbers in (0, 1); false if it
+ * would enter the surface. The throughput is multiplied by the rest of the share. */
 bool pp_photon_lobes_turn(const struct pp_photon_state *state,
                           const struct pp_lobes *lobes, enum pp_lobe lobe,
                           const struct pp_light_hit *hit, double u, double v,

@@ -3,12 +3,12 @@
 
 #include "simulate/research/photons/photon_lobes.h"
 
-/* Russian roulette begins where this share is left. Measured: 0.3 takes 20 % more work, 1
- * twice as much. */
+/* Russian roulette begins when the throughput is below this. Measured: 0.3 takes 20 %
+ * more work, 1 twice as much. */
 static const double LEAST = 0.1;
 
-/* Light of its own that a side of a part gives off outdoors: lamps indoors are sources of
- * photons. */
+/* Emission of a side of a part outdoors; lamps indoors are sources of photons
+ * instead. */
 static struct pp_rgb emission(const struct pp_light_scene *scene,
                               const struct pp_light_hit *hit)
 {

@@ -10,8 +10,8 @@
 
 #include "simulate/research/photons/photon_state.h"
 
-/* The radiance that comes against the ray, outdoors; *is_sky: is it the sky's,
- * straight? free: no surface is met. vertex: of its random numbers. */
+/* The radiance that arrives from outdoors against the ray. *is_sky: it comes directly
+ * from the sky. free: the ray meets no surface. vertex: index of its random numbers. */
 struct pp_rgb pp_photon_outside(struct pp_photon_state *state, struct pp_light_ray ray,
                                 bool free, int vertex, bool *is_sky);
 

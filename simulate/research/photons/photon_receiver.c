@@ -5,10 +5,10 @@
 
 #include "simulate/research/photons/photon_outside.h"
 
-enum { MOST_PANES = 64 }; /* that a shadow ray passes */
+enum { MOST_PANES = 64 }; /* most panes that a shadow ray passes */
 
-/* Surfaces that a ray meets less than this over the receiver's plane do not hide it: it
- * may be the surface in which the receiver lies, met in single precision. */
+/* Surfaces met at less than this height over the receiver's plane do not hide it: they
+ * may be the receiver's own surface, since intersections have single precision. */
 static const double OVER_PLANE_M = 1e-5;
 
 double pp_photon_receiver_limit(const struct pp_photon_state *state,
@@ -22,8 +22,8 @@ double pp_photon_receiver_limit(const struct pp_photon_state *state,
     return of->limit;
 }
 
-/* Goes the ray so far through nothing but clear surfaces? *through is multiplied by their
- * transmittance. cosine: at the receiver. */
+/* True if only clear surfaces are met within the distance; *through is multiplied by
+ * their transmittance. cosine: at the receiver. */
 static bool passes(struct pp_photon_state *state, struct pp_light_ray ray,
                    double distance_m, double cosine, struct pp_rgb *through)
 {
@@ -42,8 +42,8 @@ static bool passes(struct pp_photon_state *state, struct pp_light_ray ray,
     return false;
 }
 
-/* The light that comes through clear glass along the ray, which leaves the place towards
- * the receiver, times the transmittance. */
+/* Light from outside that arrives at the place against direction `to` through its clear
+ * pane, times the transmittance. */
 static struct pp_rgb through_glass(struct pp_photon_state *state,
                                    const struct pp_photon_place *place,
                                    struct pp_vec3 to, int vertex,

@@ -17,11 +17,11 @@
 struct pp_photon_receiver {
     struct pp_vec3 point, normal;
     enum pp_space space;
-    const double *chances; /* of openings, where they are drawn for this receiver; NULL:
-                            * by their power; not owned */
+    const double *chances; /* probabilities of openings if drawn for this receiver;
+                            * NULL: by power; not owned */
 };
 
-/* The limits of a surface that is no source, and of a source. */
+/* The limit of cos cos'/d^2 for source `source`, or for a surface (-1). */
 double pp_photon_receiver_limit(const struct pp_photon_state *state,
                                 const struct pp_photon_receiver *receiver, int source);
 

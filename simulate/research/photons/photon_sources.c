@@ -11,24 +11,24 @@
 #include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* cos cos'/d^2 is at most this many times its mean over a source, or over all surfaces,
- * that fills a half space: pi over the area. Measured in 40 rooms: for sources 0.5 to 2
+/* Limit of cos cos'/d^2 in units of pi over the area: its mean over a source (or over
+ * all surfaces) that fills the half space. Measured in 40 rooms: for sources 0.5 to 2
  * are alike within 6 %, 32 takes 15 % more work to an error; for surfaces 8 to 32 are
  * alike, 2 and 100 take 5 to 10 % more. */
 static const double SOURCE_LIMIT = 1.0, SURFACE_LIMIT = 8.0;
 
-/* Least value of a table's direction, over the mean luminance. */
+/* Least weight of a direction in a table, relative to the mean luminance. */
 static const double LEAST_CELL = 0.2;
 
-/* The luminance, at least, that an opening is taken to look out on, over Eh: the middle of
- * the opening may see nothing but black. */
+/* Least luminance over Eh that the estimate assumes outside an opening: from its middle
+ * only black surfaces may be visible. */
 static const double LEAST_LUMINANCE = 0.003;
 
-/* Estimated light of a surface outside, relative to that by its full reflectance. */
+/* Estimated light of a surface outside, relative to that of an unshaded one. */
 static const double SHADED = 0.3;
 
-/* Least share of an opening among the visible ones, relative to its share if it were
- * equally bright from everywhere. */
+/* Least share of an opening among the visible ones, relative to its share under uniform
+ * brightness. */
 static const double LEAST_IMPORTANCE = 0.02;
 
 double pp_photon_sources_limit(double area_m2, double chance)
@@ -144,7 +144,7 @@ static enum pp_status add_lamp(struct pp_photon_sources *sources,
     return PP_OK;
 }
 
-/* The triangles of all surfaces that give off light, and these as sources. */
+/* Adds the triangles of all self-luminous surfaces, and these surfaces as sources. */
 static enum pp_status add_lamps(struct pp_photon_sources *sources,
                                 const struct pp_light_scene *scene,
                                 struct pp_error *err)
@@ -171,7 +171,8 @@ static enum pp_status add_lamps(struct pp_photon_sources *sources,
     return status;
 }
 
-/* Half of the area of all sides that see the room, in convex rooms its area. */
+/* Half of the area of all sides that face the room; in a convex room its surface
+ * area. */
 static double area_inside(const struct pp_light_scene *scene)
 {
     double area = 0.0;
@@ -288,7 +289,8 @@ struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
 
 /* ---- the openings that a receiver sees ---- */
 
-/* cos cos'/d^2 of a point of the opening, at most as much as a whole half space has. */
+/* cos cos'/d^2 for a point of the opening, limited to the value of a whole half
+ * space. */
 static double projected(const struct pp_target *target, struct pp_vec3 on,
                         struct pp_vec3 point, struct pp_vec3 normal)
 {

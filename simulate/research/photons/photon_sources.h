@@ -3,10 +3,10 @@
  *
  * A source is drawn in proportion to its estimated light, a point of it uniformly, and
  * at clear glass a direction in proportion to the luminance outside times the glass's
- * transmittance and the projected opening: by a table over the square which the
- * concentric map [SC97] makes the cosine lobe of. The estimates, made from the middle
- * of each opening, affect the variance alone; every direction has a density, and light
- * is divided by it.
+ * transmittance and the projected opening: by a table over the unit square, which the
+ * concentric map [SC97] maps to the cosine lobe. The estimates, made from the middle of
+ * each opening, affect the variance alone; every direction has a density, and light is
+ * divided by it.
  *
  * A photon that starts at x by density p(x) brings a receiver at distance d
  *
@@ -32,9 +32,11 @@ struct pp_photon_source {
     double area_m2;
     struct pp_rgb radiance; /* of a lamp */
     double power;           /* estimated flux */
-    double chance;          /* of being drawn */
-    double limit;           /* of cos cos'/d^2 (1/m2), where drawn by that chance */
-    bool clear;             /* the directions are the table's, by row and column: */
+    double chance;          /* probability of being drawn */
+    double limit;           /* limit of cos cos'/d^2 (1/m2), if drawn with that
+                             * probability */
+    bool clear;             /* directions are drawn from the table, by row and
+                             * column: */
     double rows[PP_PHOTON_CELLS];
     double cells[PP_PHOTON_CELLS][PP_PHOTON_CELLS]; /* their mean is 1 */
 };
@@ -55,7 +57,7 @@ enum pp_status pp_photon_sources_create(struct pp_photon_sources **sources,
                                         struct pp_error *err);
 void pp_photon_sources_destroy(struct pp_photon_sources *sources); /* NULL is allowed */
 
-/* The source that u in (0, 1) falls to, of the first `count`, in proportion to their
+/* The source selected by u in (0, 1) among the first `count`, in proportion to their
  * chances; -1: there is none. */
 int pp_photon_sources_choose(const struct pp_photon_sources *sources, int count,
                              double u);

@@ -22,7 +22,7 @@ struct pp_photon_state {
 };
 
 enum {
-    /* A path ends here where nothing ever absorbs: in an enclosure that reflects all. */
+    /* Limit of vertices, for enclosures in which nothing absorbs. */
     PP_PHOTON_MOST_VERTICES = 1 << 14
 };
 

@@ -5,23 +5,23 @@
 
 #include "model/base/array.h"
 
-/* The photons of one randomisation, one's places behind another's. */
+/* The photons of one randomisation; the places of all photons in one array. */
 struct photon_set {
     struct pp_photon_place *places;
     int place_count, place_capacity;
-    int *ends; /* of each photon's places */
+    int *ends; /* end index of each photon's places */
     int count, capacity;
     long rays, leaks;
-    enum pp_status status; /* PP_OK until there is no memory */
+    enum pp_status status; /* PP_OK unless memory is exhausted */
 };
 
 struct pp_photon_store {
-    struct pp_photon_state state; /* as each thread begins */
+    struct pp_photon_state state; /* initial state of each thread */
     struct pp_sobol sobol;
     uint64_t seed;
     struct photon_set *sets;
     int set_count, set_capacity, stage, first;
-    long long rays, leaks; /* of sets that are forgotten */
+    long long rays, leaks; /* work for sets that were discarded */
 };
 
 enum pp_status pp_photon_store_create(struct pp_photon_store **result,

@@ -12,8 +12,8 @@
 #include "simulate/research/photons/photon_store.h"
 #include "simulate/scene/unsampled.h"
 
-/* The estimators, and the sums of their paths: of straight light PP_SC and PP_ERC, of
- * photons PP_ERC and PP_IRC, of rays from the receiver all three. */
+/* The estimators. Their sums: direct light has PP_SC and PP_ERC, photons PP_ERC and
+ * PP_IRC, rays from the receiver all three. */
 enum { DIRECT, PHOTONS, GATHER, ESTIMATORS };
 enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
 
@@ -78,7 +78,7 @@ static void take_photon(struct pp_photon_state *state, const struct photon_point
     }
 }
 
-/* The same counted: straight light from openings. */
+/* Counting sensor: adds the direct light of openings. */
 static void count_direct(struct pp_photon_state *state,
                          const struct photon_point *point, double *sums)
 {
@@ -98,7 +98,7 @@ static void count_direct(struct pp_photon_state *state,
     }
 }
 
-/* And all other light. */
+/* Counting sensor: adds all other light. */
 static void count_photon(struct pp_photon_state *state,
                          const struct photon_point *point, double *sums)
 {
@@ -192,7 +192,7 @@ static double estimator_share(const struct pp_randomisation *randomisation,
            / randomisation->done.of[estimator];
 }
 
-/* Internally reflected light is read with the allowance for decorations. */
+/* Internally reflected light includes the allowance for decorations. */
 static double allowance_of(const void *client, int component)
 {
     return component == PP_IRC ? ((const struct pp_photons *)client)->scene->decorations
@@ -231,11 +231,11 @@ static double photon_point_bound(const void *client, int point, int component,
                                      paths[DIRECT], paths[PHOTONS]);
 }
 
-/* Sampler that counts photons at each receiver alone. */
+/* Sampler for sensors on which photons are counted, each with its own photons. */
 static const struct pp_sampler counting = {
     .estimators = ESTIMATORS,
     .values = PP_COMPONENT_COUNT,
-    .fall = {1.3, 1.05, 1.05}, /* measured, on the safe side */
+    .fall = {1.3, 1.05, 1.05}, /* measured, conservative */
     .pilot = {{16, 16, 16}},
     .least = {{16, 16, 16}},
     .state_size = sizeof(struct pp_photon_state),
@@ -260,7 +260,7 @@ static struct pp_sampler sharing(void)
 
 /* ---- making ---- */
 
-/* Random numbers depend on where a receiver is, not on which others there are. */
+/* Seeds depend on a receiver's position, not on other receivers. */
 static struct photon_point receiver_of(const struct pp_photons *photons,
                                        const struct pp_receiver *receiver,
                                        double sensor_m, uint64_t seed, double *chances)
@@ -418,7 +418,7 @@ double pp_photons_common_near(const struct pp_photons *photons)
         return 0.0;
     struct pp_vec3 *places = calloc((size_t)count, sizeof *places);
     if (!places)
-        return 1.0; /* on the safe side */
+        return 1.0; /* without memory: full correlation, the conservative value */
     for (int i = 0; i < count; i++)
         places[i] = photons->points[i].receiver.point;
     double common = pp_common_variance_of_near(photons->planner, places, count);

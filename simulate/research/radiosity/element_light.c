@@ -1,4 +1,4 @@
-/* element_light.c - down the trees of all sides. */
+/* element_light.c - descends the trees of all sides. */
 #include "simulate/research/radiosity/element_light.h"
 
 #include "model/base/array.h"
@@ -23,7 +23,7 @@ static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
     return pp_form_factor(g->taker->point, g->taker->normal, corners, count);
 }
 
-/* Seen share of a polygon, by its middle and corners: 0, 1, or something between. */
+/* Visible share of a polygon, by tests of its middle and corners: 0, 1, or between. */
 static double seen_of(const struct descent *g, const struct pp_vec3 *corners, int count,
                       bool by_middle)
 {
@@ -57,9 +57,9 @@ static double factor_seen(const struct descent *g, int index,
     return sum;
 }
 
-/* Possible variation of the light over an element, as this place receives it: by its
- * spread, in so far as the form factor too differs from part to part, with size over
- * distance. */
+/* Possible variation of the light over an element, as this place receives it: its
+ * spread times the form factor, reduced for distant elements (size over distance),
+ * whose parts have similar form factors. */
 static double unevenness(const struct descent *g, const struct pp_element *element,
                          double factor)
 {

@@ -14,11 +14,13 @@
 
 struct pp_element_light_accuracy {
     double
-        tolerance;  /* of illuminance over Eh, for an element to stand for its parts */
-    double divided; /* the same, for an undivided one to stay so */
-    double
-        most_factor; /* of an element that something may hide: larger ones are divided */
-    double least_factor; /* smaller ones are seen, or not, by their middle */
+        tolerance;  /* greatest uncertainty of illuminance over Eh for which an element
+                     * represents its parts */
+    double divided; /* the same, above which an undivided element is to be divided */
+    double most_factor; /* greatest form factor of an element that may be partly hidden;
+                      * larger ones are divided */
+    double least_factor; /* below this form factor only the middle is tested for
+                          * visibility */
 };
 
 /* Elements to divide; freed by the caller. */

@@ -7,7 +7,7 @@
 
 enum {
     PLANE_POINTS = 600, /* of the first level */
-    FEWER_POINTS = 6,   /* divisor of their number for reflected light */
+    FEWER_POINTS = 6,   /* divisor of that number for reflected light */
 };
 
 static bool has_room(const struct pp_facets *facets)

@@ -33,7 +33,8 @@ enum pp_status pp_element_receivers_init(struct pp_element_receivers *receivers,
                                          struct pp_error *err);
 void pp_element_receivers_clear(struct pp_element_receivers *receivers);
 
-/* Nothing taken yet, and the plane's points of this level, where there is a room. */
+/* Clears all received light, and sets the plane's points of this level, if there is a
+ * room. */
 enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers,
                                           struct pp_radiosity_system *system, int level,
                                           struct pp_error *err);
@@ -41,8 +42,9 @@ enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers
 /* Accuracy with which elements are summed by any receiver. */
 struct pp_element_light_accuracy pp_element_receivers_accuracy(int level);
 
-/* Gathers light for the requested receivers. Elements may need division afterwards:
- * ->wanted. New cells outside are gathered, and the system is solved again. */
+/* Gathers light for the requested receivers. Elements that need division are listed in
+ * ->wanted of a receiver. New cells outside are gathered, and the system is solved
+ * again. */
 enum pp_status pp_element_receivers_by_openings(struct pp_element_receivers *receivers,
                                                 struct pp_error *err);
 enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *receivers,

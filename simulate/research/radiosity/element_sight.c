@@ -38,7 +38,7 @@ static void reach(const struct pp_element_sight *sight, int i, int plane, double
     }
 }
 
-/* True if every facet is part of the room's hull, with all others before it. */
+/* True if the facets form a convex room: each is in front of all others. */
 static bool hull_is_convex(const struct pp_element_sight *sight)
 {
     for (int p = 0; p < sight->count; p++) {

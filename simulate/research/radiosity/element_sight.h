@@ -17,8 +17,8 @@ struct pp_element_sight {
     int count;
     bool all_seen; /* the room is convex: nothing in it hides anything */
     uint64_t *above,
-        *below; /* for each of these: the planes (of the first of them) that it is
-                 * entirely above or below; one that it lies in counts as both */
+        *below; /* bits for each of these: planes (of the first 64) that it is entirely
+                 * above or below; a plane that it lies in has both */
 };
 
 enum pp_status pp_element_sight_create(struct pp_element_sight **sight,
@@ -26,7 +26,7 @@ enum pp_status pp_element_sight_create(struct pp_element_sight **sight,
                                        struct pp_error *err);
 void pp_element_sight_destroy(struct pp_element_sight *sight); /* NULL is allowed */
 
-/* A place to look from, at one facet after another. */
+/* Viewpoint for tests of visibility, with one target facet at a time. */
 struct pp_element_view {
     const struct pp_element_sight *sight; /* not owned */
     struct pp_vec3 point;
@@ -41,7 +41,7 @@ bool pp_element_sight_view_init(struct pp_element_view *view,
                                 struct pp_vec3 point);
 void pp_element_sight_view_clear(struct pp_element_view *view);
 
-/* Turns to inside[target]. */
+/* Sets the target to inside[target], and lists its possible blockers. */
 void pp_element_sight_look_at(struct pp_element_view *view, int target);
 
 /* True if no blocker is in front of that point. */

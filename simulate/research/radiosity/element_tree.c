@@ -7,7 +7,7 @@
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
 
-/* Parts smaller than this share of an element are none. */
+/* Parts smaller than this share of an element are dropped. */
 static const double NOTHING = 1e-9;
 
 struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side)
@@ -271,8 +271,8 @@ int pp_element_tree_at(const struct pp_element_tree *tree, int side,
     return at;
 }
 
-/* The spread of an undivided element's own light, from that among it and its
- * neighbours: over half the distance half of it. */
+/* The spread within an undivided element: half of the difference to its neighbours,
+ * since it extends over half of their distance. */
 static void spread_within(struct pp_element_tree *tree, const struct pp_element *parent,
                           double spread)
 {

@@ -12,7 +12,8 @@
 
 enum {
     PP_ELEMENT_PARTS = 4,
-    PP_ELEMENT_LONG = 4, /* times as long as broad: halved across its length alone */
+    PP_ELEMENT_LONG = 4, /* longer ones (length over width) are halved across their
+                          * length only */
 };
 
 struct pp_element {
@@ -24,10 +25,10 @@ struct pp_element {
     int first_part, part_count; /* elements; 0: it is not divided */
     double radiosity;           /* over Eh */
     double sky,
-        outside; /* part of that which a diffusing pane transmits from the sky, and from
-                  * other sources outside */
-    double
-        spread; /* how much of it may differ from place to place; INFINITY: not known */
+        outside; /* part of the radiosity that a diffusing pane transmits from the sky,
+                  * and from other sources outside */
+    double spread; /* possible variation of the radiosity over the element; INFINITY:
+                 * unknown */
 };
 
 struct pp_element_tree {
@@ -55,10 +56,10 @@ enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int element,
 int pp_element_tree_at(const struct pp_element_tree *tree, int side,
                        struct pp_vec3 point);
 
-/* Radiosities of divided elements from their parts', and all spreads. */
+/* Sets radiosities of divided elements from their parts, and all spreads. */
 void pp_element_tree_average(struct pp_element_tree *tree);
 
-/* The side's normal: out of the surface, to where it gives off light. */
+/* The side's normal, pointing to where it emits. */
 struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side);
 
 /* Parts of a convex polygon after a cut. */

@@ -1,4 +1,4 @@
-/* facet_pieces.c - cells between lines through corners, as far as the facet fills them. */
+/* facet_pieces.c - cells between lines through corners, intersected with the facet. */
 #include "simulate/research/radiosity/facet_pieces.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "model/room/face_less_openings.h"
 #include "simulate/research/radiosity/form_factor.h"
 
-/* Lines nearer to each other than this are one, m. */
+/* Lines at a smaller distance are merged, m. */
 static const double SAME_LINE_M = 1e-6;
 /* Share of a cell that counts as empty or as full. */
 static const double NOTHING = 1e-9;
@@ -151,7 +151,7 @@ static enum pp_status less_covers(const struct cutting *work, struct pp_region *
     const struct pp_world *world = work->facets->world;
     enum pp_status status = PP_OK;
     if (work->face < 0)
-        return PP_OK; /* walls alone are covered */
+        return PP_OK; /* only walls have covers */
     for (int i = world->face_count; status == PP_OK && i < world->surface_count; i++) {
         struct pp_region cover = {0, NULL};
         if (!is_cover_of(world, i, work->facet))
@@ -165,7 +165,7 @@ static enum pp_status less_covers(const struct cutting *work, struct pp_region *
     return status;
 }
 
-/* True if the facet is all of its outline, in the same place. */
+/* True if the facet occupies the whole outline of its surface. */
 static bool is_whole(const struct pp_world *world, int index)
 {
     if (index >= world->face_count)

@@ -1,5 +1,5 @@
-/* facet_pieces.h - a facet cut into convex pieces along the lines of its corners: with
- * upright edges rectangles, as elements like to be. */
+/* facet_pieces.h - a facet cut into convex pieces along the lines of its corners:
+ * rectangles if its edges are upright, as is best for elements. */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FACET_PIECES_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_FACET_PIECES_H
 

@@ -39,8 +39,8 @@ static void set_side(struct pp_facet *facet, int side, bool indoors,
 }
 
 /* A cover is treated as part of its wall's plane, although for rays it is in front of
- * it. The rest of the wall is the envelope like the cover, and outdoors both are the
- * wall. */
+ * it. Both cover and wall belong to the envelope; outdoors both have the wall's
+ * finish. */
 static void set_surface(struct pp_facet *facet, const struct pp_world *world, int index)
 {
     const struct pp_surface *surface = &world->surfaces[index];
@@ -102,7 +102,7 @@ static enum pp_status fan(struct triangles *triangles, const struct pp_vec3 *cor
     return status;
 }
 
-/* A surface outdoors, with the triangles that cover it where it is not convex. */
+/* Adds a surface outdoors, by its triangulation if it is not convex. */
 static enum pp_status fan_surface(struct triangles *triangles,
                                   const struct pp_surface *surface, int owner,
                                   struct pp_error *err)

@@ -2,9 +2,9 @@
  * matt sides, those in the room cut into convex pieces.
  *
  * A facet's index is its surface's; those of panes follow, in the order of the
- * openings. The pane of an opening is where its glass stands. A door or a dado, which
- * the world has right before its wall, is a piece of the wall's plane instead of it, so
- * that the two leave no gap. Positions are the world's.
+ * openings. The pane of an opening is at the position of its glass. A door or a dado,
+ * which the world places just in front of its wall, replaces that piece of the wall's
+ * plane, so that there is no gap between them. Positions are the world's.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H
@@ -19,17 +19,19 @@
 /* A side of a facet, by an index: twice its facet's, one more for the back. */
 struct pp_facet_side {
     bool indoors;
-    double reflectance, exitance; /* diffuse, over Eh; of clear glass its frame's */
+    double reflectance, exitance; /* diffuse, over Eh; for clear glass those of its
+                                   * frame */
 };
 
 struct pp_facet {
     const struct pp_polygon
-        *outline; /* the world's; a cover's is set before its plane */
+        *outline; /* the world's; that of a cover is moved into its wall's plane */
     struct pp_vec3 origin, a, b, normal; /* axes in its plane; a x b is the normal */
     struct pp_facet_side side[2]; /* front, which the normal points from, and back */
     const struct pp_opening *opening; /* of a pane; NULL: a surface */
     bool clear;                       /* a pane that is seen through */
-    bool looks_out;                   /* a pane with no surface before it outdoors */
+    bool looks_out;                   /* a pane with no surface in front of it
+                                       * outdoors */
     double through;          /* transmittance of a pane that scatters, 0 elsewhere */
     bool envelope;           /* one side is in the room, the other outdoors */
     struct pp_region region; /* in a and b from the origin, without openings and covers;

@@ -13,7 +13,7 @@
 
 #include "model/geometry/vec.h"
 
-/* More corners no convex polygon of this engine has. */
+/* No convex polygon of this engine has more corners. */
 enum { PP_FORM_FACTOR_MOST = 64 };
 
 /* Form factor from the point with normal n (unit) to a convex polygon of 3 to

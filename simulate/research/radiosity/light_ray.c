@@ -1,12 +1,11 @@
 /* light_ray.c - see light_ray.h. */
 #include "simulate/research/radiosity/light_ray.h"
 
-/* Least share of a ray that counts; and the most panes that it passes, after which
- * little is left. */
+/* Rays are dropped below this share, and after this many panes. */
 static const double LEAST = 1e-5;
 enum { MOST_PANES = 12 };
 
-/* Radiosity of a place outside that is not known yet, over its reflectance. */
+/* Assumed illuminance of a place outside whose radiosity is not yet known, over Eh. */
 static const double GUESS = 0.4;
 
 struct walk {
@@ -34,7 +33,7 @@ static void follow_light_ray(const struct walk *walk,
                              const struct pp_light_ray_start *ray, double weight,
                              enum pp_component part, int panes);
 
-/* Adds the facet's own light back along the ray. */
+/* Adds the facet's light along the ray. */
 static void add_facet(const struct walk *walk, int side, bool indoors,
                       struct pp_vec3 point, double weight, enum pp_component part)
 {
@@ -50,7 +49,7 @@ static void add_facet(const struct walk *walk, int side, bool indoors,
         pp_light_sum_add(walk->sum, element, part_or(part, PP_IRC), weight);
 }
 
-/* Continues the ray through a clear pane, and by reflection at it. */
+/* Continues the ray through a clear pane, and as its reflection. */
 static void pass(const struct walk *walk, const struct pp_light_ray_start *ray, int met,
                  struct pp_vec3 point, double weight, enum pp_component part, int panes)
 {

@@ -23,7 +23,7 @@ struct pp_light_room {
 
 struct pp_light_ray_start {
     struct pp_vec3 from, to; /* to: unit */
-    int but;                 /* the facet that the ray leaves; -1: none */
+    int but;                 /* index of the facet that the ray leaves; -1: none */
     bool indoors;            /* it begins in the room */
 };
 
@@ -34,8 +34,8 @@ void pp_light_ray_follow(const struct pp_light_room *room,
                          const struct pp_light_ray_start *ray, double weight,
                          enum pp_component part, struct pp_light_sum *sum);
 
-/* Value of the sum since `from` with the elements' radiosities as they are; places
- * outside count by a guess. */
+/* Value of the sum since `from` with the present radiosities of elements; places
+ * outside count by an estimate. */
 double pp_light_ray_guess(const struct pp_light_room *room,
                           const struct pp_light_sum *sum,
                           const struct pp_light_mark *from);

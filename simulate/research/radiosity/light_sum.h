@@ -19,7 +19,7 @@ struct pp_light_term {
     double weight;
 };
 
-/* A place outside that is to become a term. */
+/* A place outside whose radiosity becomes a term. */
 struct pp_outside_hit {
     int side; /* of the facets; -1: the ground */
     struct pp_vec3 point;
@@ -33,7 +33,7 @@ struct pp_light_sum {
     int term_count, term_room;
     struct pp_outside_hit *hits;
     int hit_count, hit_room;
-    bool failed; /* memory was out: the sum is not whole */
+    bool failed; /* memory was exhausted: the sum is incomplete */
 };
 
 void pp_light_sum_clear(struct pp_light_sum *sum); /* leaves the empty one */
@@ -43,7 +43,7 @@ void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component pa
 void pp_light_sum_hit(struct pp_light_sum *sum, int side, struct pp_vec3 point,
                       enum pp_component part, double weight);
 
-/* State of a sum: light added later can be weighted together. */
+/* Position in a sum; the light added after it can be scaled. */
 struct pp_light_mark {
     double fixed[PP_LIGHT_PARTS];
     int term_count, hit_count;
@@ -51,8 +51,8 @@ struct pp_light_mark {
 
 struct pp_light_mark pp_light_sum_mark(const struct pp_light_sum *sum);
 
-/* Multiplies everything added between the two marks by the factor; 0 removes it. Fixed
- * light must have been added only there between the marks. */
+/* Multiplies everything added between the two marks by the factor; 0 removes it. No
+ * fixed light may have been added after `to`. */
 void pp_light_sum_scale(struct pp_light_sum *sum, const struct pp_light_mark *from,
                         const struct pp_light_mark *to, double factor);
 

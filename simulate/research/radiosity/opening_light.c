@@ -1,4 +1,4 @@
-/* opening_light.c - cells of panes, divided where they disagree with their parts. */
+/* opening_light.c - cells of panes, divided if they disagree with their parts. */
 #include "simulate/research/radiosity/opening_light.h"
 
 #include <math.h>
@@ -8,18 +8,20 @@
 #include "simulate/research/radiosity/form_factor.h"
 
 enum {
-    DEEPEST = 9, /* divisions that share out a cell's light */
+    DEEPEST = 9, /* most divisions that split a cell's light among its parts */
     NEAREST =
-        48, /* and divisions at all: a point 1e-14 times a pane's size before it */
+        48, /* most divisions in all: for a point in front of a pane at 1e-14 of its
+             * size */
 };
 
-/* Light, over Eh, that need not be resolved: a fifth of the tracer's limit. */
+/* Differences of light, over Eh, that are not resolved: a fifth of the tracer's
+ * limit. */
 static const double UNTOLD = 4e-6;
 
 /* Factor by which corners are moved towards the middle of their cell before they are
  * tested. */
 static const double WITHIN = 0.96;
-/* The share of a part that an edge seen at its corner alone may have of it, about. */
+/* Share of a part's area that an edge visible only at the corner may cover, roughly. */
 static const double CORNER = 0.25;
 
 struct looking {
@@ -30,10 +32,11 @@ struct looking {
     struct pp_light_sum *sum;
     int pane;             /* its facet */
     bool through_opening; /* the pane is seen through its opening's edges only */
-    double tolerance;     /* of a pane's light */
+    double tolerance;     /* of the pane's light */
 };
 
-/* A cell with the light along the ray to its middle, and where that stands in the sum. */
+/* A cell with the light along the ray to its middle, and the range of its terms in the
+ * sum. */
 struct cell {
     const struct pp_vec3 *corners;
     int count;
@@ -85,8 +88,8 @@ static void add_cell_light(const struct looking *l, struct cell *cell)
     cell->to = pp_light_sum_mark(l->sum);
 }
 
-/* Does the light at the corners of a cell, too, agree with its parts'? Where something
- * hides an edge of it, their middles may miss that. */
+/* True if the light at the corners of a cell agrees with that of its parts, too: the
+ * parts' middles may miss an obstruction at an edge. */
 static bool corners_agree(const struct looking *l, const struct cell *cell,
                           const struct cell *parts, int count, double tolerance)
 {
@@ -118,16 +121,16 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
     return true;
 }
 
-/* True if the part has most of the light of its cell, and too much for one value. The
- * part is then near the receiving point, as long as the cell is larger than its
- * distance: dividing has come nearer to the point without dividing the light. */
+/* True if the part has most of its cell's form factor, and too large a one for a single
+ * value. The part is then close to the receiving point, compared with its size: a
+ * division approaches the point without splitting the light. */
 static bool is_nearest(const struct looking *l, const struct cell *cell,
                        const struct cell *part)
 {
     return part->factor > 0.5 * cell->factor && part->factor > l->accuracy->most_factor;
 }
 
-/* The cell's parts in its place, as deep as it takes: `depth` divisions have shared out
+/* Replaces the cell by its parts, recursively. depth: divisions so far that split the
  * light, of `divisions` in all. Returns the light. */
 static double divide_cell(const struct looking *l, const struct cell *cell, int depth,
                           int divisions, double tolerance)
@@ -212,7 +215,7 @@ static double add_pane(const struct looking *l)
             continue;
         cell.factor =
             pp_form_factor(l->taker->point, l->taker->normal, cell.corners, cell.count);
-        cell.light = NAN; /* its parts never agree with that: */
+        cell.light = NAN; /* so that its parts are always tried */
         if (cell.factor > 0.0)
             light += divide_cell(l, &cell, 0, 0, l->tolerance);
     }
@@ -226,7 +229,7 @@ static bool faces(const struct looking *l)
     return l->taker->facet != l->pane && pp_facet_height(pane, l->taker->point) > 0.0;
 }
 
-/* A part of the opening's face or of its reveal? */
+/* True if the facet is the opening's face or part of its reveal. */
 static bool is_round(const struct pp_facets *facets, const struct pp_opening *opening,
                      int facet)
 {
@@ -238,9 +241,9 @@ static bool is_round(const struct pp_facets *facets, const struct pp_opening *op
            || (surface->role == PP_COVER && surface->owner == opening->face);
 }
 
-/* Looks through the opening if the receiving point is in front of its face. The
- * opening's edges then hide everything that its face and reveal could hide, so those
- * are no longer blockers. */
+/* Restricts the view to the opening if the receiving point is in front of its face. The
+ * opening's edges then hide all that its face and reveal could hide, so these are
+ * removed from the blockers. */
 static void look_through(struct looking *l)
 {
     struct pp_element_view *view = l->view;

@@ -13,16 +13,16 @@
 #include "simulate/research/radiosity/element_sight.h"
 
 struct pp_opening_light_accuracy {
-    double error;       /* of the light that comes in, relative, per opening's cell */
-    double most_factor; /* a cell's form factor is no more */
-    int least_depth;    /* divisions of every pane at least */
-    double stricter;    /* the tolerance of a part, over its cell's: 0.5 to 1 */
+    double error;       /* relative error of light through openings, per cell */
+    double most_factor; /* greatest form factor of a cell */
+    int least_depth;    /* least number of divisions of every pane */
+    double stricter;    /* tolerance of a part over that of its cell: 0.5 to 1 */
 };
 
-/* A place that takes light. */
+/* A place that receives light. */
 struct pp_taker {
     struct pp_vec3 point, normal; /* unit */
-    int facet;                    /* that it lies on; -1: none */
+    int facet;                    /* index of the facet that it lies on; -1: none */
 };
 
 /* Adds the light received by the taker to the sum; PP_SC and PP_ERC are directly from

@@ -2,10 +2,10 @@
  * without a distance.
  *
  * Light is pi times luminance over Eh, as exitances are. Such a skyline gives off rho
- * (Ev + rho_ground / 2), Ev the open sky's illuminance on it, by convention; so is an
- * open ground its reflectance. The ground as a surface lies in shadow, and its exitance
- * is an unknown (outside_cells.h). The exception is beyond FARTHEST times the reach of
- * all obstructions, where less than 1/1000 of its sky is hidden.
+ * (Ev + rho_ground / 2), Ev the open sky's illuminance on it, by convention; an
+ * unshaded ground emits its reflectance. The ground as a surface lies in shadow, and
+ * its exitance is an unknown (outside_cells.h). The exception is beyond FARTHEST times
+ * the reach of all obstructions, where less than 1/1000 of its sky is hidden.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
@@ -20,7 +20,8 @@ struct pp_outdoors {
     const struct pp_world *world; /* not owned */
     struct pp_outside_light light;
     double ground_m;   /* z at which rays meet the ground */
-    double farthest_m; /* from where they start: no shadow on the ground beyond */
+    double farthest_m; /* greatest distance of a ray's end on the ground at which
+                        * shadows count */
     struct pp_outdoor_skyline {
         struct pp_vec3 away; /* horizontal, from its wall towards it */
         double slope;        /* tangent of its angle */
@@ -44,7 +45,7 @@ enum pp_status pp_outdoors_init(struct pp_outdoors *outdoors,
 void pp_outdoors_clear(struct pp_outdoors *outdoors);
 
 /* End of the ray from `from` towards `to` (unit), if the nearest facet is at `facet_m`
- * (INFINITY: none). *light is of the sky and of fixed light, *distance that of the
+ * (INFINITY: none). *light: set for the sky and for fixed light; *distance: set for the
  * ground. */
 enum pp_outdoors_end pp_outdoors_meet(const struct pp_outdoors *outdoors,
                                       struct pp_vec3 from, struct pp_vec3 to,

@@ -77,7 +77,7 @@ static int outside_cell_slot(const struct pp_outside_cells *cells,
     return slot;
 }
 
-/* More slots than twice as many cells as there are. */
+/* Enlarges the table if fewer than twice as many slots as cells are left. */
 static enum pp_status widen(struct pp_outside_cells *cells, struct pp_error *err)
 {
     if (cells->slot_count > 2 * cells->count + 2)

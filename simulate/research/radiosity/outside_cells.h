@@ -30,15 +30,16 @@ struct pp_outside_cells {
     int count, room;
     int *slots; /* of a hash table: cells, -1: empty */
     int slot_count;
-    int gathered;   /* cells from here on have not gathered yet */
+    int gathered;   /* index of the first cell that has not gathered light */
     double size_m;  /* of the room, above 0 */
-    double width;   /* of the squares as far as that from its middle, over size_m */
+    double width;   /* width of squares at a distance of size_m from the room's middle,
+                     * over size_m */
     int directions; /* from each cell */
 };
 
 void pp_outside_cells_clear(struct pp_outside_cells *cells);
 
-/* Turns the sum's hits into terms, with new cells where there are none. */
+/* Converts the sum's hits to terms, adding cells where there are none. */
 enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,
                                         const struct pp_light_room *room,
                                         struct pp_light_sum *sum, struct pp_error *err);

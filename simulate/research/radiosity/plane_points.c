@@ -7,7 +7,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-static const double NOTHING = 1e-9; /* of a square: empty, or full */
+static const double NOTHING = 1e-9; /* share of a square below which it counts as empty
+                                     * (or above 1 - this as full) */
 
 /* Position, 0 to 1, of the point of row or column `index` within its square. No two of
  * `count` are in line: van der Corput's sequence. */
@@ -52,7 +53,7 @@ static enum pp_status add_plane_triangles(struct pp_plane_points *points,
     return status;
 }
 
-/* `within`: of the point, along both sides. */
+/* within: relative position of the point in both directions. */
 static enum pp_status add_square(struct pp_plane_points *points,
                                  struct pp_clipper *clipper,
                                  const struct pp_world *world, double x, double y,

@@ -9,19 +9,20 @@
 
 enum {
     MOST_LEVELS = 5,
-    ROUNDS = 4,            /* of dividing, a level */
-    MOST_ELEMENTS = 20000, /* no more are divided */
-    MOST_TERMS = 4000000, /* no level after one of more: it would have thrice as many */
+    ROUNDS = 4,            /* most rounds of division in a level */
+    MOST_ELEMENTS = 20000, /* with more elements there is no further division */
+    MOST_TERMS = 4000000, /* with more terms there is no further level, which would have
+                           * about three times as many */
 };
 
-/* An error is no smaller than this share of the RMS one over all points: a single point may
- * change little by chance. */
+/* Least error of a point, as a share of the RMS error over all points: a single point
+ * may change little by chance. */
 static const double SHARE_OF_MEAN = 0.7;
-/* Least relative errors of reflected and of direct light at the first level that has an
- * error, halved at each further one, since several changes may cancel. The stated error
- * holds in 98 of 100 cases (docs/theory.md). */
+/* Least relative errors of reflected and of direct light at the first level with an
+ * error estimate, halved at each further level. They are needed because changes may
+ * cancel. The stated error holds in 98 of 100 cases (docs/theory.md). */
 static const double LEAST_REFLECTED = 0.004, LEAST_DIRECT = 0.003;
-/* The latter of the average, which is a sum over points. */
+/* The least error of direct light for the average, which is a sum over points. */
 static const double LEAST_AVERAGE = 0.005;
 static const double LEAST_FACTOR = 0.002; /* below this the target error is relative to
                                            * Eh */
@@ -38,7 +39,7 @@ struct pp_radiosity {
     struct pp_thread_pool *pool;
     struct pp_element_receivers receivers;
     int asked;
-    int level; /* how many are done */
+    int level; /* number of levels done */
     double (*now)[PP_COMPONENT_COUNT],
         (*before)[PP_COMPONENT_COUNT]; /* by requested receiver; the plane last */
     double
@@ -74,8 +75,8 @@ static void set_accuracy(struct pp_radiosity *radiosity)
 
 /* ---- a level ---- */
 
-/* Elements over which the light differs by more than a share of all that the room gives off,
- * and those that receivers want. */
+/* Divides the elements over which the light differs by more than a share of the room's
+ * total, and those that receivers have requested. */
 static enum pp_status divide_elements(struct pp_radiosity *radiosity, int *divided,
                                       struct pp_error *err)
 {

@@ -5,8 +5,8 @@
  * light changes (element_tree.h, element_light.h). Light through the openings, and the
  * exitance of places outside, are summed over cells (opening_light.h, outside_cells.h);
  * the equations are solved for all bounces (radiosity_system.h), and the points gather
- * as the elements do. It shares the world with the path tracer, and nothing else: rays,
- * form factors, sky and ground outdoors are its own.
+ * as the elements do. It shares with the path tracer only the world; rays, form
+ * factors, sky and ground outdoors have their own code.
  *
  * Everything is done in levels, each with smaller elements, more cells and more
  * directions. The change at the last level measures the remaining error; the stated

@@ -7,9 +7,9 @@
 
 #include "model/base/array.h"
 
-/* Radiosities that change by less, over the largest, stay. */
+/* Convergence: greatest change of a radiosity, relative to the largest. */
 static const double STILL = 1e-9;
-/* More turns than any reflectance below 0.999 takes. */
+/* Limit of iterations, more than any reflectance below 0.999 needs. */
 enum { MOST_TURNS = 20000 };
 /* Distance of the points of Gauss's 2 x 2 rule from a rectangle's centre, over that of
  * the centres of its quarters. */
@@ -44,8 +44,8 @@ static struct pp_taker taker_of(const struct pp_radiosity_system *system, int in
 }
 
 /* Mean over the element of its light by openings. Direct light falls off too steeply
- * near openings for the middle to represent the element: reflected light was then 1 %
- * too high in rooms of as many elements. */
+ * near openings for the middle to represent the element: with the middle alone
+ * reflected light was 1 % too high. */
 static void mean_by_openings(const struct pp_radiosity_system *system, int index,
                              struct pp_light_sum *sum)
 {
@@ -55,7 +55,8 @@ static void mean_by_openings(const struct pp_radiosity_system *system, int index
     pp_element_tree_cut(&parts, &tree->facets->list[element->side / 2],
                         &tree->corners[element->first_corner], element->count);
     struct pp_taker taker = taker_of(system, index);
-    double way = element->count == 4 ? GAUSS : 1.0; /* a sliver's would lie outside */
+    double way = element->count == 4 ? GAUSS : 1.0; /* for a sliver such points would
+                                                     * lie outside */
     for (int i = 0; i < parts.count; i++) {
         double area;
         struct pp_vec3 middle =
@@ -161,7 +162,7 @@ static double radiosity_of(const struct pp_radiosity_system *system, int source)
                        : system->cells->list[-1 - source].radiosity;
 }
 
-/* All of a sum. */
+/* Value of the whole sum, all components together. */
 static double total(const struct pp_radiosity_system *system,
                     const struct pp_light_sum *sum)
 {

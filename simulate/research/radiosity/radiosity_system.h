@@ -15,9 +15,9 @@
 
 struct pp_radiosity_system_accuracy {
     struct pp_opening_light_accuracy openings;
-    double even; /* share of an element's illuminance that another may err by */
-    struct pp_element_light_accuracy elements; /* but for its tolerance */
-    int directions; /* outdoors, from an element of a pane that scatters */
+    double even; /* tolerated variation, as a share of an element's illuminance */
+    struct pp_element_light_accuracy elements; /* except its tolerance */
+    int directions; /* directions outdoors, from an element of a scattering pane */
 };
 
 /* The equation of one element: the light that it receives. */
@@ -49,9 +49,9 @@ enum pp_status pp_radiosity_system_gather(struct pp_radiosity_system *system,
 /* Sets all radiosities, of elements and cells. */
 void pp_radiosity_system_solve(struct pp_radiosity_system *system);
 
-/* Adds the present value of the sum, by component, to value[]. With `scattered` an
- * element's light from behind is sky's or outside's, else all is the term's own
- * component. */
+/* Adds the present value of the sum, by component, to value[]. With `scattered`, an
+ * element's light from behind its pane counts as sky or external component; otherwise
+ * each term has its own component. */
 void pp_radiosity_system_value(const struct pp_radiosity_system *system,
                                const struct pp_light_sum *sum, bool scattered,
                                double value[PP_LIGHT_PARTS]);

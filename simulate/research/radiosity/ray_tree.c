@@ -1,4 +1,4 @@
-/* ray_tree.c - boxes halved at the middle triangle along their longest side. */
+/* ray_tree.c - boxes divided at the median triangle along their longest side. */
 #include "simulate/research/radiosity/ray_tree.h"
 
 #include <stdbool.h>
@@ -42,7 +42,7 @@ static double middle(const struct pp_ray_triangle *triangle, int axis)
            + along(triangle->corners[2], axis);
 }
 
-/* The lower half of the triangles along the axis first: quickselect. */
+/* Partitions the triangles at the median along the axis (quickselect). */
 static void halve(struct pp_ray_triangle *triangles, int count, int axis)
 {
     int low = 0, high = count - 1, half = count / 2;
@@ -134,7 +134,7 @@ static double enters(const struct ray *ray, const struct pp_bounds3 *box, double
         double inverse = along(ray->inverse, axis), from = along(ray->from, axis);
         double a = (along(box->low, axis) - from) * inverse;
         double b = (along(box->high, axis) - from) * inverse;
-        /* A ray within a box's plane, 0 times infinity, is in the box. */
+        /* 0 times infinity is NaN: a ray in a box's plane counts as inside. */
         if (a > b) {
             double other = a;
             a = b;
@@ -161,7 +161,7 @@ static double meets(const struct ray *ray, const struct pp_ray_triangle *triangl
     double u = pp_vec_dot(s, p) / determinant;
     struct pp_vec3 q = pp_vec_cross(s, e1);
     double v = pp_vec_dot(ray->to, q) / determinant;
-    /* A hair more than the triangle, so that neighbours leave no gap. */
+    /* Triangles are enlarged by rounding error, so that neighbours leave no gap. */
     if (u < -1e-12 || v < -1e-12 || u + v > 1.0 + 1e-12)
         return INFINITY;
     double distance = pp_vec_dot(e2, q) / determinant;
