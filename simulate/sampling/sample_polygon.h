@@ -15,8 +15,7 @@
 
 #include "model/geometry/vec.h"
 
-/* A plane figure to which directions are sampled: light comes out of it on the side of
- * `normal`. */
+/* A plane figure to sample directions to. It emits on the side of `normal`. */
 struct pp_target {
     struct pp_vec3 normal; /* unit, into the room */
     struct pp_vec3 middle;
@@ -61,13 +60,13 @@ struct pp_polygon_sampler {
     double corner_weight[2][2]; /* [v][u], their mean is 1 */
 };
 
-/* True if any direction leads from this side of a surface, at `from` with normal n, to
- * the side of the target that gives light. */
+/* True if the front of the target is visible, at least in part, from this side of a
+ * surface (at `from`, normal n), obstructions aside. */
 bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
                                 struct pp_vec3 n);
 
-/* Estimated light of the target at `from`, for choosing one of several: never 0 for a
- * visible one. */
+/* Estimated light of the target at `from`, as a weight for choosing one of several;
+ * never 0 for a visible one. */
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
                                     struct pp_vec3 n, struct pp_brightness brightness);
 

@@ -6,7 +6,7 @@
 
 #include "simulate/sampling/lobe.h"
 
-/* Applies to each channel by itself. */
+/* Applies a law to each channel. */
 static struct pp_rgb by_channel(const struct pp_material *material, double cosine,
                                 double (*law)(const struct pp_glass *, double))
 {
@@ -63,7 +63,8 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
     }
 }
 
-/* x along the grain's part in the surface, where there is any. */
+/* Sets the lobes' frame: x along the projection of the grain on the surface, if there
+ * is a grain. */
 static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material)
 {
     struct pp_vec3 n = lobes->frame.z, grain = material->grain;

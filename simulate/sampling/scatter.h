@@ -48,7 +48,7 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
 struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
                                                double cos_incidence);
 
-/* Reflectance of its mirror or gloss, at that cosine. */
+/* Reflectance of the material's mirror or gloss, at that cosine. */
 struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,
                                               double cos_incidence);
 
@@ -60,9 +60,8 @@ struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3
  * gloss of that side, per steradian. */
 double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
-/* A direction of that lobe by two numbers in (0, 1), and the factor by which its share
- * is then multiplied: BRDF times cosine over density and share. False where the
- * direction would go into the surface. */
+/* Samples a direction of that lobe from two numbers in (0, 1). *factor: BRDF times
+ * cosine over density and share. False if the direction would go into the surface. */
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
                        double v, struct pp_vec3 *o, double *factor);
 

@@ -131,7 +131,7 @@ void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
     make_seeds(seed, 0, PP_SOBOL_KEPT, sequence->kept);
 }
 
-/* A vertex's seeds: those that are kept, or made in `deep`. */
+/* Seeds of a vertex: the stored ones, or ones calculated in `deep`. */
 static const uint32_t *seeds_of(const struct pp_sobol_sequence *sequence, int vertex,
                                 uint32_t deep[1][PP_INT_LANES])
 {
@@ -168,9 +168,9 @@ static const pp_int_lanes steps = {0,
                                    UINT32_C(3) << 29,
                                    UINT32_C(7) << 29};
 
-/* Draws like draw, for as many points as there are lanes. Their indices differ in the
- * last three bits alone: so shuffled and reversed they differ in the highest byte alone,
- * as a scramble never changes a bit by a higher one. */
+/* Vectorised draw of PP_INT_LANES points. Their indices differ in the last three bits
+ * only. After shuffling and reversal they differ in the highest byte only, since a
+ * scramble changes a bit by lower ones only. */
 PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seeds,
                               uint32_t first, int dimensions, int at,
                               double u[][PP_RUN_MOST])
@@ -189,7 +189,8 @@ PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seed
         REVERSE_IN_BYTES(x);
         x = (x >> 8 & UINT32_C(0x00ff00ff)) | (x & UINT32_C(0x00ff00ff)) << 8;
         x = x >> 16 | x << 16;
-        /* x + 0.5, by way of numbers with a sign, as converted by lanes: exact. */
+        /* x + 0.5 by way of signed integers, which convert to doubles in lanes:
+         * exact. */
         typedef int32_t half __attribute__((vector_size(16)));
         half part[2];
         x ^= UINT32_C(0x80000000);

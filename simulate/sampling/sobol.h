@@ -21,7 +21,7 @@ enum {
 };
 
 /* The sequence itself: the summand for each dimension and each byte of the index (both
- * with their bits reversed). The same for all; 24 kB. */
+ * with their bits reversed). Shared by all randomisations; 24 kB. */
 struct pp_sobol {
     uint32_t table[PP_SOBOL_DIMENSIONS][4][256];
 };
@@ -51,8 +51,8 @@ void pp_sobol_sequence_draw_run(const struct pp_sobol_sequence *sequence,
                                 uint32_t first, int count, int vertex, int dimensions,
                                 double u[][PP_RUN_MOST]);
 
-/* The scramble alone, of a number whose bits are reversed (the first binary digit
- * lowest); digit k of the result depends on digits 0 to k only. */
+/* Owen scramble of a number whose bits are reversed (the first binary digit lowest);
+ * digit k of the result depends on digits 0 to k only. */
 uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed);
 
 #endif

@@ -23,7 +23,7 @@ static inline struct pp_vec3 pp_triangle_point(const struct pp_vec3 corners[3],
                                  pp_vec_scale(corners[2], root * v)));
 }
 
-/* The same of several triangles, which have that area together. */
+/* The same for several triangles with that total area. */
 static inline struct pp_vec3 pp_triangle_point_of(const struct pp_vec3 (*triangles)[3],
                                                   int count, double area_m2, double u,
                                                   double v)

@@ -8,10 +8,11 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Points nearer than this to a plane are in the room as well as in the plane: rounding. */
+/* Points nearer to a plane than this count as in the room as well as in the plane. */
 static const double IN_PLANE_M = 1e-9;
 
-/* A ray may start so far behind a plane: in a corner it is rounding. */
+/* Greatest distance behind a plane at which a ray may start: in a corner it is a
+ * rounding error. */
 static const double BEHIND_M = 1e-5;
 
 /* Product of normals above which they belong to one plane, or to two that rounding
@@ -30,7 +31,8 @@ struct pp_convex_room {
     struct convex_plane *planes;
     int plane_count;
     int *panes;            /* by plane */
-    struct pp_vec3 middle; /* of all vertices: from there all of the room is seen */
+    struct pp_vec3 middle; /* mean of all vertices, from which the whole room is
+                            * visible */
 };
 
 bool pp_convex_room_is(const struct pp_world *world)
@@ -46,7 +48,7 @@ bool pp_convex_room_is(const struct pp_world *world)
     return world->face_count > 0;
 }
 
-/* The mouth of an opening's niche lies in the face, before the pane. */
+/* The mouth of an opening's niche: its outline in the face, in front of the pane. */
 static struct pp_target mouth_of(const struct pp_pane *pane)
 {
     struct pp_target mouth = pane->target;
@@ -189,8 +191,8 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
     return false;
 }
 
-/* Finds none near the mouth of a niche for a ray that starts so far before its nearest
- * plane. */
+/* Clears `nearest` for rays that start close to a plane with niches, near the mouth of
+ * one. */
 static void settle_nearest_plane(struct pp_convex_nearest *nearest,
                                  const struct pp_convex_room *room, double from_m)
 {
@@ -222,7 +224,7 @@ static struct pp_convex_nearest nearest_plane(const struct pp_convex_room *room,
     return nearest;
 }
 
-/* The same by lanes; false where the rays start outside. */
+/* The same, vectorised; false if the rays start outside. */
 PP_LANES_BODY bool nearest_of_lanes(const struct pp_convex_room *room,
                                     struct pp_vec3 from, const double *to_x,
                                     const double *to_y, const double *to_z,
@@ -240,8 +242,8 @@ PP_LANES_BODY bool nearest_of_lanes(const struct pp_convex_room *room,
         double before = pp_vec_dot(plane->normal, from) - plane->offset_m;
         if (before < -BEHIND_M)
             return false;
-        /* Infinity times a number above 0 is above `before`; other lanes are not chosen,
-         * whatever they have. */
+        /* Infinity times a positive number exceeds `before`; lanes with towards <= 0
+         * are masked. */
         pp_lanes_mask nearer = (towards > 0.0) & (before < least * towards);
         least = PP_LANES_CHOOSE(nearer, before / towards, least);
         from_m = PP_LANES_CHOOSE(nearer, PP_LANES_ALL(before), from_m);
@@ -289,8 +291,8 @@ bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 fr
                                                                 nearest);
 }
 
-/* Distance from x to the sides of an interval from 0 to `width`, for `step` in every
- * metre of a ray; *high: to that side? */
+/* Ray parameter at which a coordinate x that changes by `step` per metre reaches 0 or
+ * `width`; *high: it reaches `width`. */
 static double to_side(double x, double width, double step, bool *high)
 {
     *high = step > 0.0;
@@ -322,7 +324,8 @@ static struct pp_vec3 on_plane(struct pp_vec3 normal, double offset_m,
     return pp_vec_along(point, offset_m - pp_vec_dot(normal, point), normal);
 }
 
-/* Part met by a ray beyond a point of a niche's mouth; moves the point there. */
+/* The part that a ray meets beyond a point of a niche's mouth; moves the point
+ * there. */
 static int go_in(const struct pp_light_scene *scene, const struct pp_pane *pane,
                  struct pp_vec3 to, double *distance_m, struct pp_vec3 *point)
 {

@@ -1,8 +1,8 @@
 /* convex_room.h - intersection of a ray with an empty convex room, by its planes alone.
  *
- * Any two points of such a room see each other, and a ray in it ends on the nearest of
- * the planes that it runs towards: on a pane of that plane's, or else on its face. A
- * few multiplications do what the ray kernels do for any scene, in double precision.
+ * Any two points of such a room see each other, and a ray in it ends on the nearest
+ * plane in front of it: on a pane in that plane or on its face. A few multiplications
+ * do what the ray kernels do for any scene, in double precision.
  *
  * The depth of an opening with a reveal, a niche, is not part of the room in this
  * sense: its mouth lies in the face. A ray that passes a rectangular mouth ends on the
@@ -20,8 +20,8 @@
 struct pp_convex_room;
 struct pp_world;
 
-/* Do any two points in the room see each other, niches apart? Nothing stands in it, and no
- * vertex lies behind the plane of a face. */
+/* True if any two points in the room (outside niches) see each other: it is empty, and
+ * no vertex lies behind the plane of a face. */
 bool pp_convex_room_is(const struct pp_world *world);
 
 /* Links the sides of every box-shaped niche to its pane, and vice versa. Call after the
@@ -33,13 +33,13 @@ static inline bool pp_convex_room_has_niche(const struct pp_pane *pane)
     return pane->sides[0] >= 0;
 }
 
-/* The part that a ray meets, in direction `to`, which comes in by the mouth of the pane's
- * niche at that point, and how much further. */
+/* The part met by a ray in direction `to` that enters the pane's niche at point `at` of
+ * its mouth, and the distance from there. */
 int pp_convex_room_behind_mouth(const struct pp_pane *pane, struct pp_vec3 at,
                                 struct pp_vec3 to, double *further_m);
 
 /* Creates the room after the scene's parts and panes are added. On success *room is the
- * caller's; NULL if the scene's world is no such room, or has two faces in one
+ * caller's; NULL if the scene's world is not such a room, or has two faces in one
  * plane. */
 enum pp_status pp_convex_room_create(struct pp_convex_room **room,
                                      const struct pp_light_scene *scene,
@@ -49,7 +49,7 @@ void pp_convex_room_destroy(struct pp_convex_room *room); /* NULL is allowed */
 /* True if the point is in the room and not in a niche. */
 bool pp_convex_room_encloses(const struct pp_convex_room *room, struct pp_vec3 point);
 
-/* The ray that looks from the middle of the room, where all of it is seen, at a point of its
+/* A ray from the middle of the room, from which all of it is visible, to a point of its
  * surfaces. */
 struct pp_light_ray pp_convex_room_sight(const struct pp_convex_room *room,
                                          struct pp_vec3 point);
@@ -62,16 +62,16 @@ struct pp_convex_nearest {
 };
 
 /* Finds the nearest hits of rays that start at one point, in `count` (at most
- * PP_RUN_MOST) directions, in one go; those behind, to the next multiple of PP_LANES, are
- * overwritten. False where the point is outside the room. */
+ * PP_RUN_MOST) directions, together. Elements up to the next multiple of PP_LANES are
+ * overwritten. False if the point is outside the room. */
 bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 from,
                             const struct pp_lanes_directions *to, int count,
                             struct pp_convex_nearest nearest[PP_RUN_MOST]);
 
-/* The part that a ray which runs indoors meets, and its distance. *point: where it meets
- * the part's plane. -1 where that is left to the kernels: the ray starts outside or in a
- * niche, or comes into one that is no box. known: the nearest plane of this ray; NULL: to
- * be found. */
+/* The part that a ray which runs indoors meets, and its distance. *point: where it
+ * meets the part's plane. -1 if the ray kernels have to be used: the ray starts outside
+ * or in a niche, or enters a niche that is not a box. known: the nearest plane of this
+ * ray; NULL: unknown. */
 int pp_convex_room_meet(const struct pp_convex_room *room,
                         const struct pp_light_scene *scene,
                         const struct pp_light_ray *ray,

@@ -46,7 +46,7 @@ static void make_target(struct pp_target *target, const struct pp_vec3 *corners,
     target->up = pp_vec_scale(up, 1.0 / height);
 }
 
-/* Copies the triangles to the scene, and takes the emitter's area and middle from
+/* Copies the triangles to the scene, and sets the emitter's area and middle from
  * them. */
 static enum pp_status keep_triangles(struct pp_light_scene *scene,
                                      struct pp_emitter *emitter,
@@ -227,7 +227,7 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
     }
 }
 
-/* A sample of a round emitter, at a point that was drawn by area. */
+/* Evaluates a round emitter at a point that was drawn by area. */
 static bool sample_at(const struct pp_emitter_sampler *sampler, struct pp_vec3 point,
                       struct pp_direction_sample *sample)
 {

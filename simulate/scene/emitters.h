@@ -22,7 +22,7 @@ enum pp_emitter_shape {
 struct pp_emitter {
     enum pp_emitter_shape shape;
     int part;     /* -1: distant */
-    int distant;  /* which; -1: none */
+    int distant;  /* index of the distant source; -1: not distant */
     int material; /* of the side that emits */
     struct pp_rgb radiance;
     struct pp_target target;            /* of a plane emitter */
@@ -62,11 +62,10 @@ struct pp_emitter_sampler {
     struct pp_vec3
         axis;    /* of the cone of directions: to a sphere's middle, or a distant
                           * source's own */
-    double fall; /* 1 - cos of the cone's half angle, which loses no digits where
-                          * that is small */
+    double fall; /* 1 - cos of the cone's half angle: accurate for small angles */
 };
 
-/* False where no light of the emitter can reach that side of the surface; n is its
+/* False if no light of the emitter can reach that side of the surface; n is its
  * normal. */
 bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
                               const struct pp_light_scene *scene,
@@ -83,8 +82,8 @@ bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, doub
 double pp_emitters_pdf(const struct pp_emitter_sampler *sampler,
                        struct pp_vec3 direction);
 
-/* Estimated light of an emitter at a point, for choosing one of several; not 0 if it
- * contributes any. */
+/* Estimated light of an emitter at a point, as a weight for choosing one of several;
+ * above 0 if it contributes any. */
 double pp_emitters_importance(const struct pp_emitter *emitter,
                               const struct pp_light_scene *scene, struct pp_vec3 from,
                               struct pp_vec3 n);

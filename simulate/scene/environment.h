@@ -9,12 +9,12 @@
  *
  * A ground that is not a surface of the scene (scene_ground.h) is an endless diffuse
  * plane under the open sky: rho below the horizon. A skyline without a distance
- * (scene_skylines.h) gives off
+ * (scene_skylines.h) has the exitance
  *
  *     rho (Ev + rho_ground / 2)
  *
- * where Ev is the open sky's illuminance on it, by convention: neither the room's own
- * building shadows it nor the ground before it.
+ * where Ev is the open sky's illuminance on it, by convention: the building shades
+ * neither the skyline nor the ground in front of it.
  */
 #ifndef PP_SIMULATE_SCENE_ENVIRONMENT_H
 #define PP_SIMULATE_SCENE_ENVIRONMENT_H
@@ -31,7 +31,7 @@ struct pp_environment {
     struct pp_outside_light light;
     const struct pp_scene_skylines *skylines; /* the scene's; not owned */
     double *far_exitance;
-    struct pp_brightness brightness; /* a guess of that outside the openings */
+    struct pp_brightness brightness; /* estimate of that outside the openings */
 };
 
 /* skylines: of the scene that the light falls on; they must live as long. */
@@ -41,7 +41,7 @@ enum pp_status pp_environment_create(struct pp_environment **environment,
                                      struct pp_error *err);
 void pp_environment_destroy(struct pp_environment *environment); /* NULL is allowed */
 
-/* A number that depends on the light alone, by which caches know theirs again. */
+/* Hash of the light alone, by which caches are matched to it. */
 uint64_t pp_environment_hash(const struct pp_environment *environment);
 
 /* The light from direction u (unit) where no surface is met. */

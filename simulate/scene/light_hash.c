@@ -1,5 +1,5 @@
-/* light_hash.c - a scene stirred into a number value by value, since the gaps within
- * structs hold anything. */
+/* light_hash.c - hashes a scene value by value, since the padding of structs is
+ * undefined. */
 #include "simulate/scene/light_hash.h"
 
 #include "model/light/photographs/sky_picture.h"

@@ -1,5 +1,5 @@
-/* light_hash.h - a light scene as one number, by which files of caches and checkpoints
- * know theirs again. The light that falls on a world from outside is no part of it
+/* light_hash.h - a hash of a light scene, by which files of caches and checkpoints are
+ * matched to it. The light that falls on a world from outside is not included
  * (environment.h).
  */
 #ifndef PP_SIMULATE_SCENE_LIGHT_HASH_H

@@ -49,8 +49,8 @@ enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
 {
     if (!scene->has_room)
         return PP_ANYWHERE;
-    /* A point inside a reveal is outside the envelope, but may still see into the
-     * room. */
+    /* A point inside a reveal is outside the envelope, but the room may be visible from
+     * it. */
     return pp_position_in_room(scene->world, point) ? PP_INDOORS : PP_ANYWHERE;
 }
 
@@ -95,7 +95,7 @@ static bool is_rough(const struct pp_material *material)
            && !pp_gloss_is_mirror(material->roughness[0], material->roughness[1]);
 }
 
-/* Number of the gloss with these roughnesses, which is calculated if it is new. */
+/* Index of the gloss with these roughnesses, calculated if it is new. */
 static enum pp_status find_gloss(struct pp_light_scene *scene,
                                  const double roughness[2], int *number,
                                  struct pp_error *err)
@@ -123,7 +123,7 @@ static bool has_one_glass(const struct pp_material *material)
 /* Most tabulated curves, 16 kB each; further kinds of glass use the law itself. */
 enum { CURVES_MOST = 64 };
 
-/* Like glass has one curve. */
+/* Equal kinds of glass share one curve. */
 static enum pp_status add_glass_curves(struct pp_light_scene *scene,
                                        struct pp_error *err)
 {
@@ -211,7 +211,7 @@ enum pp_status pp_light_scene_add_rays(struct pp_light_scene *scene,
     return status;
 }
 
-/* Puts the hit on the part itself, in double precision. */
+/* Moves the hit on to the part itself, in double precision. */
 static void refine(const struct pp_light_scene *scene, const struct pp_light_part *part,
                    const struct pp_light_ray *ray, struct pp_vec3 start,
                    struct pp_light_hit *hit)
@@ -235,8 +235,8 @@ static void refine(const struct pp_light_scene *scene, const struct pp_light_par
         hit->normal = pp_vec_scale(hit->normal, -1.0);
 }
 
-/* There is no ground below the room's own plan if it is higher than the floor; this
- * matters to rays that start in a reveal, which are not known to be indoors. */
+/* There is no ground below the room's own plan if the ground is higher than the floor.
+ * This matters for rays that start in a reveal, which are not known to be indoors. */
 static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 point)
 {
     static const double OVER_GROUND_M = 1e-3;
@@ -246,8 +246,8 @@ static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 poi
 }
 
 /* True if the ground is nearer along the ray than hit->distance_m, which then becomes
- * the ground's distance. A surface that lies on the ground, to single precision, hides
- * it. */
+ * the ground's distance. A surface on the ground, to single precision, hides the
+ * ground. */
 static bool meets_ground(const struct pp_light_scene *scene,
                          const struct pp_light_ray *ray, struct pp_light_hit *hit)
 {

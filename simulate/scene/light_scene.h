@@ -47,8 +47,8 @@ struct pp_light_ray {
     enum pp_space space;
 };
 
-/* The first surface that a ray meets. A part is a polygon, a sphere ...: whatever has
- * one plane or one curve. */
+/* The first surface that a ray meets. A part is a polygon, a sphere or another shape
+ * with one plane or one curved surface. */
 struct pp_light_hit {
     int part; /* -1: nothing */
     int tag;  /* the shape's */
@@ -60,7 +60,7 @@ struct pp_light_hit {
     enum pp_space space; /* of a ray that leaves that side */
 };
 
-/* False where the ray meets nothing, or has leaked. */
+/* False if the ray meets nothing, or has leaked. */
 bool pp_light_scene_first(const struct pp_light_scene *scene,
                           const struct pp_light_ray *ray, struct pp_light_hit *hit);
 
@@ -75,15 +75,13 @@ const struct pp_material *pp_light_scene_material(const struct pp_light_scene *s
  * room alone. All zero if there is nothing. */
 struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room);
 
-/* The light from outside, worked out for the scene of a world, which must live as
- * long. */
+/* The light from outside, prepared for the scene of a world, which must outlive it. */
 enum pp_status pp_light_scene_under(struct pp_environment **environment,
                                     const struct pp_light_scene *scene,
                                     const struct pp_outside_light *light,
                                     struct pp_error *err);
 
-/* A number that depends on every shape and material of the scene, and on a
- * description's lights. */
+/* Hash of all shapes and materials of the scene, and of a description's lights. */
 uint64_t pp_light_scene_hash(const struct pp_light_scene *scene);
 
 /* ---- for the other files of simulate/: points are measured from the scene's centre
@@ -98,7 +96,7 @@ enum pp_meeting {
 };
 
 /* The nearest planes of rays that run indoors from one point, if the room is an empty
- * convex one (convex_room.h); false where they are not known. */
+ * convex one (convex_room.h); false if they are unknown. */
 bool pp_light_scene_nearest(const struct pp_light_scene *scene, struct pp_vec3 from,
                             const struct pp_lanes_directions *to, int count,
                             struct pp_convex_nearest *nearest);
@@ -116,7 +114,7 @@ enum pp_meeting pp_light_scene_trace(const struct pp_light_scene *scene,
                                      const struct pp_light_ray *ray,
                                      struct pp_light_hit *hit);
 
-/* The same with the ray's nearest plane; NULL: not known. */
+/* The same, given the ray's nearest plane; NULL: unknown. */
 enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
                                        const struct pp_light_ray *ray,
                                        const struct pp_convex_nearest *nearest,

@@ -14,7 +14,8 @@
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* The middle of the room's box, or of everything's where there is no room. */
+/* Measures the room's box, or the box of everything if there is no room; its middle is
+ * the centre. */
 static void measure_world_scene(struct pp_light_scene *scene)
 {
     const struct pp_world *world = scene->world;

@@ -16,7 +16,7 @@
 #include "simulate/scene/scene_skylines.h"
 #include "simulate/scene/images/window_images.h"
 
-/* A piece of surface that has one plane or one curve. */
+/* A piece of surface with one plane or one curve. */
 struct pp_light_part {
     struct pp_vec3 normal; /* of the front of a plane part, unit */
     struct pp_vec3 a, b;   /* of a plane part: a right-handed frame with the normal */
@@ -24,7 +24,7 @@ struct pp_light_part {
     double area_m2;
     int material[2]; /* of front and back */
     int tag;
-    int round;        /* which of the round shapes; -1: plane */
+    int round;        /* index of its round shape; -1: plane */
     int window;       /* index of its pane's opening; -1: none */
     int niche;        /* index of the rectangular opening of whose niche it is a side;
                        * -1: none */
@@ -42,7 +42,7 @@ struct pp_light_scene {
 
     /* World of the scene. */
     const struct pp_world *world; /* NULL: of a description; not owned */
-    bool has_room;                /* else every point is outside */
+    bool has_room;                /* false: every point is outside */
     double size_m;                /* greatest coordinate of the room */
     struct pp_pane *panes;
     int pane_count;
@@ -55,15 +55,15 @@ struct pp_light_scene {
     struct pp_scene_ground ground;
     double decorations;   /* allowance on internally reflected light, not applied to
                            * paths; 1 also for a description */
-    double most_exitance; /* the greatest of any surface's own */
-    bool reflects;        /* a surface that the room sees reflects */
+    double most_exitance; /* the greatest emission (exitance) of any surface */
+    bool reflects;        /* a surface visible in the room reflects */
 
     struct pp_material *materials;
     int material_count;
     struct pp_glass_curve *glass_curves; /* of the materials that are glass */
     struct pp_gloss *glosses;
     int gloss_count;
-    int *gloss_of_material; /* -1: it has none, or is a mirror */
+    int *gloss_of_material; /* index by material; -1: none, or a mirror */
     struct pp_pattern *patterns;
     int pattern_count;
     struct pp_light_part *parts;
@@ -94,13 +94,15 @@ struct pp_light_scene {
     struct pp_glass_image *glass_images;
     int glass_image_count;
     double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
-    struct pp_rgb glow; /* the brightest of its extended emitters that has a place */
+    struct pp_rgb glow;     /* radiance of the brightest extended emitter that is not
+                         * distant */
 
-    struct pp_bounds3 bounds; /* of all that has a place, in the scene's coordinates */
+    struct pp_bounds3 bounds; /* of everything that is not distant, in the scene's
+                               * coordinates */
     uint64_t hash;
 };
 
-/* A part that belongs to nothing yet. */
+/* A part without material, window, niche, emitter or mirror. */
 static inline struct pp_light_part pp_light_scene_parts_of(int tag,
                                                            const int material[2])
 {
@@ -114,7 +116,7 @@ static inline struct pp_light_part pp_light_scene_parts_of(int tag,
                                   .reflector = {-1, -1}};
 }
 
-/* The point of a plane part's plane that lies so far along its a and b. */
+/* The point of a plane part's plane at these coordinates along its a and b. */
 static inline struct pp_vec3 pp_light_scene_parts_point(
     const struct pp_light_part *part, double a, double b)
 {
@@ -130,7 +132,8 @@ static inline enum pp_space pp_light_scene_parts_space(
                    : hit->space;
 }
 
-/* The lobes of the part that a ray along `to` has met, towards where it comes from. */
+/* The lobes of the part that a ray along `to` has met, for light scattered back along
+ * the ray. */
 void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,
                                 const struct pp_light_hit *hit, struct pp_vec3 to,
                                 struct pp_lobes *lobes);

@@ -1,5 +1,5 @@
-/* openings.c - the openings of a world as targets, with facts that save rays, and the
- * choice among them. */
+/* openings.c - the openings of a world as targets, with visibility facts that save
+ * rays, and the choice among them. */
 #include "simulate/scene/openings.h"
 
 #include <float.h>
@@ -95,7 +95,7 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
     return PP_OK;
 }
 
-/* The openings that a viewer chooses among. */
+/* The openings that a viewer chooses from. */
 struct pane_choice {
     const struct pp_light_scene *scene;
     const struct pp_openings_viewer *viewer;

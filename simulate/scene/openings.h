@@ -1,4 +1,4 @@
-/* openings.h - a room's openings as next-event estimation samples them. */
+/* openings.h - a room's openings as targets of next-event estimation. */
 #ifndef PP_SIMULATE_SCENE_OPENINGS_H
 #define PP_SIMULATE_SCENE_OPENINGS_H
 
@@ -12,7 +12,7 @@
 
 enum { PP_PANE_SIDES = 4 };
 
-/* An opening, with facts that save rays. */
+/* An opening, with visibility facts that save rays. */
 struct pp_pane {
     struct pp_target target;
     struct pp_target mouth;   /* of its niche, in the face; else as the target */
@@ -21,7 +21,7 @@ struct pp_pane {
     const struct pp_opening *opening; /* not owned */
     int part;
     bool seen_by_all;  /* no surface can stand between it and a point in the room */
-    bool unobstructed; /* a ray that leaves by it meets no surface any more */
+    bool unobstructed; /* a ray that leaves through it meets no further surface */
 };
 
 /* Target of directions to an opening. */
@@ -37,8 +37,8 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
                                 const struct pp_triangles *triangles, int first,
                                 struct pp_error *err);
 
-/* Importance of each opening to one side of a surface, by the guessed brightness outside:
- * kept, as a point chooses more than once. */
+/* Importance of each opening for one side of a surface, from the estimated brightness
+ * outside; stored, since a point chooses several times. */
 enum { PP_OPENINGS_KEPT = 16 };
 
 struct pp_openings_shares {
@@ -50,9 +50,9 @@ struct pp_openings_shares {
 
 /* Viewer of openings. */
 struct pp_openings_viewer {
-    struct pp_brightness brightness; /* outside, as it is guessed */
+    struct pp_brightness brightness; /* estimated brightness outside */
     struct pp_vec3 point, normal;    /* of one side of a surface */
-    bool mouths;                     /* mouths of niches, or panes */
+    bool mouths;                     /* true: targets are mouths of niches, not panes */
 };
 
 /* Chooses an opening by u in [0, 1), in proportion to its possible light at the viewer,

@@ -24,11 +24,11 @@ struct pp_rays {
     RTCDevice device;
     RTCScene scene;
     struct pp_shape *rounds;
-    unsigned round_geometry; /* as hits name it */
+    unsigned round_geometry; /* Embree's id of the round shapes */
     int triangle_count;
 };
 
-/* Embree's last error, as ours. */
+/* Converts Embree's last error. */
 static enum pp_status embree_failed(const struct pp_rays *rays, struct pp_error *err)
 {
     enum RTCError code = rtcGetDeviceError(rays->device);
@@ -66,7 +66,7 @@ static enum pp_status attach_triangles(struct pp_rays *rays,
     return PP_OK;
 }
 
-/* Rounded away from the inside of a box. */
+/* Rounds towards minus infinity, so that a box is not made smaller. */
 static float rounded_down(double x)
 {
     return nextafterf((float)x, -INFINITY);

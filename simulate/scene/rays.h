@@ -2,7 +2,7 @@
  * kernels, is called in rays.c alone.
  *
  * Coordinates are single precision and best near the origin. The structure is built
- * once, by one thread, and only read afterwards: any number of threads may ask.
+ * once, by one thread, and only read afterwards, by any number of threads.
  */
 #ifndef PP_SIMULATE_SCENE_RAYS_H
 #define PP_SIMULATE_SCENE_RAYS_H

@@ -10,8 +10,7 @@
  *
  *     a t^2 + 2 b t + c = 0
  *
- * false if there are none. Written so that neither loses its digits where b^2 is much
- * greater than a c. */
+ * false if there are none. Avoids cancellation if b^2 is much greater than a c. */
 static bool roots(double a, double b, double c, double t[2])
 {
     double inner = b * b - a * c;
@@ -35,8 +34,8 @@ static bool meet_sphere(const struct pp_shape *shape, struct pp_vec3 p,
     return roots(pp_vec_dot(u, u), pp_vec_dot(w, u), pp_vec_dot(w, w) - r * r, t);
 }
 
-/* A cone's axis: its direction from the first end (unit), its length, and the radius
- * that the cone gains along each metre. */
+/* A cone's axis: direction from the first end (unit), length, and increase of the
+ * radius per metre. */
 struct axis {
     struct pp_vec3 along;
     double length_m, growth;
@@ -51,8 +50,8 @@ static struct axis axis_of(const struct pp_shape *cone)
                              / length};
 }
 
-/* With x from the first end, h its part along the axis, k the growth and r the first
- * radius, the cone's points have  x^2 - h^2 = (r + k h)^2 */
+/* With x measured from the first end, h its component along the axis, k the growth and
+ * r the first radius, points of the cone satisfy x^2 - h^2 = (r + k h)^2 */
 static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec3 u,
                       double t[2])
 {
@@ -196,7 +195,7 @@ struct pp_vec3 pp_round_point(const struct pp_shape *shape, double u, double v)
         return pp_round_circle_point(shape->is.ring.centre, shape->is.ring.axis,
                                      sqrt(square), v);
     }
-    /* The area of a cone grows with the square of the radius. */
+    /* Areas on a cone are proportional to the square of the radius. */
     struct axis axis = axis_of(shape);
     const double *r = shape->is.cone.radii_m;
     double radius = sqrt(r[0] * r[0] + u * (r[1] * r[1] - r[0] * r[0]));

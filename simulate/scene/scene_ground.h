@@ -1,5 +1,5 @@
-/* scene_ground.h - the ground outside, for rays: an endless level plane, seen from
- * above.
+/* scene_ground.h - the ground outside, for rays: an infinite horizontal plane, visible
+ * from above.
  *
  * It is a diffuse surface like others, in the shadow of objects on it; its reflectance
  * belongs to the environment (environment.h). Rays that are indoors, or start below it,
@@ -15,7 +15,7 @@
 #include "model/geometry/vec.h"
 
 /* Distance beyond which the ground counts as unobstructed: the shadow of a tower 300 m
- * high is there 1e-7 of the ground that a window sees. */
+ * high there covers 1e-7 of the ground visible from a window. */
 #define PP_SCENE_GROUND_FARTHEST_M 1e6
 
 struct pp_scene_ground {
@@ -24,8 +24,7 @@ struct pp_scene_ground {
 };
 
 /* Distance at which the ray from p along u (unit), outdoors, meets the ground if
- * nothing is in front; INFINITY: never, or beyond the distance to which light is
- * followed. */
+ * nothing is in front; INFINITY: it does not, or beyond PP_SCENE_GROUND_FARTHEST_M. */
 static inline double pp_scene_ground_distance(const struct pp_scene_ground *ground,
                                               struct pp_vec3 p, struct pp_vec3 u)
 {

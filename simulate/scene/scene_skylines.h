@@ -5,8 +5,9 @@
  *
  *     0 < u.z < tan(angle) (u.o)
  *
- * o the outward horizontal of its wall: the limit of an endless upright face ever farther
- * away and higher. Its light is the environment's (environment.h).
+ * o the horizontal outward direction of its wall: the limit of an infinitely wide
+ * upright face at increasing distance and height. Its light is part of the environment
+ * (environment.h).
  */
 #ifndef PP_SIMULATE_SCENE_SCENE_SKYLINES_H
 #define PP_SIMULATE_SCENE_SCENE_SKYLINES_H

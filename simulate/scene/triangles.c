@@ -1,4 +1,4 @@
-/* triangles.c - polygons cut into fans, or by the clipper where they are not convex. */
+/* triangles.c - cuts convex polygons into fans, others by the clipper. */
 #include "simulate/scene/triangles.h"
 
 #include <math.h>

@@ -10,15 +10,15 @@
 
 struct pp_triangles {
     struct pp_vec3 (*corners)[3];
-    int *facet_of; /* of each triangle */
+    int *facet_of; /* index of each triangle's facet */
     int count;
 };
 
 void pp_triangles_clear(struct pp_triangles *list); /* leaves the empty list */
 
 /* Appends the triangles of a surface, a face of the room less its openings, as facet
- * `surface`, in coordinates from `centre`. Corners are the polygons' own to the bit, so
- * that neighbours leave no gap. */
+ * `surface`, in coordinates from `centre`. Corners are bit-identical to the polygons',
+ * so that there are no gaps between neighbours. */
 enum pp_status pp_triangles_of_surface(struct pp_triangles *list,
                                        struct pp_clipper *clipper,
                                        const struct pp_world *world, int surface,

@@ -1,4 +1,4 @@
-/* unsampled.c - the light that rays have to find by themselves, summed and bounded. */
+/* unsampled.c - sums and bounds the light that only rays by chance can find. */
 #include "simulate/scene/unsampled.h"
 
 #include <math.h>
@@ -75,13 +75,14 @@ struct pp_rgb pp_unsampled_bound(const struct pp_unsampled *unsampled, bool foun
 
 enum {
     PROBES = 4096,   /* rays of a distant emitter, over the scene's cross-section */
-    MOST_EVENTS = 16 /* of a ray that is reflected and passed on */
+    MOST_EVENTS = 16 /* most reflections and transmissions of a ray */
 };
 
 /* Beams of less than this share of the emitter's light are not followed. */
 static const double LEAST_BEAM = 1e-4;
 
-/* The mirrors that a beam has met, as on the way from a point to the emitter. */
+/* The mirror path of the mirrors that a beam has met, in the order from a point to the
+ * emitter. */
 static int mirrors_met(const struct pp_light_scene *scene, const int *met, int count)
 {
     int path = -1;
@@ -94,7 +95,7 @@ static int mirrors_met(const struct pp_light_scene *scene, const int *met, int c
 }
 
 /* Follows the emitter's light by mirrors and clear surfaces; *most becomes the greatest
- * share of it that goes where next-event estimation does not sample it. */
+ * share of it that arrives by ways not sampled by next-event estimation. */
 static void probe(const struct pp_light_scene *scene, struct pp_light_ray ray,
                   double share, const int *met, int count, int events, double *most)
 {
@@ -149,8 +150,8 @@ double pp_unsampled_probe(const struct pp_light_scene *scene,
 
 /* ---- rooms ---- */
 
-/* About the daylight factor by an opening if nothing stood before it: the importance is
- * in units of an overcast horizon's luminance. */
+/* Approximate daylight factor by an unobstructed opening. The importance is in units of
+ * the luminance of an overcast horizon. */
 static double pane_importance(const struct pp_light_scene *scene,
                               const struct pp_vec3 *position, struct pp_vec3 normal,
                               const struct pp_pane *pane)
@@ -163,8 +164,8 @@ static double pane_importance(const struct pp_light_scene *scene,
                                                         normal, bright));
 }
 
-/* Does the point see the opening in a direction that rises (falls)? On the safe side:
- * an opening partly behind the point's own plane counts whole. */
+/* True if the point sees the opening in a rising (falling) direction. Conservative: an
+ * opening partly behind the point's plane counts as a whole. */
 static bool shows(const struct pp_vec3 *position, struct pp_vec3 n,
                   const struct pp_pane *pane, bool rising)
 {

@@ -1,12 +1,11 @@
 /* unsampled.h - upper bounds on the light that paths may have missed.
  *
- * Next-event estimation misses no emitter and no opening that it samples, unless it
- * finds nothing at all: then it may have looked past a slit, and one path among all
- * might have brought the light of all openings. Light that rays must find by their own
- * directions may be missed by all of them without leaving a trace in their spread: a
- * small extended emitter, or a lamp in a curved mirror. The bound is one path's worth
- * of the brightest of such emitters, or all that there can be of their light if that is
- * less.
+ * Next-event estimation misses no emitter and no opening that it samples, unless no
+ * path found any light: a slit may then have been missed, and one path more might have
+ * found the light of all openings. Other light is found only by chance, from a small
+ * extended emitter or from a lamp in a curved mirror. If all paths miss it, their
+ * spread does not show it. The bound is the contribution of one path that finds the
+ * brightest such emitter, or all light that they can give if that is less.
  */
 #ifndef PP_SIMULATE_SCENE_UNSAMPLED_H
 #define PP_SIMULATE_SCENE_UNSAMPLED_H
@@ -14,14 +13,14 @@
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene.h"
 
-/* Finds the scene's brightest extended emitter with a place, after all its parts are
- * added. */
+/* Finds the radiance of the scene's brightest extended emitter that is not distant,
+ * after all parts are added. */
 void pp_unsampled_find_glow(struct pp_light_scene *scene);
 
 /* Share of an emitter's light that may arrive by reflections which next-event
  * estimation does not sample. For a distant emitter it is found by 4,096 of its rays
- * over the whole scene; if none of them is reflected so, the share is that of one ray.
- * Call once the scene is made. */
+ * over the whole scene; if none of them is reflected in that way, the share is that of
+ * one ray. Call once the scene is made. */
 double pp_unsampled_probe(const struct pp_light_scene *scene,
                           const struct pp_emitter *emitter);
 
@@ -45,8 +44,8 @@ struct pp_unsampled pp_unsampled_at(const struct pp_light_scene *scene,
 struct pp_rgb pp_unsampled_bound(const struct pp_unsampled *unsampled, bool found,
                                  double paths);
 
-/* Each component of the daylight factor at a point of a room (PP_SC to PP_IRC), roughly
- * and on the safe side, if nothing stood before the openings; 0: no light path exists.
+/* Rough, conservative upper bound of each component of the daylight factor at a point
+ * of a room (PP_SC to PP_IRC), for unobstructed openings; 0: no light path exists.
  * position: in the scene's coordinates; NULL: anywhere on the working plane. */
 struct pp_room_bound {
     double part[3];
@@ -58,7 +57,7 @@ struct pp_room_bound pp_unsampled_of_room(const struct pp_light_scene *scene,
 
 /* Bound on a component, or on their sum, after this many paths of direct and of
  * reflected light, for components that no path has found. Bit i of `found` is set if
- * component i was. */
+ * component i was found. */
 double pp_unsampled_of_component(const struct pp_room_bound *most, int component,
                                  unsigned found, double straight, double reflected);
 

@@ -1,4 +1,4 @@
-/* irradiance.h - the irradiance at a point, by where its light comes from. */
+/* irradiance.h - the irradiance at a point, divided by the origin of its light. */
 #ifndef PP_SIMULATE_TRANSPORT_IRRADIANCE_H
 #define PP_SIMULATE_TRANSPORT_IRRADIANCE_H
 
@@ -6,8 +6,9 @@
 
 struct pp_irradiance {
     struct pp_rgb sources; /* concentrated emitters, by next-event estimation */
-    struct pp_rgb sky;     /* straight from the sky, through windows sampled directly */
-    struct pp_rgb outside; /* through them from ground, skylines and surfaces outside */
+    struct pp_rgb sky;     /* directly from the sky, through openings by next-event
+                            * estimation */
+    struct pp_rgb outside; /* the same from ground, skylines and surfaces outside */
     struct pp_rgb rest;    /* all other light: pi times the radiance of
                             * pp_radiance_indirect over the cosine lobe */
 };

@@ -59,8 +59,8 @@ bool pp_light_images_view(struct pp_radiance_state *state,
     return true;
 }
 
-/* Does the lobe fill a smaller solid angle than the window, as seen from the reflector?
- * Facets of slopes up to the roughness turn a direction by twice as much. */
+/* True if the lobe fills a smaller solid angle than the window, as seen from the
+ * reflector. Facets of slopes up to the roughness turn a direction by twice as much. */
 static bool is_narrow(const struct pp_radiance_state *state,
                       const struct pp_image_view *view)
 {

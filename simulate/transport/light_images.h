@@ -2,8 +2,9 @@
  * openings' glass: from a diffuse surface, a direction to an opening's image in a reflector
  * (window_images.h) or in glass (glass_images.h), and on from there. Inside simulate/ only.
  *
- * From the reflector the opening is sampled by a direction of the lobe, or aimed at where
- * it looks smaller than that. The light outside is for light_path.c to find:
+ * From the reflector the opening is sampled by a direction of the lobe or, if its solid
+ * angle is smaller than the lobe's, by a direction to the opening. light_path.c then
+ * adds the light outside:
  *
  *     if (pp_light_images_view(state, &shading, &view)
  *         && pp_light_images_sample(state, &view, &sample))
@@ -15,12 +16,13 @@
 #include "simulate/scene/images/glass_images.h"
 #include "simulate/transport/sample_openings.h"
 
-/* A point of a reflector in which an image is looked for. */
+/* A point of a reflector at which an image is sampled. */
 struct pp_image_view {
     struct pp_shading_point there; /* its lobes: those below */
     struct pp_lobes lobes;
     int window;
-    struct pp_rgb weight; /* share that the reflector sends to the diffuse surface */
+    struct pp_rgb weight; /* share of the light there that the reflector sends to the
+                           * diffuse surface */
 };
 
 /* Makes the view; false if no image is sampled, or none is visible there. */

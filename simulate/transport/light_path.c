@@ -1,5 +1,5 @@
-/* light_path.c - path tracing: emission and direct light at each surface, a lobe drawn
- * to go on by, Russian roulette. */
+/* light_path.c - path tracing: emission and direct light at each surface, continuation
+ * by a random lobe, Russian roulette. */
 #include "simulate/transport/light_path.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 #include "simulate/transport/sample_openings.h"
 
 enum {
-    /* A path ends here where nothing ever absorbs. */
+    /* Limit of bounces for scenes without absorption. */
     MOST_BOUNCES = 1 << 14,
     /* Most bounces, up to the first surface that scatters, for which gloss and mirror
      * are separate paths beside the diffuse one. */
@@ -22,20 +22,23 @@ enum {
      * to a window: no cache smooths its light. */
     GROUND_DIRECTIONS = 4,
     /* Directions of a strong gloss, and to each window, if it is the first surface that
-     * scatters: they may show a window's edge, and no cache smooths it. */
+     * scatters: edges of windows may be visible in them, and no cache smooths their
+     * light. */
     GLOSS_DIRECTIONS = 4,
 };
 
 /* A gloss that reflects more than this is a strong one. */
 static const double STRONG_GLOSS = 0.1;
 
-/* Gloss, mirrors and panes may lead to a window or a lamp, far brighter than all that
- * these light: Russian roulette begins at this share of the throughput at which it begins
- * for diffuse light. Together with paths of their own for gloss and mirror, a polished
- * floor at 16 paths a pixel had an RMS error of 10 % instead of 41 %, for 36 % more time. */
+/* Rays of gloss, mirrors and panes may reach a window or a lamp, which is far brighter
+ * than lit surfaces. For them Russian roulette begins at this share of the throughput
+ * for diffuse light. With this and separate paths for gloss and mirror, a polished
+ * floor at 16 paths a pixel had an RMS error of 10 % instead of 41 %, in 36 % more
+ * time. */
 static const double LEAST_GLOSS = 0.1;
-/* The same of the ground, which leads to the sky: with the whole share the light by way
- * of a block and the ground before it had an error of 1.7 % where this leaves 0.7 %. */
+/* The same for the ground, from which rays reach the sky: with a share of 1 the light
+ * reflected by a block and the ground in front of it had an error of 1.7 %, now 0.7
+ * %. */
 static const double LEAST_GROUND = 0.1;
 
 struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
@@ -54,8 +57,8 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
 
 /* ---- light at a surface ---- */
 
-/* Light that reaches a window along the ray, which leaves it to the outside: known
- * beforehand if nothing obstructs it, else read from the store, else found by a
+/* Light that reaches a window along the ray, which leaves it to the outside: calculated
+ * directly if unobstructed, else read from the store if there is one, else found by a
  * path. */
 static struct pp_rgb light_outside(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
@@ -95,7 +98,7 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     return radiance;
 }
 
-/* The same of an opening's image in a reflector. */
+/* The same for an opening's image in a reflector. */
 static void add_images(struct pp_radiance_state *state,
                        const struct pp_shading_point *shading,
                        struct pp_irradiance *sum)
@@ -123,7 +126,7 @@ void pp_light_path_glass(struct pp_radiance_state *state,
     sum->rest = pp_rgb_add(sum->rest, pp_rgb_times(sample.weight, light));
 }
 
-/* The light of a niche's side, which is diffuse. */
+/* Adds the light of a niche's side, which is diffuse. */
 static void add_side(const struct pp_niche_light *niches,
                      const struct pp_opening_sample *sample, struct pp_rgb *sum)
 {
@@ -166,7 +169,7 @@ static struct pp_rgb direct_light(struct pp_radiance_state *state,
     return pp_irradiance_sum(&sum);
 }
 
-/* The same at each side of it that sends light on to the eye. */
+/* The same for each side of the surface that scatters light to the eye. */
 static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
                                            const struct pp_lobes *lobes,
                                            const struct pp_light_hit *hit,
@@ -193,9 +196,8 @@ static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
     return sum;
 }
 
-/* Diffuse inter-reflection of one side of a surface, *share of it, if it is known from
- * a cache. *share is then set to black, as after the last diffuse reflection
- * allowed. */
+/* Diffuse inter-reflection of one side of a surface (times *share), if a cache has it.
+ * *share is then set to black, so that no path follows it. */
 static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
                                        const struct pp_light_hit *hit,
                                        struct pp_vec3 normal, int depth,
@@ -216,8 +218,8 @@ static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
     return value;
 }
 
-/* The surface's own emission along the path, unless it was sampled directly; false
- * where the path ends there. */
+/* Adds the surface's own emission, unless it was sampled directly; false if the path
+ * ends there. */
 static bool add_emission(const struct pp_radiance_state *state,
                          const struct pp_light_path *path,
                          const struct pp_light_hit *hit, struct pp_rgb *total)
@@ -276,7 +278,7 @@ static bool path_goes_on(struct pp_radiance_state *state, struct pp_light_path *
         path, diffuse ? path->least : LEAST_GLOSS * path->least, u[3]);
 }
 
-/* The light of one of the lobes, by paths of its own. */
+/* Light of one of the lobes, by separate paths. */
 static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
                                  const struct pp_light_path *path,
                                  const struct pp_lobes *lobes, enum pp_lobe lobe,
@@ -302,8 +304,8 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
     return sum;
 }
 
-/* Gloss and mirror bring much light or none: as long as another lobe is left for the
- * path itself, they are followed as branches, and are black from then on. */
+/* Light by gloss and mirror is large or zero: if another lobe is left for the path
+ * itself, they are followed by separate paths, and set to black. */
 static struct pp_rgb follow_gloss_and_mirror(struct pp_radiance_state *state,
                                              const struct pp_light_path *path,
                                              struct pp_lobes *lobes,
@@ -348,7 +350,7 @@ static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path
         pp_rgb_scale(lobes->share[PP_LOBE_THROUGH_DIFFUSE], weight);
 }
 
-/* An opaque, diffuse surface: the usual one, with one lobe. */
+/* Scatters at an opaque, diffuse surface: the most frequent case, with one lobe. */
 static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *path,
                          const struct pp_light_hit *hit, struct pp_rgb *total)
 {
@@ -426,7 +428,7 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
            || pp_path_scatter_survives(path, LEAST_GROUND * path->least, chance);
 }
 
-/* Arrival of a ray at a reflector, for light that was sampled by way of it. */
+/* Arrival of a ray at a reflector through which light was also sampled directly. */
 static struct pp_arrival arrival_of(const struct pp_radiance_state *state,
                                     const struct pp_light_path *path,
                                     const struct pp_light_hit *hit)
@@ -438,7 +440,7 @@ static struct pp_arrival arrival_of(const struct pp_radiance_state *state,
                                pp_vec_dot(path->ray.off, path->ray.to) / PP_PI};
 }
 
-/* Any other surface. */
+/* Scatters at any other surface. */
 static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
                     const struct pp_light_hit *hit, struct pp_rgb *total)
 {
@@ -447,7 +449,7 @@ static bool scatter(struct pp_radiance_state *state, struct pp_light_path *path,
     path->here_arrival = arrival_of(state, path, hit);
     struct pp_light_hit from = *hit;
     from.point = pp_rays_draw_back(hit->point, path->ray.to);
-    /* A surface behind clear glass still counts as the first that scatters. */
+    /* A surface behind clear glass still counts as the first that scatters light. */
     bool first = path->split && path->bounces <= FIRST_FEW;
     path->here_gloss_rays = 1;
     if (first && pp_rgb_most(lobes.share[PP_LOBE_GLOSS]) > STRONG_GLOSS)

@@ -51,7 +51,7 @@ void pp_light_path_windows(struct pp_radiance_state *state,
 
 /* One sample of the light of other openings that the glass of a room's openings
  * reflects into it (glass_images.h), often none; added to rest. Rays that reach
- * openings by way of that glass must then leave it out. */
+ * openings by reflection in that glass must then exclude this light. */
 void pp_light_path_glass(struct pp_radiance_state *state,
                          const struct pp_shading_point *shading,
                          struct pp_glass_view *view, struct pp_irradiance *sum);

@@ -10,7 +10,7 @@ enum {
     /* Most emitters that are all sampled at the first surface; with more, only one
      * is. */
     MOST_EMITTERS = 64,
-    /* The same for the connections by mirrors. */
+    /* The same limit for connections by mirrors. */
     MOST_MIRRORED = 8,
 };
 
@@ -42,7 +42,7 @@ static struct connection connection_of(const struct pp_light_scene *scene,
     return connection;
 }
 
-/* The connections that are sampled with one: the straight ones, or those by mirrors. */
+/* Connections that are sampled together: the direct ones, or those by mirrors. */
 struct connection_group {
     int first, end, most;
 };
@@ -57,16 +57,16 @@ static struct connection_group group_of(const struct pp_light_scene *scene,
                                      MOST_MIRRORED};
 }
 
-/* True if all are sampled: at the first surface, unless there are too many; else one at
- * random is. */
+/* True if all are sampled: at the first surface, unless there are too many. Otherwise
+ * one at random is sampled. */
 static bool samples_all(struct connection_group group, bool split)
 {
     int count = group.end - group.first;
     return count <= 1 || (split && count <= group.most);
 }
 
-/* Number of directions to an emitter by a connection; on the average, where one is
- * chosen. */
+/* Number of directions to an emitter by a connection; the mean number if one is chosen
+ * at random. */
 static double samples_of(const struct pp_radiance_state *state, bool split,
                          const struct connection *connection)
 {
@@ -165,15 +165,15 @@ static struct pp_rgb sample_connection(struct pp_radiance_state *state,
     return pp_rgb_scale(sum, 1.0 / count);
 }
 
-/* The connections from `first` on. */
+/* A list of connections that begins at `first`. */
 struct connections {
     const struct pp_light_scene *scene;
     const struct pp_shading_point *shading;
     int first;
 };
 
-/* Importance of that connection. Never 0 where there may be light: glass mirrors more at
- * other angles than at normal incidence. */
+/* Importance of a connection. Never 0 if it may carry light: glass reflects more at
+ * oblique than at normal incidence. */
 static double importance_of(const void *of, int index)
 {
     const struct connections *connections = of;

@@ -1,10 +1,11 @@
 /* light_sources.h - next-event estimation of concentrated emitters. Inside simulate/
  * only.
  *
- * An emitter is connected to the shading point straight, through whatever is clear, and
- * by plane mirrors (scene/images/mirrors.h). At the first surface of a path every connection
- * is sampled, in several strata if the emitter looks large; at later ones, and where
- * there are too many, one connection is chosen at random by its importance.
+ * An emitter is connected to the shading point directly, through clear surfaces, and by
+ * plane mirrors (scene/images/mirrors.h). At the first surface of a path every
+ * connection is sampled, in several strata if the emitter has a large angular size; at
+ * later ones, and where there are too many, one connection is chosen at random by its
+ * importance.
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_SOURCES_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_SOURCES_H

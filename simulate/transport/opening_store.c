@@ -13,8 +13,8 @@
 enum {
     PATHS = 1 << 19,    /* for all bins of all patches, half a microsecond each; in a
                          * courtyard the direct light 8 m deep has then 0.6 % noise */
-    LEAST_SAMPLES = 16, /* of each bin, whatever their number */
-    PROBES = 256,       /* rays that find how near surfaces stand */
+    LEAST_SAMPLES = 16, /* least number of paths for each bin */
+    PROBES = 256,       /* rays that measure the distance of surfaces */
 };
 
 static const struct pp_target *target_of(const struct pp_light_scene *scene, int window)
@@ -22,8 +22,8 @@ static const struct pp_target *target_of(const struct pp_light_scene *scene, int
     return &scene->panes[window].target;
 }
 
-/* Distance of the nearest surface before the opening, the ground included; INFINITY if
- * none is met. */
+/* Distance of the nearest surface in front of the opening, the ground included;
+ * INFINITY if none is met. */
 static double nearest(const struct pp_light_scene *scene, int window,
                       const struct pp_sobol *sobol, uint64_t seed)
 {
@@ -66,8 +66,8 @@ static bool outside_radiance(struct pp_radiance_state *state,
     return true;
 }
 
-/* A bin's sum over its paths, of radiances no nearer than the table has them; returns
- * how many of the paths met such a surface. */
+/* Sums the radiances of a bin's paths, of surfaces not nearer than table->far_m;
+ * returns the number of paths that met such a surface. */
 static int sample_bin(const struct pp_opening_table *table,
                       struct pp_radiance_state *state, int window, int patch, int bin,
                       uint32_t samples, struct pp_rgb *sum)
@@ -139,7 +139,7 @@ static bool fill_opening_patch(void *data, int worker, int patch)
     return true;
 }
 
-/* Uses as many paths for few large patches as for many small ones. */
+/* Number of paths of a bin: a fixed total divided by the number of bins. */
 static uint32_t samples_of(const struct pp_opening_store *store)
 {
     long bins = 1;

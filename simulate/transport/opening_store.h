@@ -1,5 +1,5 @@
-/* opening_store.h - the radiance outside each opening of a room, worked out once for a
- * light from outside.
+/* opening_store.h - the radiance outside each opening of a room, calculated once for a
+ * given light from outside.
  *
  * Paths that leave by a opening then need no more than one ray outside: whether that
  * meets a surface is still traced, so that silhouettes stay sharp, but the surface's

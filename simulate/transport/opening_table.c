@@ -1,4 +1,5 @@
-/* opening_table.c - patches of an opening and bins of directions: laid out and read. */
+/* opening_table.c - lays out patches of an opening and bins of directions, and reads
+ * the table. */
 #include "simulate/transport/opening_table.h"
 
 #include <math.h>
@@ -10,7 +11,8 @@ enum {
     MOST_PATCHES = 6, /* along either axis */
 };
 
-/* A patch is no larger than this share of the distance of the surfaces in the table. */
+/* Greatest size of a patch, as a share of the least distance of surfaces in the
+ * table. */
 static const double PATCH_SIZE = 0.5;
 
 static int patches_along(double length_m, double near_m)
@@ -85,7 +87,7 @@ static int patch_at(const struct pp_opening_table *table,
     return row * table->columns + column;
 }
 
-/* Bins are squares of the direction's parts along the opening's axes. */
+/* Bins are squares in the direction's components along the opening's axes. */
 static int bin_of(const struct pp_target *target, struct pp_vec3 to)
 {
     int column = kept_within((pp_vec_dot(to, target->along) + 1.0) / 2.0 * SIDE, SIDE);

@@ -1,10 +1,10 @@
 /* opening_table.h - the radiance of the surfaces outside one opening, by place and
  * direction.
  *
- * The opening is cut into patches, the smaller the nearer something stands outside. For
+ * The opening is divided into patches, smaller ones if surfaces outside are near. For
  * each patch and each direction (bins of equal projected solid angle) the table holds
- * the mean radiance of the surfaces that are met there, if they are as far away as
- * twice the size of a patch. Sky, open ground and skylines are not in it.
+ * the mean radiance of the surfaces met there, if they are at least twice the size of a
+ * patch away. Sky, open ground and skylines are not in it.
  */
 #ifndef PP_SIMULATE_TRANSPORT_OPENING_TABLE_H
 #define PP_SIMULATE_TRANSPORT_OPENING_TABLE_H
@@ -24,18 +24,19 @@ enum {
 struct pp_opening_table {
     int columns, rows;       /* patches along the opening's axes */
     double far_m;            /* surfaces nearer than this are not in the table */
-    struct pp_rgb *radiance; /* by patch and bin; NULL: nothing stands outside */
+    struct pp_rgb *radiance; /* by patch and bin; NULL: no surface outside */
 };
 
-/* An empty table for an opening before which the nearest surface stands at near_m
+/* Makes an empty table for an opening whose nearest surface outside is at near_m
  * (INFINITY: none). */
 enum pp_status pp_opening_table_init(struct pp_opening_table *table,
                                      const struct pp_target *target, double near_m,
                                      struct pp_error *err);
 void pp_opening_table_clear(struct pp_opening_table *table);
 
-/* A point of a patch, and a direction of a bin, by two numbers in (0, 1) each. The
- * direction is false where it would be behind the opening's plane. */
+/* A point of a patch, and a direction of a bin, by two numbers in (0, 1) each.
+ * pp_opening_table_direction returns false if it would be behind the opening's
+ * plane. */
 struct pp_vec3 pp_opening_table_point(const struct pp_opening_table *table,
                                       const struct pp_target *target, int patch,
                                       double u, double v);
@@ -43,7 +44,7 @@ bool pp_opening_table_direction(const struct pp_target *target, int bin, double 
                                 double v, struct pp_vec3 *to);
 
 /* The radiance of the surface that is met outside, at that distance along `to`, from a
- * point of the opening; false where the table has none. */
+ * point of the opening; false if the table has no value. */
 bool pp_opening_table_radiance(const struct pp_opening_table *table,
                                const struct pp_target *target, struct pp_vec3 point,
                                struct pp_vec3 to, double distance_m,

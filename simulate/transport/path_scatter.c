@@ -33,7 +33,7 @@ enum pp_lobe pp_path_scatter_choose_lobe(const struct pp_lobes *lobes, double u,
     return (enum pp_lobe)chosen;
 }
 
-/* Notes the emitters and windows that were sampled directly, for a ray that leaves by
+/* Records that emitters and windows were sampled directly, for a ray that leaves by
  * this lobe. */
 static void note_sampled(const struct pp_radiance_state *state,
                          struct pp_light_path *path, const struct pp_lobes *lobes,

@@ -29,13 +29,15 @@ static inline int pp_path_vertex_branch(int vertex, int kind)
 }
 
 /* Lobe by which a ray has left a surface where next-event estimation also sampled
- * light: of emitters and windows. After a diffuse lobe that light is left to next-event
- * estimation; after a gloss, multiple importance sampling combines both [VG95]. */
+ * light: of emitters and windows. After a diffuse lobe only next-event estimation
+ * counts that light; after a gloss, multiple importance sampling combines both
+ * [VG95]. */
 enum pp_directly_sampled {
-    PP_DIRECTLY_SAMPLED_NONE,  /* the ray comes from the eye, or from a mirror by which
-                                * emitters are not sampled: all is the ray's */
-    PP_DIRECTLY_SAMPLED_GLOSS, /* from a gloss: by weights */
-    PP_DIRECTLY_SAMPLED_ALL,   /* from a diffuse surface: nothing is the ray's */
+    PP_DIRECTLY_SAMPLED_NONE,  /* the ray comes from the eye, or from a mirror for which
+                                * emitters are not sampled: it counts all light */
+    PP_DIRECTLY_SAMPLED_GLOSS, /* from a gloss: weighted */
+    PP_DIRECTLY_SAMPLED_ALL,   /* from a diffuse surface: the ray counts no such
+                                * light */
 };
 
 /* The weight of a sample among two estimators of the same light, by the densities (per
@@ -58,8 +60,8 @@ struct pp_arrival {
     double pdf;
 };
 
-/* The share that the ray keeps of an emitter's light by that gloss, where the diffuse
- * surface has sampled that light too (reflectors.h). */
+/* Weight of an emitter's light found by the ray at that gloss, if the diffuse surface
+ * has also sampled it (reflectors.h). */
 static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *scene,
                                                    const struct pp_arrival *arrival,
                                                    int emitter)
@@ -79,8 +81,8 @@ static inline bool pp_path_vertex_images(const struct pp_radiance_state *state)
            && state->scene->window_image_count > 0;
 }
 
-/* The share that the ray keeps of a window's light by that reflector, where the diffuse
- * surface has sampled the window's image in it too (window_images.h). */
+/* Weight of a window's light found by the ray at that reflector, if the diffuse surface
+ * has also sampled the window's image in it (window_images.h). */
 static inline double pp_path_vertex_image_weight(const struct pp_radiance_state *state,
                                                  const struct pp_arrival *arrival,
                                                  int window)
@@ -98,34 +100,33 @@ static inline double pp_path_vertex_image_weight(const struct pp_radiance_state 
 struct pp_light_path {
     struct pp_light_ray ray;
     struct pp_rgb throughput;
-    double least; /* Russian roulette where the throughput is below */
+    double least; /* Russian roulette begins below this throughput */
     enum pp_directly_sampled sampled;
-    enum pp_space sampled_in; /* where the surface is that sampled directly: outdoors
-                                 * windows are not */
-    int mirror_path;          /* of mirrors met since then; -1: none */
+    enum pp_space sampled_in; /* space of the surface that sampled directly; outdoors
+                               * windows are not sampled */
+    int mirror_path;          /* index of the path of mirrors met since then; -1:
+                               * none */
     struct pp_vec3 gloss_point, gloss_normal; /* of PP_DIRECTLY_SAMPLED_GLOSS: the
                                                * surface's, */
-    double gloss_pdf; /* the density of the ray's direction in the lobe, times the
-                       * rays of that, */
-    bool gloss_split; /* and whether many directions were taken there; */
-    bool here_split;  /* the same of the surface at hand */
+    double gloss_pdf; /* density of the ray's direction in the lobe, times the number of
+                       * such rays */
+    bool gloss_split; /* several directions were sampled there */
+    bool here_split;  /* the same for the present surface */
     uint32_t gloss_rays, here_gloss_rays;
-    bool
-        from_diffuse; /* has the ray come from a diffuse lobe straight? from and off are
-                        * its surface's */
+    bool from_diffuse; /* the ray comes directly from a diffuse lobe; from and off are
+                       * its surface's */
     struct pp_arrival arrival, here_arrival; /* at the gloss or mirror that the ray
-                                              * comes from, and at the surface at
-                                              * hand */
+                                              * comes from, and at the present
+                                              * surface */
     int depth;                               /* diffuse reflections so far */
     int vertex;                              /* of the random numbers */
     int bounces;                             /* surfaces met */
-    bool split;       /* take many directions at the next surface that scatters: the
-                       * first of the path */
-    bool from_window; /* begun at a window that was sampled directly: the path finds
-                       * windows by its own rays from then on. Would it sample them
-                       * directly, each sample might begin another path outside, without
-                       * end */
-    enum pp_first_met first_met; /* so far: panes that it passes do not count */
+    bool split;       /* take several directions at the next surface that scatters (the
+                       * path's first) */
+    bool from_window; /* begins at a window that was sampled directly: from then on the
+                       * path finds windows by its own rays only. Next-event estimation
+                       * would begin further paths outside, without end */
+    enum pp_first_met first_met; /* first surface so far; panes passed do not count */
 };
 
 /* One side of a surface whose direct light is calculated. */
@@ -136,19 +137,20 @@ struct pp_shading_point {
     const struct pp_lobes *lobes; /* for the gloss; NULL: there is none; not owned */
     int vertex, depth;            /* as the path's that has come here */
     bool split;
-    bool whole_gloss;    /* no light is left to rays of the gloss */
-    uint32_t gloss_rays; /* number of these */
+    bool whole_gloss;    /* rays of the gloss do not count the light */
+    uint32_t gloss_rays; /* number of rays of the gloss */
     const struct pp_arrival
-        *arrival;        /* by which the gloss is seen; NULL: another way */
-    uint32_t directions; /* to windows, each to one that is chosen by its importance; 0:
-                          * by sample_openings.h's own rule */
+        *arrival;        /* if the gloss is seen by a ray from a diffuse surface; NULL:
+                          * otherwise */
+    uint32_t directions; /* number of directions to windows, each chosen by importance;
+                          * 0: by the rule of sample_openings.h */
     const struct pp_niche_light
-        *niches; /* directions are to mouths; the point is in the
-                                          * room. NULL: to panes; not owned */
+        *niches; /* directions are to mouths of niches, for a point in the room. NULL:
+                  * to panes; not owned */
 };
 
 /* The BRDF (or BTDF) between the eye and direction o, 1/sr, for a sample of next-event
- * estimation of that density: the diffuse part, and the gloss by its weight times
+ * estimation of that density: the diffuse part, plus the gloss times its weight and
  * `gloss_share`. */
 static inline struct pp_rgb pp_path_vertex_brdf(const struct pp_shading_point *shading,
                                                 struct pp_vec3 o, double density,
@@ -173,8 +175,8 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
 }
 
 /* Number of strata, with a direction each, in next-event estimation of a source or
- * window of that angular size. The power of two, at most options.source_most, that
- * makes a stratum look smaller than options.source_size; 1 if the path is not split. */
+ * window of that angular size. The power of two, at most options.source_most, for which
+ * a stratum's angular size is below options.source_size; 1 if the path is not split. */
 static inline uint32_t pp_path_vertex_direction_count(
     const struct pp_radiance_state *state, bool split, double angular_size)
 {

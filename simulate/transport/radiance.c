@@ -1,4 +1,4 @@
-/* radiance.c - where paths begin: at an eye, or at a sensor. */
+/* radiance.c - starts paths at an eye or at a sensor. */
 #include "simulate/transport/radiance.h"
 
 #include "simulate/sampling/lobe.h"

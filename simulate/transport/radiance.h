@@ -9,15 +9,15 @@
  *     sources   concentrated emitters and the sun, by next-event estimation: the nearer
  *               and larger one is, the more strata of directions it gets (the power of
  *               two that makes each look smaller than `source_size`)
- *     windows   the panes of a world's openings, likewise, as lamps whose light is what
- *               sky, ground and whatever stands outside send through them
+ *     windows   the panes of a world's openings, likewise, as lamps that emit the light
+ *               of sky, ground and obstructions that passes through them
  *     the rest  extended emitters, sky, ground and all surfaces, by rays that go where
  *               the surface scatters
  *
  * Each of the first two can be switched off: then rays find that light too. The mean is
  * the same; noise and time are not.
  *
- * Diffuse inter-reflection, the dearest part, may be had from elsewhere: see struct
+ * Diffuse inter-reflection, the most expensive part, may come from a cache: see struct
  * pp_ambient.
  */
 #ifndef PP_SIMULATE_TRANSPORT_RADIANCE_H
@@ -33,15 +33,15 @@ struct pp_rgb pp_radiance_along(struct pp_radiance_state *state,
                                 struct pp_light_hit *hit);
 
 /* The same without the light that next-event estimation samples where the ray starts:
- * sources and windows seen straight or through clear glass. */
+ * sources and windows seen directly or through clear glass. */
 struct pp_rgb pp_radiance_indirect(struct pp_radiance_state *state,
                                    const struct pp_light_ray *ray,
                                    struct pp_light_hit *hit);
 
 /* Irradiance at a point, one sample of each part. normal: unit; space:
  * pp_light_scene_space of the point. `direct` gives sources, sky and outside only. With
- * `ambient`, `rest` is still sampled at the point itself and the store asked from the
- * next surface on: at depth 1. */
+ * `ambient`, `rest` is still sampled at the point itself; the ambient store is read
+ * from the next surface on (depth 1). */
 struct pp_irradiance pp_radiance_direct(struct pp_radiance_state *state,
                                         struct pp_vec3 point, struct pp_vec3 normal,
                                         enum pp_space space);

@@ -30,18 +30,18 @@ struct pp_radiance_options {
                          * it; greater than 0 */
 };
 
-/* All estimators on, no limit of bounces, unbiased but for `stored`: size 0.2, at most
- * 64 directions, roulette below 0.3. */
+/* All estimators on, no limit of bounces, unbiased except for `stored`: size 0.2, at
+ * most 64 directions, roulette below 0.3. */
 struct pp_radiance_options pp_radiance_state_defaults(void);
 
 /* Indirect irradiance of diffuse surfaces from elsewhere (a cache).
  *
- * `irradiance` is asked at a hit whose material is diffuse (on the side of its normal,
+ * `irradiance` is called at a hit whose material is diffuse (on the side of its normal,
  * or, of a translucent material, on the far side: then `normal` is turned) for the
  * irradiance from all light that is not sampled directly: the light that
  * pp_radiance_indirect gives the hemispherical integral of. `depth` is how many diffuse
- * reflections the path has behind it, 0 at the first surface. It returns false where
- * the path is to sample that light itself. Called by many threads at a time. */
+ * reflections the path has behind it, 0 at the first surface. It returns false if the
+ * path has to sample that light itself. Called by many threads at a time. */
 struct pp_ambient {
     bool (*irradiance)(void *store, const struct pp_light_hit *hit,
                        struct pp_vec3 normal, int depth, struct pp_rgb *value);
@@ -51,17 +51,16 @@ struct pp_ambient {
 struct pp_environment;
 struct pp_opening_store;
 
-/* Rays for measuring how fast they could be at best; see bench/. */
+/* A log of rays, for benchmarks of the ray kernels (bench/). */
 struct pp_ray_log {
     struct pp_light_ray *rays;
     long count, capacity; /* no more are logged when it is full */
 };
 
-/* Samplers of openings that are kept from one shading point to the next: often it is
- * the same. */
+/* Number of samplers of openings stored between shading points, which often repeat. */
 enum { PP_KEPT_SAMPLERS = 4 };
 
-/* A thread's own. Fill the first part, then draw. */
+/* State of one thread. The caller fills the first part, then samples. */
 struct pp_radiance_state {
     const struct pp_light_scene *scene;       /* not owned */
     const struct pp_environment *environment; /* of a world; not owned; NULL: of a
@@ -70,8 +69,8 @@ struct pp_radiance_state {
     const struct pp_opening_store *store; /* not owned; NULL: as if not `stored` */
     const struct pp_ambient *ambient;     /* not owned; NULL: none */
     struct pp_sobol_sequence sequence;    /* the randomisation */
-    uint32_t index;                       /* which path of it */
-    bool every_ray;         /* trace also where the answer is known beforehand */
+    uint32_t index;                       /* index of the path in the sequence */
+    bool every_ray;         /* also trace rays whose result is known in advance */
     struct pp_ray_log *log; /* not owned; NULL: none */
 
     long rays;  /* traced so far */
@@ -85,7 +84,7 @@ enum pp_meeting pp_radiance_state_meet(struct pp_radiance_state *state,
                                        const struct pp_light_ray *ray,
                                        struct pp_light_hit *hit);
 
-/* The same with the ray's nearest plane (pp_light_scene_nearest); NULL: not known. */
+/* The same, given the ray's nearest plane (pp_light_scene_nearest); NULL: unknown. */
 enum pp_meeting pp_radiance_state_meet_by(struct pp_radiance_state *state,
                                           const struct pp_light_ray *ray,
                                           const struct pp_convex_nearest *nearest,
@@ -98,8 +97,8 @@ bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
                                   struct pp_light_ray ray, int part, double distance_m,
                                   struct pp_rgb *through);
 
-/* The same to a plane mirror, and on as the mirror reflects the ray. *left_m, the
- * distance still to go, loses the way to the mirror. */
+/* The same to a plane mirror, where the ray is reflected. *left_m, the remaining
+ * distance, is reduced by the distance to the mirror. */
 bool pp_radiance_state_reach_mirror(struct pp_radiance_state *state,
                                     struct pp_light_ray *ray, int mirror,
                                     double *left_m, struct pp_rgb *through);

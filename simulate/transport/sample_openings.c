@@ -26,7 +26,7 @@ static bool is_made_for(const struct pp_polygon_sampler *sampler,
            && pp_vec_same(sampler->facing, shading->normal);
 }
 
-/* NULL where the opening is out of sight. */
+/* The sampler of an opening; NULL if the opening is not visible. */
 static const struct pp_polygon_sampler *sampler_of(
     struct pp_radiance_state *state, const struct pp_shading_point *shading,
     int opening)
@@ -48,7 +48,8 @@ static bool samples_all(const struct pp_light_scene *scene, bool split)
     return split || scene->pane_count <= FEW_OPENINGS;
 }
 
-/* Number of directions to an opening; on the average, where one opening is chosen. */
+/* Number of directions to an opening; the mean number if one opening is chosen at
+ * random. */
 static double samples_of(const struct pp_radiance_state *state, bool split,
                          uint32_t gloss_rays, int opening, struct pp_vec3 point)
 {
@@ -82,8 +83,8 @@ double pp_sample_openings_weight(struct pp_radiance_state *state,
                                     * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
-/* The ray that leaves the opening where the direction meets it, its weight multiplied by
- * the transmittance. Behind a diffusing pane the direction is another one. */
+/* The ray that leaves the opening where the direction meets it, its weight multiplied
+ * by the transmittance. Behind a diffusing pane a new direction is sampled. */
 static void leave(struct pp_radiance_state *state,
                   const struct pp_shading_point *shading,
                   const struct pp_direction_sample *to,
@@ -108,8 +109,8 @@ static void leave(struct pp_radiance_state *state,
     sample->weight = pp_rgb_times(sample->weight, transmittance);
 }
 
-/* True if a ray meets this pane first. Behind another pane it does not: light through
- * that pane has been sampled with it, all the way. */
+/* True if a ray meets this pane first. Another pane in front makes it false, since
+ * light through both was sampled with that pane. */
 static bool meets_pane(struct pp_radiance_state *state,
                        const struct pp_shading_point *shading, struct pp_vec3 to,
                        const struct pp_pane *pane)
@@ -120,8 +121,8 @@ static bool meets_pane(struct pp_radiance_state *state,
            && hit.part == pane->part;
 }
 
-/* Is the opening seen from the shading point, whatever the direction, or the mouth of its
- * niche? */
+/* True if the opening (or the mouth of its niche) is unobstructed from the shading
+ * point in all directions. */
 static bool is_open(const struct pp_shading_point *shading, const struct pp_pane *pane)
 {
     if (shading->niches)
@@ -236,7 +237,7 @@ bool pp_sample_openings_along(struct pp_radiance_state *state,
     return !pp_rgb_is_black(sample->weight);
 }
 
-/* The vertex for the random numbers of the directions to the first opening. */
+/* Index of the random numbers for directions to the first opening. */
 static int first_vertex(const struct pp_shading_point *shading)
 {
     return shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS;
@@ -256,7 +257,7 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
     sampling->end = none ? 0 : sampling->all ? count : 1;
     sampling->direction = sampling->count = 0;
     sampling->index = state->index;
-    /* A power of two. */
+    /* directions is a power of two */
     sampling->drawn = !none && shading->directions > 1
                       && shading->directions <= PP_RUN_MOST
                       && (shading->directions & (shading->directions - 1)) == 0;
@@ -266,7 +267,7 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
                                    sampling->numbers, sampling->u);
 }
 
-/* Goes to the next opening; false if there is none. */
+/* Advances to the next opening; false if there is none. */
 static bool next_opening(struct pp_radiance_state *state,
                          struct pp_opening_sampling *sampling)
 {
@@ -287,8 +288,8 @@ static bool next_opening(struct pp_radiance_state *state,
     return true;
 }
 
-/* The numbers of the direction in turn: two, or three where one of the openings is
- * chosen. */
+/* Draws the random numbers of the present direction: two, or three if one of the
+ * openings is chosen at random. */
 static void draw_opening_numbers(const struct pp_radiance_state *state,
                                  const struct pp_opening_sampling *sampling,
                                  double u[3])

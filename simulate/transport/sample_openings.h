@@ -2,8 +2,8 @@
  * are sampled as to a lamp, whose radiance is the light of sky, ground and obstructions
  * through it. Inside simulate/ only.
  *
- * Up to four openings, and those at the first surface of a path, are all sampled; of more,
- * one, by importance. light_path.c finds the light outside:
+ * If there are up to four openings, or at the first surface of a path, all openings are
+ * sampled; otherwise one, chosen by importance. light_path.c adds the light outside:
  *
  *     pp_sample_openings_begin(state, &shading, &sampling);
  *     while (pp_sample_openings_next(state, &sampling, &sample))
@@ -19,18 +19,21 @@ struct pp_opening_sample {
     int opening;
     struct pp_light_ray ray;  /* leaves it to the outside */
     struct pp_rgb weight;     /* BRDF, cosine and transmittance over density */
-    bool on_side;             /* it ends in the niche, */
-    struct pp_light_hit side; /* here; no transmittance is in the weight then */
+    bool on_side;             /* true: it ends on a side of the niche, */
+    struct pp_light_hit side; /* at this hit; the weight then contains no
+                               * transmittance */
 };
 
 /* The directions to all openings that are sampled at one shading point. */
 struct pp_opening_sampling {
     const struct pp_shading_point *shading; /* not owned */
     bool all;                               /* all openings in turn; else one of them */
-    int opening, end;                       /* the one in turn */
-    uint32_t direction, count;              /* the one in turn, of that opening's */
-    uint32_t index; /* the path's own, which `state` has again at the end */
-    int numbers;    /* random ones of each: 2 for its place, 1 for which opening */
+    int opening, end;                       /* present index, and end of the list */
+    uint32_t direction, count;              /* present direction to that opening, and
+                                             * their number */
+    uint32_t index; /* the path's own index, restored in `state` at the end */
+    int numbers;    /* random numbers of each direction: 2 for its position, 1 for the
+                     * choice of an opening */
     bool drawn;     /* u holds the random numbers of all directions */
     double u[3][PP_RUN_MOST];
 };
@@ -39,18 +42,19 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_opening_sampling *sampling);
 
-/* False at the end. While it is true state->index is the direction's own. */
+/* Returns false at the end. While it returns true, state->index is that of the
+ * direction. */
 bool pp_sample_openings_next(struct pp_radiance_state *state,
                              struct pp_opening_sampling *sampling,
                              struct pp_opening_sample *sample);
 
-/* Aims at that opening by two numbers in (0, 1); false if no light arrives along the
- * direction. */
+/* Samples a direction to that opening by two numbers in (0, 1); false if no light
+ * arrives along it. */
 bool pp_sample_openings_aim(struct pp_radiance_state *state,
                             const struct pp_shading_point *shading, int opening,
                             const double u[2], struct pp_opening_sample *sample);
 
-/* Evaluates a direction that was drawn otherwise: false if it does not reach that
+/* Evaluates a direction that was sampled elsewhere: false if it does not reach that
  * opening first. The weight is the transmittance alone. */
 bool pp_sample_openings_along(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading, int opening,

@@ -104,7 +104,7 @@ static double sensor_bound(const void *client, int point, int value, unsigned fo
 static const struct pp_sampler sampler = {
     .estimators = 1,
     .values = VALUES,
-    .fall = {1.1}, /* on the safe side */
+    .fall = {1.1}, /* conservative */
     .pilot = {{32}},
     .least = {{64}},
     .state_size = sizeof(struct pp_radiance_state),

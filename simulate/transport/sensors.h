@@ -10,7 +10,7 @@
  *
  *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
  *
- * Random numbers depend on where a point is, not on its place in the list. A bound on
+ * Seeds depend on a point's position in space, not on its index in the list. A bound on
  * the light that all paths may have missed because rays must find it (a small glow, a
  * lamp in a curved mirror: unsampled.h) is part of the stated error.
  */
@@ -34,13 +34,13 @@ struct pp_sensors_options {
     long samples; /* paths a point in each randomisation; 0: not set */
     uint64_t seed;
     int threads;        /* 0: one for each processor */
-    double horizontal;  /* irradiance of the open level ground; 0: there is none */
+    double horizontal;  /* irradiance of open horizontal ground; 0: unknown */
     bool limited;       /* at most `bounces` diffuse reflections on the way, 0 up, those
                          * outside included */
-    bool ground_counts; /* the ground's, too */
+    bool ground_counts; /* reflection by the ground counts, too */
     int bounces;
-    bool by_chance; /* rays have to find concentrated sources: no next-event
-                     * estimation */
+    bool by_chance; /* no next-event estimation: concentrated sources are found by rays
+                     * only */
 };
 
 struct pp_sensor_reading {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Data of the work on hours. */
+/* Task of calculating hours. */
 struct columns_work {
     struct pp_light_columns *light;
     const struct pp_environment *environment;
@@ -13,7 +13,7 @@ struct columns_work {
 };
 
 /* Exitance over pi of a skyline under one sky: sun and sky on its face, and the ground
- * before it (environment.h). */
+ * in front of it (environment.h). */
 static double skyline_of(const struct columns_work *work,
                          const struct pp_perez_sky *sky,
                          const struct pp_far_skyline *far)

@@ -1,5 +1,5 @@
-/* light_columns.h - skies and suns of many hours, as light paths need them: luminances by
- * patch, exitances of skylines, horizontal illuminances.
+/* light_columns.h - skies and suns of many hours, as coefficients of light paths:
+ * luminances by patch, exitances of skylines, horizontal illuminances.
  *
  * Columns are: the patches of the sky; the horizontal illuminance; the skylines without a
  * distance.

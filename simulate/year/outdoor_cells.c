@@ -18,7 +18,7 @@ void pp_outdoor_cells_init(struct pp_outdoor_cells *cells,
         cells->cells[i] = -1;
 }
 
-/* 0 to 5: the axis that the normal is nearest to, and its sign. */
+/* Index 0 to 5: the axis nearest to the normal, and its sign. */
 static int main_direction(struct pp_vec3 n)
 {
     double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);

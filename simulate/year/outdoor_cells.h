@@ -1,8 +1,8 @@
 /* outdoor_cells.h - cells of outdoor surfaces, made where light paths meet them.
  *
- * A cell is a cube of space with one of six main directions of the normal; the cubes grow
- * with their distance from the room. One of the places that were met, drawn in
- * proportion to their weights, stands for the cell when the sun is tested.
+ * A cell is a cube of space with one of six main directions of the normal; the cubes
+ * grow with their distance from the room. One of the places that were met, drawn in
+ * proportion to their weights, represents the cell in tests of the sun.
  */
 #ifndef PP_SIMULATE_YEAR_OUTDOOR_CELLS_H
 #define PP_SIMULATE_YEAR_OUTDOOR_CELLS_H
@@ -14,7 +14,7 @@
 enum { PP_OUTDOOR_SLOTS = 1024 };
 
 struct pp_outdoor_cells {
-    double reach_m; /* the room's size: cubes are a third of it, out to it */
+    double reach_m; /* size of the room: up to that distance cubes are a third of it */
     int count, most;
     struct pp_lit_point *points;      /* by cell; not owned */
     double weights[PP_OUTDOOR_SLOTS]; /* by cell */
@@ -28,8 +28,8 @@ void pp_outdoor_cells_init(struct pp_outdoor_cells *cells,
                            const struct pp_light_scene *scene,
                            struct pp_lit_point *points, int most, uint64_t seed);
 
-/* The cell of a place, which is met with that weight. When all cells are taken, the last
- * six are those of all further places, by their main direction. */
+/* The cell of a place that is met with that weight. If all cells are in use, further
+ * places share the last six, by main direction. */
 int pp_outdoor_cells_find(struct pp_outdoor_cells *cells, const struct pp_lit_point *at,
                           double weight);
 

@@ -21,13 +21,13 @@ struct pp_plain_year {
 };
 
 /* theory: plain year */
-/* The events of one randomisation of a point's paths. */
+/* The events of a point's paths in one randomisation. */
 struct event_list {
     int count, capacity;
     struct kept_event {
         enum { MET_SKY, MET_COLUMN, MET_SUN } kind;
-        int group;  /* of the opening by which the path has left; of a sun: unknown */
-        int column; /* of light, for the ground and skylines */
+        int group;  /* group of the opening through which the path left; -1 for a sun */
+        int column; /* column of light, for ground and skylines */
         double weight;
         struct pp_vec3 u;       /* of sky */
         struct pp_lit_point at; /* of sun */

@@ -1,9 +1,10 @@
-/* plain_year.h - the hours of a point without patches and cells, the plain way.
+/* plain_year.h - plain implementation of the hours of a point, without patches and
+ * cells.
  *
- * A set of light paths is kept as the places where it meets sky, ground and sunlit
- * surfaces; for every hour the sky is evaluated in the direction of each exit, and the sun
- * is tested at each place. It has no error but noise, and is what year_coefficients.h is
- * held against; it takes some hundred times as long.
+ * A set of light paths is stored as the places where it meets sky, ground and sunlit
+ * surfaces; for every hour the sky is evaluated in the direction of each exit, and the
+ * sun is tested at each place. Its only error is noise. Tests compare
+ * year_coefficients.h with it; it takes some hundred times as long.
  */
 #ifndef PP_SIMULATE_YEAR_PLAIN_YEAR_H
 #define PP_SIMULATE_YEAR_PLAIN_YEAR_H
@@ -12,7 +13,7 @@
 
 struct pp_plain_year;
 
-/* paths: of a point in each of PP_YEAR_BATCHES randomisations. Arguments as of
+/* paths: of a point in each of PP_YEAR_BATCHES randomisations. Arguments as for
  * pp_year_coefficients_create. */
 enum pp_status pp_plain_year_create(struct pp_plain_year **plain,
                                     const struct pp_light_scene *scene,
@@ -23,8 +24,8 @@ enum pp_status pp_plain_year_create(struct pp_plain_year **plain,
 void pp_plain_year_destroy(struct pp_plain_year *plain); /* NULL is allowed */
 
 /* Fills both parts of a point (lx): all light of sky and ground, direct light included;
- * and sunlight by way of surfaces. by_patch: each patch of the sky has the luminance of its
- * centre, on the same paths. */
+ * and sunlight reflected by surfaces. by_patch: each patch of the sky has the luminance
+ * of its centre, on the same paths. */
 enum pp_status pp_plain_year_point(const struct pp_plain_year *plain, int receiver,
                                    const struct pp_light_columns *light, bool by_patch,
                                    struct pp_year_point *point, struct pp_error *err);

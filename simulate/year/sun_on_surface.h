@@ -1,7 +1,7 @@
 /* sun_on_surface.h - sunlight on one side of a surface, by a ray to the sun's centre.
  *
- * The sun is a point. Its light goes straight through clear glass, by the transmittance at
- * its angle of incidence; regular reflections are left out.
+ * The sun is a point. Its light passes through clear glass with the transmittance at
+ * the angle of incidence; specular reflections are neglected.
  */
 #ifndef PP_SIMULATE_YEAR_SUN_ON_SURFACE_H
 #define PP_SIMULATE_YEAR_SUN_ON_SURFACE_H
@@ -9,7 +9,8 @@
 #include "simulate/path_tracer/path_trace.h"
 
 /* Illuminance over that of a plane normal to the sun: cosine times transmittance, 0 in
- * shade. sun: unit, towards it. *opening: by which the sunlight enters the room; -1: none. */
+ * shade. sun: unit, towards it. *opening: index of the opening through which the
+ * sunlight enters; -1: none. */
 double pp_sun_on_surface(const struct pp_light_scene *scene,
                          const struct pp_lit_point *at, struct pp_vec3 sun,
                          int *opening);

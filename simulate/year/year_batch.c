@@ -1,4 +1,5 @@
-/* year_batch.c - paths of all cells and receivers to sparse rows. */
+/* year_batch.c - traces paths of all cells and receivers, and stores them as sparse
+ * rows. */
 #include "simulate/year/year_batch.h"
 
 #include <math.h>
@@ -12,10 +13,10 @@
 #include "simulate/year/year_path.h"
 #include "simulate/year/year_solve.h"
 
-/* Surfaces nearer than this many sizes of a cell are followed on. */
+/* Paths do not end at surfaces nearer than this many cell sizes. */
 static const double NEAR = 1.5;
 
-/* A randomisation under way. */
+/* State of one randomisation. */
 struct batch_work {
     const struct pp_year_task *task;
     struct pp_year_batch *batch;
@@ -24,9 +25,9 @@ struct batch_work {
     uint64_t seed;
     struct pp_sparse_rows of_cells[PP_YEAR_ROWS_COUNT], of_points[PP_YEAR_ROWS_COUNT],
         of_panes[PP_YEAR_ROWS_COUNT];
-    struct pp_sparse_rows *rows; /* those being filled */
+    struct pp_sparse_rows *rows; /* rows being filled */
     double scale;                /* one over the number of paths */
-    bool views_sky; /* does the receiver's closed form have direct light? */
+    bool views_sky;              /* the receiver has its direct light in closed form */
 };
 
 static int column_of(const struct batch_work *work, int opening, int column)
@@ -122,8 +123,8 @@ static void follow_both(struct batch_work *work, const struct pp_lit_point *at)
     pp_year_path_lobe(&work->walk, &sink, at);
 }
 
-/* Draws a place for every path of a cell; those off its surface get no normal. Returns how
- * many are on it. */
+/* Draws a point for every path of a cell; points off its surface get a zero normal.
+ * Returns the number of points on the surface. */
 static int draw_places(struct batch_work *work, int cell, struct pp_lit_point *places)
 {
     int drawn = 0;
@@ -140,8 +141,8 @@ static int draw_places(struct batch_work *work, int cell, struct pp_lit_point *p
     return drawn;
 }
 
-/* Follows the paths of a cell that has a point. Every place counts as often as it is drawn
- * on the surface; where none is, all paths begin at the cell's point. */
+/* Traces the paths of a cell that has a point. Points on the surface are used equally
+ * often; if there are none, all paths begin at the cell's point. */
 static void follow_cell(struct batch_work *work, int cell, struct pp_lit_point *places)
 {
     const struct pp_year_task *task = work->task;
@@ -158,8 +159,8 @@ static void follow_cell(struct batch_work *work, int cell, struct pp_lit_point *
     }
 }
 
-/* Finds the places of the suns: up to so many draws for each cell. Those of all
- * randomisations lie in different parts of the cell. */
+/* Finds the points at which the sun is tested, with a limited number of draws for each
+ * cell. Different randomisations use different parts of the cell. */
 static void place_suns(struct batch_work *work, int index)
 {
     enum { DRAWS = 64 };
@@ -232,7 +233,7 @@ static int group_of_pane(const struct pp_year_task *task, int pane)
     return task->group_of_opening[scene->parts[scene->panes[pane].part].window];
 }
 
-/* A random place on the outside of a group's panes: each has its share of the area. */
+/* A random point on the outside of a group's panes, uniform by area. */
 static struct pp_lit_point draw_on_pane(struct batch_work *work, int group)
 {
     const struct pp_year_task *task = work->task;
@@ -288,7 +289,7 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
         }
         for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
             status = pp_sparse_rows_end(&rows[k], err);
-        /* By whichever opening the light has left the room again. */
+        /* Light that enters again through any opening. */
         const struct pp_sparse_rows *D = &rows[PP_YEAR_ROWS_D];
         for (int k = D->first[g]; status == PP_OK && k < D->first[g + 1]; k++) {
             int column = D->entries[k].column % pp_year_solve_columns(task);

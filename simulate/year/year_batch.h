@@ -1,16 +1,16 @@
-/* year_batch.h - one randomisation of the light that reaches the points of a room by way of
- * surfaces, for any sky and sun.
+/* year_batch.h - one randomisation of the light that reaches the points of a room by
+ * reflection, for any sky and sun.
  *
- * The inside surfaces are divided into cells (year_cells.h). Paths from a point or a cell
- * end at the next inside surface that is far enough for its cell to count as evenly lit;
- * nearer ones are followed on. With E the illuminance at a receiver without direct sun, of
- * the points x and of the cells c:
+ * The inside surfaces are divided into cells (year_cells.h). Paths from a point or a
+ * cell end at the next inside surface that is far enough for its cell to count as
+ * evenly lit; at nearer surfaces paths continue. With E the illuminance at a receiver
+ * without direct sun, of the points x and of the cells c:
  *
  *     E_c = D_c + N_c s + G_c (E + s),     E_x = D_x + N_x s + G_x (E + s)         (1)
  *
  *   D   by columns of light (light_columns.h) and by outdoor cells, from the paths that
  *       leave through an opening
- *   s   illuminance of the sun on cells
+ *   s   illuminance of cells by the sun
  *   N   by the sun on cells that a path has followed on from
  *   G   by the cells at which paths end
  *
@@ -18,10 +18,10 @@
  *
  *     E_x = (D_x + V D) light + (N_x + V + V N) s                                  (2)
  *
- * Light that comes directly from sky or open ground, through clear glass, is left out of
- * D_x: the closed form of a point's view has it. The sun is tested at one random point of
- * each cell; the tests of all randomisations fill the cell. Outdoor surfaces have cells
- * of a size that grows with their distance; the sun is tested where a path has met one.
+ * Light that comes directly from sky or open ground, through clear glass, is not in
+ * D_x: it is added in closed form. The sun is tested at one random point of each cell;
+ * the tests of all randomisations fill the cell. Outdoor surfaces have cells of a size
+ * that grows with their distance; the sun is tested where a path has met one.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_BATCH_H
 #define PP_SIMULATE_YEAR_YEAR_BATCH_H
@@ -33,7 +33,7 @@
 
 enum { PP_YEAR_OUTDOOR_CELLS = 192, PP_YEAR_PANE_POINTS = 4 };
 
-/* The problem, the same for all randomisations. */
+/* The task, common to all randomisations. */
 struct pp_year_task {
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
@@ -55,7 +55,7 @@ struct pp_year_batch {
     float *light;   /* [receiver][group][column]: lx over a column's unit */
     float *outdoor; /* [receiver][group][outdoor cell]: lx over lx of sun on it */
     float *inside;  /* [receiver][cell]: the same of inside cells */
-    struct pp_lit_point *cell_points; /* where the sun is tested */
+    struct pp_lit_point *cell_points; /* points at which the sun is tested */
     bool *cell_has_point;
     struct pp_lit_point outdoor_points[PP_YEAR_OUTDOOR_CELLS];
     bool outdoor_is_used[PP_YEAR_OUTDOOR_CELLS];
@@ -68,7 +68,7 @@ struct pp_year_batch {
     struct pp_lit_point *pane_points; /* [group][PP_YEAR_PANE_POINTS]: for the sun */
 };
 
-/* Works out randomisation `index`; the caller clears *batch, after a failure too. */
+/* Calculates randomisation `index`; the caller clears *batch, after a failure too. */
 enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
                                   const struct pp_year_task *task, int index,
                                   struct pp_error *err);

@@ -6,7 +6,7 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Is the part an inside surface that is diffuse on that side, and reflects? */
+/* True if the part is an inside surface whose given side is diffuse and reflects. */
 static bool has_cells(const struct pp_light_scene *scene, int index, int side)
 {
     const struct pp_light_part *part = &scene->parts[index];

@@ -1,8 +1,8 @@
 /* year_cells.h - the inside surfaces of a room, divided into cells of about one size.
  *
  * Every side of an inside surface that reflects is divided along the axes of its plane.
- * A hit is found in its cell by its place; points of a cell are drawn within the surface's
- * outline and outside its openings.
+ * The cell of a hit follows from its position; points of a cell are drawn within the
+ * surface's outline and outside its openings.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_CELLS_H
 #define PP_SIMULATE_YEAR_YEAR_CELLS_H
@@ -20,7 +20,7 @@ struct pp_year_part_cells {
 struct pp_year_cells {
     const struct pp_light_scene *scene; /* not owned */
     int count;
-    double size_m;                    /* the size that was aimed at */
+    double size_m;                    /* intended size of a cell */
     struct pp_year_part_cells *parts; /* by part of the scene */
     int *part_of;                     /* by cell */
 };
@@ -34,8 +34,8 @@ void pp_year_cells_clear(struct pp_year_cells *cells);
 /* The cell that was hit; -1: there is none. */
 int pp_year_cells_of(const struct pp_year_cells *cells, const struct pp_light_hit *hit);
 
-/* The point of a cell at the shares u and v (0 to 1) of its sides, with its normal; false
- * where that is not on the surface. */
+/* The point of a cell at relative coordinates u and v (0 to 1), with its normal; false
+ * if it is not on the surface. */
 bool pp_year_cells_point(const struct pp_year_cells *cells, int cell, double u,
                          double v, struct pp_lit_point *point);
 

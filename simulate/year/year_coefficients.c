@@ -12,7 +12,7 @@
 /* Sun on one cell in one hour. */
 struct sun_entry {
     uint16_t cell;
-    int16_t group; /* of the opening by which it comes; of an outdoor cell: -1 */
+    int16_t group; /* group of the opening of the sunlight; -1 for an outdoor cell */
     float lx;
 };
 
@@ -32,7 +32,7 @@ struct pp_year_coefficients {
     struct pp_year_batch batches[PP_YEAR_BATCHES];
     const struct pp_light_columns *light;
     struct sun_list suns[PP_YEAR_BATCHES];
-    enum pp_status status[PP_YEAR_BATCHES]; /* of the batches' work */
+    enum pp_status status[PP_YEAR_BATCHES]; /* of each batch's task */
 };
 
 static bool make_batch(void *data, int worker, int index)
@@ -43,7 +43,7 @@ static bool make_batch(void *data, int worker, int index)
     return c->status[index] == PP_OK;
 }
 
-/* Runs the work of all batches. */
+/* Runs a task for all batches. */
 static enum pp_status for_batches(struct pp_year_coefficients *c,
                                   pp_thread_pool_work *work, struct pp_error *err)
 {

@@ -1,11 +1,11 @@
-/* year_coefficients.h - the illuminances of a room's points in every hour of a year, apart
- * from direct light, in independent randomisations.
+/* year_coefficients.h - the illuminances of a room's points in every hour of a year,
+ * without direct light, in independent randomisations.
  *
  *     coefficients, by paths alone:     light columns, sun on cells  (year_batch.h)
- *     hours, without any path:          sky by patch, sun by its true place
+ *     hours, without any path:          sky by patch, sun by its true position
  *
- * Create it with a room, then light it with a year, then read its points, by any number of
- * threads at once.
+ * Use: create it for a room, add the light of a year, then read points, by any number
+ * of threads at once.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_COEFFICIENTS_H
 #define PP_SIMULATE_YEAR_YEAR_COEFFICIENTS_H
@@ -52,7 +52,7 @@ float pp_year_coefficients_by_panes(const struct pp_year_coefficients *coefficie
 /* Parts of a point's illuminances. */
 struct pp_year_point {
     float *sky; /* [group][batch][hour, tiles x PP_LIGHT_LANES of them]: sky, ground */
-    float *sun; /* the same: sunlight by way of surfaces */
+    float *sun; /* the same: sunlight reflected by surfaces */
 };
 
 /* Fills both (lx). direct: [group][column], added to the coefficients of all batches;
@@ -62,8 +62,8 @@ enum pp_status pp_year_coefficients_point(
     struct pp_year_point *point, struct pp_error *err);
 
 /* Standard error of a point's simulated light over that light, under a uniform sky and
- * with the sun evenly over all cells: a first figure, before there are hours. 0 where there
- * is no light. */
+ * with equal sunlight on all cells: an estimate that needs no hours. 0 without
+ * light. */
 double pp_year_coefficients_spread(const struct pp_year_coefficients *coefficients,
                                    int receiver);
 

@@ -1,4 +1,4 @@
-/* year_path.c - the loop of path_trace.c with events in place of light. */
+/* year_path.c - the loop of path_trace.c, with events instead of light. */
 #include "simulate/year/year_path.h"
 
 #include <stddef.h>
@@ -10,7 +10,7 @@
 static const double LEAST = 0.3;
 enum { MOST_BOUNCES = 1 << 14 };
 
-/* One path under way. */
+/* State of one path. */
 struct year_path {
     struct pp_path_walk *walk;
     const struct pp_year_sink *sink;
@@ -18,7 +18,7 @@ struct year_path {
     double weight; /* of the radiance along the ray */
     int opening;
     bool counted, aims;
-    bool scattered; /* by anything but clear glass */
+    bool scattered; /* by anything except clear glass */
 };
 
 /* As pp_path_walk_meet, with the short cut for convex rooms: a tenth of the time of a
@@ -40,7 +40,7 @@ static struct pp_year_event event_of(const struct year_path *path, double weight
         .weight = weight, .opening = path->opening, .straight = !path->scattered};
 }
 
-/* The path leaves the scene. */
+/* Reports the event of a path that leaves the scene. */
 static void end_outside(const struct year_path *path)
 {
     struct pp_path_walk *walk = path->walk;
@@ -72,8 +72,8 @@ static void add_exitance(const struct year_path *path, const struct pp_light_hit
 
 static void follow(struct year_path *path);
 
-/* Next-event estimation from one side of a surface; radiance arriving there counts with
- * the weight. */
+/* Next-event estimation from one side of a surface, with `weight` for radiance arriving
+ * there. */
 static void aim(const struct year_path *from, const struct pp_lit_point *at,
                 double weight)
 {
@@ -153,7 +153,7 @@ static void add_diffuse(struct year_path *path, const struct pp_lobes *lobes,
     }
 }
 
-/* Is all the light that leaves the surface towards the path known to the sink? */
+/* True if the sink knows all light that leaves the surface towards the path. */
 static bool ends_known(struct year_path *path, const struct pp_lobes *lobes,
                        const struct pp_light_hit *hit)
 {
@@ -170,7 +170,7 @@ static bool ends_known(struct year_path *path, const struct pp_lobes *lobes,
 static void follow(struct year_path *path)
 {
     struct pp_path_walk *walk = path->walk;
-    double beta = 1.0; /* throughput, for the roulette */
+    double beta = 1.0; /* throughput, for Russian roulette */
     for (int bounce = 0; bounce < MOST_BOUNCES; bounce++) {
         /* 1. The first surface that the ray meets, if any. */
         struct pp_light_hit hit;
@@ -201,7 +201,7 @@ static void follow(struct year_path *path)
             path->opening = window;
         add_diffuse(path, &lobes, &hit);
 
-        /* 4. A direction wi of one of the lobes. */
+        /* 4. Sample a direction wi from one of the lobes. */
         enum pp_space before = path->ray.space;
         struct pp_rgb factor = pp_rgb_grey(1.0);
         enum pp_lobe lobe =
@@ -216,7 +216,8 @@ static void follow(struct year_path *path)
                 path->aims && before != PP_OUTDOORS
                 && (lobe == PP_LOBE_DIFFUSE || lobe == PP_LOBE_THROUGH_DIFFUSE);
 
-        /* 5. Russian roulette: a faint path goes on with probability q. */
+        /* 5. Russian roulette: a path of low throughput continues with probability
+         * q. */
         double u, q = beta / LEAST;
         pp_path_walk_draw(walk, 1, &u);
         if (u >= q)

@@ -1,5 +1,5 @@
-/* year_path.h - light paths of a room without their light: where they end and where the sun
- * can add to them, so that one set of paths serves every hour of a year.
+/* year_path.h - light paths of a room as events, without light: where they end and
+ * where the sun may light them, so that one set of paths serves every hour of a year.
  *
  * The paths are those of simulate/path_tracer/path_trace.h, with the same next-event
  * estimation of openings. A path reports its events to a sink, each with a weight w:
@@ -16,21 +16,22 @@
  * E is the irradiance of the receiver. A sink may also end a path at an inside surface
  * whose irradiance it knows.
  *
- * Not counted: sunlight that a pane, a mirror or a gloss reflects regularly.
+ * Not counted: specular reflections of sunlight by panes, mirrors or glosses.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_PATH_H
 #define PP_SIMULATE_YEAR_YEAR_PATH_H
 
 #include "simulate/path_tracer/path_trace.h"
 
-/* An event. opening: by which the path has left the room last; -1: by none. */
+/* An event. opening: the last one through which the path has left the room; -1:
+ * none. */
 struct pp_year_event {
     double weight;
     int opening;
-    bool straight;    /* of sky: seen from the receiver, or through clear glass only */
-    struct pp_vec3 u; /* of sky */
-    int far;          /* of skyline: its index */
-    struct pp_lit_point at;         /* of lit: one side of a surface */
+    bool straight;          /* for sky: reached directly, or through clear glass only */
+    struct pp_vec3 u;       /* of sky */
+    int far;                /* of skyline: its index */
+    struct pp_lit_point at; /* of lit: one side of a surface */
     const struct pp_light_hit *hit; /* of lit and known: the surface */
 };
 
@@ -41,8 +42,8 @@ struct pp_year_sink {
     void (*horizontal)(void *data, const struct pp_year_event *event);
     void (*lit)(void *data, const struct pp_year_event *event);
     void (*pane)(void *data, const struct pp_year_event *event); /* NULL: not needed */
-    /* Is the irradiance at this inside surface known? Then it counts as E += w times it,
-     * and the path ends. NULL: never. */
+    /* Returns true if the irradiance of this inside surface is known. It then counts as
+     * E += w times it, and the path ends. NULL: never. */
     bool (*known)(void *data, const struct pp_year_event *event);
 };
 

@@ -11,7 +11,8 @@ int pp_year_solve_columns(const struct pp_year_task *task)
 }
 
 enum { BLOCK = 8, TERMS_MOST = 400 };
-static const double LAST_TERM = 1e-5; /* of the sum */
+static const double LAST_TERM = 1e-5; /* terms below this share of the sum are
+                                       * dropped */
 
 typedef float block_row[BLOCK];
 
@@ -48,7 +49,7 @@ struct year_system {
     const struct pp_sparse_rows *of_cells, *of_points;
 };
 
-/* Space for a block: V, a term and the next one, the sun's row; the columns of D. */
+/* Buffers for a block: V, a term and the next one, the sun's row; the columns of D. */
 struct block_space {
     block_row *V, *term, *next, *sun, *D;
 };

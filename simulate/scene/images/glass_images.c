@@ -8,7 +8,8 @@
 #include "simulate/sampling/sample_discrete.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* An opening is before the glass, and a part of it is seen, if by more than this. */
+/* An opening is in front of the glass, or partly visible, only by more than this
+ * (m). */
 static const double LEAST_M = 1e-6;
 
 /* ---- found ---- */
@@ -26,14 +27,14 @@ static bool mirrors(const struct pp_light_scene *scene, int pane)
            && scene->panes[pane].opening->glass.panes > 0;
 }
 
-/* Light exchanged by two openings that face each other, but for its factor. */
+/* Light exchanged by two openings that face each other, up to a constant factor. */
 static double exchange(const struct pp_target *glass, const struct pp_target *window)
 {
     double apart = pp_vec_length(pp_vec_sub(glass->middle, window->middle));
     return glass->area_m2 * window->area_m2 / (apart * apart);
 }
 
-/* Index of the smallest. */
+/* Index of the smallest value. */
 static int least_of(const double *worth, int count)
 {
     int least = 0;
@@ -83,8 +84,8 @@ bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int wind
 
 /* ---- seen ---- */
 
-/* Least reflectance of glass: one as clear as its stack of panes can be mirrors nothing
- * straight ahead, and some at a slant. */
+/* Least reflectance of glass: panes of the greatest possible transmittance reflect
+ * nothing at normal incidence, but something at oblique incidence. */
 static const double LEAST_REFLECTANCE = 0.01;
 
 /* Bounds of a point's view through an outline of the target's plane, along the target's
@@ -99,8 +100,8 @@ static void widen(struct seen_box *box, int axis, double value)
     box->high[axis] = fmax(box->high[axis], value);
 }
 
-/* Each vertex that is on the target's side of the point throws a shadow there; where an
- * edge crosses over to the other side, shadows go on endlessly. */
+/* Projects each vertex on the target's side of the point on to the target's plane; if
+ * an edge crosses to the other side the box is unbounded. */
 static struct seen_box seen_through(const struct pp_polygon *outline,
                                     const struct pp_target *target,
                                     struct pp_vec3 centre, struct pp_vec3 from)
@@ -130,8 +131,8 @@ static struct seen_box seen_through(const struct pp_polygon *outline,
     return box;
 }
 
-/* The part of the target in the box; false where there is none. Of other figures than
- * rectangles it is the whole. */
+/* Clips the target to the box; false if nothing is left. Targets other than rectangles
+ * are kept whole. */
 static bool cut_to(struct pp_target *target, const struct seen_box *box)
 {
     double x0 = fmax(box->low[0], 0.0), x1 = fmin(box->high[0], target->width_m);
@@ -149,7 +150,7 @@ static bool cut_to(struct pp_target *target, const struct seen_box *box)
     return true;
 }
 
-/* The image of the view's point in that glass. */
+/* Mirror image of the view's point in that glass. */
 static struct pp_vec3 image_point(const struct pp_target *glass,
                                   const struct pp_glass_view *view)
 {
@@ -157,7 +158,7 @@ static struct pp_vec3 image_point(const struct pp_target *glass,
                         glass->normal);
 }
 
-/* The part of the opening that shows in the glass; false where that is none. */
+/* The part of the opening that is visible in the glass; false if there is none. */
 static bool seen_part(const struct pp_light_scene *scene,
                       const struct pp_glass_view *view, int index,
                       struct pp_target *part)
@@ -174,7 +175,7 @@ static bool seen_part(const struct pp_light_scene *scene,
     return cut_to(part, &box);
 }
 
-/* Importance of the image, by the reflectance in the middle of it. */
+/* Importance of the image, with the reflectance at its middle. */
 static double image_importance(const struct pp_light_scene *scene,
                                const struct pp_glass_view *view,
                                struct pp_brightness brightness, int index)
@@ -208,7 +209,7 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
         view->share[i] = image_importance(scene, view, brightness, i);
 }
 
-/* Sight of an image that is visible. */
+/* The stored view of an image that is visible. */
 static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
                                        struct pp_glass_view *view,
                                        struct pp_brightness brightness, int index)

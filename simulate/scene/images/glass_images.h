@@ -1,12 +1,12 @@
 /* glass_images.h - images of openings in the glass of other openings, sampled by
  * next-event estimation at the points of a room (tracer/path.h).
  *
- * Clear glass mirrors: seen from a point, one opening stands behind the glass of
- * another as it stands before the point's own image. Directions to it are sampled from
- * there (sample_polygon.h), to that part of it alone which the outline of the glass
- * lets the image see, and unfolded. Glass reflects a tenth, and the image shows bright
- * sky: only a few in thousands of the rays of a diffuse lobe find it, with many times
- * the mean light.
+ * Clear glass reflects: the image of one opening in the glass of another is seen from a
+ * point in the same way as the opening is seen from the point's mirror image.
+ * Directions are sampled from that image (sample_polygon.h) to the part of the opening
+ * that is visible through the outline of the glass, and mirrored back. Glass reflects a
+ * tenth, and the image shows bright sky: only a few in thousands of the rays of a
+ * diffuse lobe find it, with many times the mean light.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
 #define PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
@@ -14,10 +14,10 @@
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/light_scene.h"
 
-/* The pairs that have most of each other; the light of others is left to the rays. */
+/* Number of pairs sampled, those that exchange most light; others are left to rays. */
 enum { PP_GLASS_IMAGES_MOST = 32 };
 
-/* An opening, and another one in whose glass it is mirrored: panes by number. */
+/* An opening and another one in whose glass it is mirrored, as indices of panes. */
 struct pp_glass_image {
     int glass, window;
 };
@@ -26,12 +26,12 @@ struct pp_glass_image {
  * openings lie in one plane, or in one without glass. */
 enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_error *err);
 
-/* True if it is one of the scene's. */
+/* True if the pair is one of the scene's images. */
 bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int window);
 
 /* One image, seen from the view's point. */
 struct pp_glass_sight {
-    int image;               /* one more than its number; 0: none */
+    int image;               /* index of the image plus 1; 0: none */
     struct pp_target target; /* the part of the opening that is seen */
     struct pp_polygon_sampler sampler;
 };
@@ -43,7 +43,8 @@ struct pp_glass_view {
     struct pp_vec3 point, normal;
     double share[PP_GLASS_IMAGES_MOST]; /* possible contribution of each; 0: not
                                          * visible */
-    struct pp_glass_sight kept[PP_GLASS_SIGHTS]; /* by number modulo their count */
+    struct pp_glass_sight kept[PP_GLASS_SIGHTS]; /* by index of the image modulo
+                                                  * PP_GLASS_SIGHTS */
 };
 
 /* Samples a direction from the point to an image, by three numbers in (0, 1), and its

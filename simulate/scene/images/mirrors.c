@@ -21,7 +21,7 @@ static const double SAME_NORMAL = 1e-12, SAME_OFFSET = 1e-7;
 /* A part that mirrors. */
 struct candidate {
     int part;
-    double share, weight; /* its reflectance; that times its area */
+    double share, weight; /* reflectance; reflectance times area */
 };
 
 /* The part's specular reflectance at normal incidence, on the better of its sides. */
@@ -45,7 +45,7 @@ static int by_weight(const void *a, const void *b)
     return x->part - y->part;
 }
 
-/* The part's plane; false where it is curved. */
+/* The part's plane; false if it is curved. */
 static bool mirror_plane(const struct pp_light_scene *scene, int index,
                          struct pp_mirror *plane)
 {
@@ -69,7 +69,8 @@ static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
            && fabs(offset - a->offset_m) < SAME_OFFSET * (1.0 + fabs(a->offset_m));
 }
 
-/* Mirror in the part's plane, a new one if there are not too many; else -1. */
+/* Index of the mirror in the part's plane, which is added if there are not too many;
+ * else -1. */
 static int mirror_of(struct pp_light_scene *scene, const struct candidate *candidate)
 {
     struct pp_mirror plane;
@@ -131,8 +132,7 @@ static int by_share(const void *a, const void *b)
     return x->mirrors[1] - y->mirrors[1];
 }
 
-/* Makes paths by one mirror, or by one and then another: those of the greatest
- * shares. */
+/* Makes paths by one mirror and by two in succession: those of the greatest shares. */
 static void make_mirror_paths(struct pp_light_scene *scene)
 {
     int count = scene->mirror_count, most = MOST_CONNECTIONS / scene->emitter_count;
@@ -148,8 +148,8 @@ static void make_mirror_paths(struct pp_light_scene *scene)
                  scene->mirror_paths[scene->mirror_path_count - 1].share);
 }
 
-/* The greatest product of three reflectances: of the best mirror, the second, and the
- * best again. */
+/* The greatest product of three successive reflectances: best mirror, second best,
+ * best. */
 static double share_of_three(const struct pp_light_scene *scene)
 {
     double first = 0.0, second = 0.0;

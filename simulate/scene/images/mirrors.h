@@ -2,9 +2,9 @@
  *
  * As Radiance does for its `mirror` [WS98], but for any surface that mirrors:
  * directions to the emitter are sampled from the image of the shading point behind the
- * mirror, and unfolded again. Curved mirrors, the lesser planes of many and third
- * reflections are left to rays that find the emitter; the light that these may miss is
- * part of the stated error (unsampled.h).
+ * mirror, and unfolded again. Curved mirrors, weaker planes if there are many, and
+ * third reflections are left to rays that reach the emitter by chance. The light that
+ * they may miss is part of the stated error (unsampled.h).
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_MIRRORS_H
 #define PP_SIMULATE_SCENE_IMAGES_MIRRORS_H
@@ -18,19 +18,19 @@ struct pp_mirror {
     double share; /* the greatest reflectance of its parts at normal incidence */
 };
 
-/* Mirrors one after the other on the way from a point to an emitter. Numbers of mirror
- * paths below may be -1: the path without a mirror. */
+/* Successive mirrors between a point and an emitter. Indices of mirror paths below may
+ * be -1: the path without a mirror. */
 enum { PP_MIRROR_PATH_MOST = 2 };
 struct pp_mirror_path {
-    int mirrors[PP_MIRROR_PATH_MOST]; /* -1 behind the last */
-    double share;                     /* the product of theirs */
+    int mirrors[PP_MIRROR_PATH_MOST]; /* -1 after the last */
+    double share;                     /* product of the mirrors' shares */
 };
 
 /* Finds the scene's mirrors and mirror paths, after all its parts and emitters are
  * added. */
 enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *err);
 
-/* The mirror path with that mirror behind its last; -1: there is none. */
+/* The mirror path that extends this one by the mirror; -1: there is none. */
 int pp_mirrors_path_extend(const struct pp_light_scene *scene, int mirror_path,
                            int mirror);
 
@@ -40,8 +40,8 @@ struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
 struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
                                          int mirror_path, struct pp_vec3 u);
 
-/* The direction in which light that leaves the last mirror along u has left the
- * point. */
+/* The direction in which a ray must leave the point to leave the last mirror along
+ * u. */
 struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
                                       int mirror_path, struct pp_vec3 u);
 

@@ -1,5 +1,5 @@
-/* reflectors.c - the glossy planes of a scene with its emitters, and directions
- * drawn as their lobes are shaped. */
+/* reflectors.c - the glossy planes of a scene with its emitters, and directions drawn
+ * in proportion to their lobes. */
 #include "simulate/scene/images/reflectors.h"
 
 #include <math.h>
@@ -13,12 +13,12 @@ enum {
     MOST_EMITTERS = 32, /* most emitters of a scene whose reflections are sampled */
 };
 
-/* Wider lobes are left to the rays of the diffuse lobe. */
+/* Greatest roughness; wider lobes are left to rays of the diffuse lobe. */
 static const double WIDEST = 0.4;
 
 /* ---- found ---- */
 
-/* The reflector that the part's side would be; false where it is none. */
+/* Makes a reflector of the part's side; false if it is not one. */
 static bool reflector_of(const struct pp_light_scene *scene, int index, int side,
                          struct pp_reflector *reflector)
 {
@@ -50,7 +50,7 @@ static bool same_reflector(const struct pp_reflector *a, const struct pp_reflect
            && pp_vec_dot(a->frame.x, b->frame.x) > 1.0 - 1e-9;
 }
 
-/* The number of the reflector, a new one if there are not too many; else -1. */
+/* Index of the reflector, which is added if there are not too many; else -1. */
 static int reflector_number(struct pp_light_scene *scene,
                             const struct pp_reflector *reflector)
 {
@@ -75,7 +75,8 @@ static double light_of(const struct pp_light_scene *scene, int index)
     return pp_rgb_luminance(emitter->radiance) * size;
 }
 
-/* Makes all pairs with an emitter, chosen in proportion to their possible light. */
+/* Makes all pairs with an emitter, with probabilities in proportion to their possible
+ * light. */
 static void make_reflections(struct pp_light_scene *scene)
 {
     double sum = 0.0;
@@ -135,8 +136,8 @@ int pp_reflectors_reflection(const struct pp_light_scene *scene, int reflector,
     return reflector * scene->emitter_count + emitter;
 }
 
-/* The direction, in the reflector's frame, in which the middle of the emitter is mirrored
- * to the point; false where that side does not see both. */
+/* The direction, in the reflector's frame, in which the emitter's middle is mirrored to
+ * the point; false unless both are in front of it. */
 static bool mirrored_from(const struct pp_light_scene *scene,
                           const struct pp_reflection *reflection, struct pp_vec3 from,
                           struct pp_vec3 *light)

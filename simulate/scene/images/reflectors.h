@@ -1,11 +1,11 @@
 /* reflectors.h - plane parts with a gloss, by which next-event estimation samples
- * emitters: the light that polished metal throws on a ceiling.
+ * emitters: for example the light that polished metal reflects to a ceiling.
  *
- * A rough gloss has no image to aim at, as a mirror has (mirrors.h). But the light of an
- * emitter leaves the plane about one direction, drawn as the gloss is shaped: a diffuse
- * surface sends a ray against that direction, and if the ray comes to the reflector
- * takes the emitter's light there. A ray of the diffuse lobe may find the same light:
- * multiple importance sampling divides it between the two.
+ * A rough gloss has no sharp image to aim at, unlike a mirror (mirrors.h). But the
+ * light of an emitter leaves the plane in a lobe about one direction. A direction of
+ * that lobe is drawn; a diffuse surface sends a ray against it and, if the ray meets
+ * the reflector, adds the emitter's light there. A ray of the diffuse lobe may find the
+ * same light: multiple importance sampling divides it between the two.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_REFLECTORS_H
 #define PP_SIMULATE_SCENE_IMAGES_REFLECTORS_H
@@ -18,7 +18,7 @@ struct pp_reflector {
     struct pp_frame frame; /* x along the grain, z the side's normal */
     double offset_m;       /* z . x of its points */
     int gloss;
-    double share, area_m2; /* the gloss' greatest reflectance; of all its parts */
+    double share, area_m2; /* the gloss' greatest reflectance; area of all its parts */
 };
 
 /* A reflector with an emitter, and its probability of being chosen. */
@@ -30,11 +30,11 @@ struct pp_reflection {
 /* Finds the scene's reflectors, after all parts, glosses and emitters are added. */
 enum pp_status pp_reflectors_find(struct pp_light_scene *scene, struct pp_error *err);
 
-/* The reflection that u in [0, 1) falls to; -1: there is none. */
+/* The reflection selected by u in [0, 1); -1: there is none. */
 int pp_reflectors_choose(const struct pp_light_scene *scene, double u);
 
-/* A direction from a point against the light that the reflector throws on it, by two
- * numbers in (0, 1); false where there is none. */
+/* A direction from a point to the reflector against the emitter's reflected light, by
+ * two numbers in (0, 1); false if there is none. */
 bool pp_reflectors_sample(const struct pp_light_scene *scene, int reflection,
                           struct pp_vec3 from, double u, double v, struct pp_vec3 *to);
 
@@ -42,7 +42,7 @@ bool pp_reflectors_sample(const struct pp_light_scene *scene, int reflection,
 double pp_reflectors_pdf(const struct pp_light_scene *scene, int reflection,
                          struct pp_vec3 from, struct pp_vec3 to);
 
-/* The reflection of that reflector and emitter; -1: it is not sampled. */
+/* Index of the reflection of that reflector and emitter; -1: it is not sampled. */
 int pp_reflectors_reflection(const struct pp_light_scene *scene, int reflector,
                              int emitter);
 

@@ -1,5 +1,5 @@
-/* window_images.c - pairs of a polished plane and an opening, and directions to the one
- * in the other. */
+/* window_images.c - pairs of a polished plane and an opening, and directions to the
+ * image of the opening. */
 #include "simulate/scene/images/window_images.h"
 
 #include <math.h>
@@ -10,8 +10,8 @@
 
 enum { MOST_IMAGES = 32 };
 
-/* The image is larger than the opening by this many times the lobe's roughness, at the
- * opening's distance from the reflector, on each side. Chosen by trial. */
+/* The image is enlarged on each side by this factor times the lobe's roughness times
+ * the opening's distance from the reflector. Chosen by trial. */
 static const double BLUR = 2.0;
 
 /* ---- found ---- */
@@ -40,7 +40,7 @@ enum pp_status pp_window_images_find(struct pp_light_scene *scene, struct pp_err
 
 /* ---- seen ---- */
 
-/* The viewer's image in a reflector; false where it stands behind that. */
+/* The viewer's mirror image in a reflector; false if the viewer is behind it. */
 static bool image_of(const struct pp_reflector *reflector,
                      const struct pp_image_viewer *viewer,
                      struct pp_image_viewer *image)
@@ -52,7 +52,8 @@ static bool image_of(const struct pp_reflector *reflector,
     return over > 0.0;
 }
 
-/* The opening, enlarged by the gloss, for a viewer's image `over` the reflector. */
+/* The opening enlarged by the gloss, for a viewer's image at height `over` over the
+ * reflector. */
 static struct pp_target blurred(const struct pp_light_scene *scene,
                                 const struct pp_window_image *image,
                                 struct pp_vec3 from)

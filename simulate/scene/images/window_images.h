@@ -1,13 +1,13 @@
 /* window_images.h - images of openings in the polished planes of a room, sampled by
  * next-event estimation.
  *
- * Seen from a point, an opening stands behind a plane mirror as it stands before the
- * point's own image: directions to it are sampled from there (sample_polygon.h), and
- * unfolded. A gloss blurs the image: it is sampled as if the opening were larger, by as
- * much as the lobe is wide at its distance. A ray that comes to the reflector by such a
- * direction goes on as the gloss is shaped, and has the opening's light if it meets it.
- * The rays of the diffuse lobe find the same light: multiple importance sampling
- * divides it between the two.
+ * The image of an opening in a plane mirror is seen from a point in the same way as the
+ * opening is seen from the point's mirror image: directions are sampled from there
+ * (sample_polygon.h), and mirrored back. A gloss blurs the image: it is sampled as if
+ * the opening were larger, by as much as the lobe is wide at its distance. A ray that
+ * reaches the reflector in such a direction continues in a direction of the gloss lobe,
+ * and has the opening's light if it meets it. The rays of the diffuse lobe find the
+ * same light: multiple importance sampling divides it between the two.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
 #define PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
@@ -25,10 +25,11 @@ struct pp_window_image {
 enum pp_status pp_window_images_find(struct pp_light_scene *scene,
                                      struct pp_error *err);
 
-/* A diffuse side of a surface that looks for images: points as the scene's own. */
+/* One side of a diffuse surface for which images are sampled, in the scene's
+ * coordinates. */
 struct pp_image_viewer {
     struct pp_vec3 point, normal;
-    struct pp_brightness brightness; /* as guessed, outside */
+    struct pp_brightness brightness; /* estimated brightness outside */
 };
 
 /* Chooses an image by u in [0, 1), in proportion to its possible light at the viewer,
@@ -43,8 +44,8 @@ bool pp_window_images_sample(const struct pp_light_scene *scene, int image,
                              const struct pp_image_viewer *viewer, double u, double v,
                              struct pp_vec3 *to, double *pdf);
 
-/* The density of choosing the image of that window in that reflector and the direction,
- * per steradian; 0 where it is none. */
+/* The density of choosing the image of that window in that reflector, and the
+ * direction, per steradian; 0 if there is no such image. */
 double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
                             int window, const struct pp_image_viewer *viewer,
                             struct pp_vec3 to);
