@@ -136,8 +136,7 @@ struct pp_method {
                               const struct pp_opening *opening, const void *tools,
                               struct pp_part *part, bool *known, struct pp_error *err);
 
-    /* ---- fast ways to the same figures; not used with --plain, and all may be NULL
-     * ---- */
+    /* ---- fast ways to the same figures; not used with --plain; may be NULL ---- */
 
     /* Replaces prepare, for a method whose tools only save time. */
     enum pp_status (*prepare_fast)(void **tools, const struct pp_world *world,
