@@ -113,8 +113,9 @@ struct pp_light_path {
     bool gloss_split; /* several directions were sampled there */
     bool here_split;  /* the same for the present surface */
     uint32_t gloss_rays, here_gloss_rays;
-    bool from_diffuse; /* the ray comes directly from a diffuse lobe; from and off are
-                       * its surface's */
+    bool
+        from_diffuse; /* has the ray come from a diffuse lobe straight? from and off are
+                        * its surface's */
     struct pp_arrival arrival, here_arrival; /* at the gloss or mirror that the ray
                                               * comes from, and at the present
                                               * surface */

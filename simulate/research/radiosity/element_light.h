@@ -17,8 +17,8 @@ struct pp_element_light_accuracy {
         tolerance;  /* greatest uncertainty of illuminance over Eh for which an element
                      * represents its parts */
     double divided; /* the same, above which an undivided element is to be divided */
-    double most_factor; /* greatest form factor of an element that may be partly hidden;
-                      * larger ones are divided */
+    double
+        most_factor; /* of an element that something may hide: larger ones are divided */
     double least_factor; /* below this form factor only the middle is tested for
                           * visibility */
 };

@@ -27,8 +27,8 @@ struct pp_element {
     double sky,
         outside; /* part of the radiosity that a diffusing pane transmits from the sky,
                   * and from other sources outside */
-    double spread; /* possible variation of the radiosity over the element; INFINITY:
-                 * unknown */
+    double
+        spread; /* how much of it may differ from place to place; INFINITY: not known */
 };
 
 struct pp_element_tree {
