@@ -209,14 +209,13 @@ static void print_discretisation(const struct text_page *page)
     char text[320];
     if (d->points == 0)
         return;
-    snprintf(
-        text, sizeof text,
-        "against paths under the true sky and sun, %d point%s in %d hours: patches "
-        "%+.2f %% %s %.2f of the sky's light (rms of hours %.2f %%); patches and "
-        "cells %+.1f %% %s %.1f of all light but direct sun",
-        d->points, d->points == 1 ? "" : "s", d->hours, 100.0 * d->sky.value, sign,
-        100.0 * d->sky.std_error, 100.0 * d->sky_rms, 100.0 * d->all.value, sign,
-        100.0 * d->all.std_error);
+    snprintf(text, sizeof text,
+             "against paths under the true sky and sun, %d point%s in %d hours: "
+             "patches %+.2f %% %s %.2f of the sky's light (rms of hours %.2f %%). "
+             "Patches and cells: %+.1f %% %s %.1f of all light but direct sun",
+             d->points, d->points == 1 ? "" : "s", d->hours, 100.0 * d->sky.value, sign,
+             100.0 * d->sky.std_error, 100.0 * d->sky_rms, 100.0 * d->all.value, sign,
+             100.0 * d->all.std_error);
     print_annual_fact(page, "discretisation", text);
 }
 

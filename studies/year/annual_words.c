@@ -110,14 +110,13 @@ static void say_blinds(struct pp_annual_sheet *sheet,
                  "none: without blinds the share of the plane with 300 lx in half of "
                  "the hours is not sDA");
     else
-        snprintf(
-            sheet->blinds, sizeof sheet->blinds,
-            "LM-83-12, open loop: a window group (one wall, one glass) is closed in "
-            "hours with 1000 lx or more of direct sun through it on more than 2 %% of "
-            "the points; closed, its panes are even diffuse emitters of %g of the "
-            "light on them, times their diffuse transmittance. All other figures are "
-            "with open blinds",
-            PP_BLIND_GROUPS_TRANSMITTANCE);
+        snprintf(sheet->blinds, sizeof sheet->blinds,
+                 "LM-83-12, open loop: the blinds of a window group (one wall, one "
+                 "glass) close if it gives more than 2 %% of the points 1000 lx or "
+                 "more of direct sun. Closed, its panes are even diffuse emitters of "
+                 "%g of the light on them, times their diffuse transmittance. All "
+                 "other figures are with open blinds",
+                 PP_BLIND_GROUPS_TRANSMITTANCE);
 }
 
 static void name_groups(struct pp_annual_sheet *sheet, const struct pp_world *world,
@@ -204,11 +203,10 @@ void pp_annual_words_method(struct pp_annual_sheet *sheet,
             "path, sun at its true place at every surface",
             samples);
     else
-        snprintf(
-            sheet->method, sizeof sheet->method,
-            "direct sun in closed form at its true place; direct sky in closed form, "
-            "%d patches; reflected light by paths, 16 x %d a point, by way of %d "
-            "cells, on which the sun has its true place; sunlight that glass "
-            "reflects regularly is left out",
-            options->patches, samples, cells);
+        snprintf(sheet->method, sizeof sheet->method,
+                 "direct sun in closed form at its true place; direct sky in closed "
+                 "form, %d patches. Reflected light by paths, 16 x %d a point, through "
+                 "%d cells with the sun at its true place; sunlight reflected "
+                 "regularly by glass is left out",
+                 options->patches, samples, cells);
 }

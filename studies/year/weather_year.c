@@ -236,7 +236,7 @@ const char *pp_weather_year_warning(char *text, size_t room,
     case PP_CLOSURE_SEASONAL:
         snprintf(text, room,
                  "the radiation in the weather file fits a sun shift of %g minutes "
-                 "from April to September and of %g in the other months: the file may "
+                 "from April to September and of %g in the other months. The file may "
                  "use summer time; sun shift in use: %g minutes",
                  60.0 * c->summer_h, 60.0 * c->winter_h, 60.0 * year->sun_shift_h);
         return text;

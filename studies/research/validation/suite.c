@@ -61,7 +61,7 @@ const struct pp_suite pp_suite_radiance = {
 
 const struct pp_suite pp_suite_engines = {
     .name = "engines",
-    .summary = "What simulates, beside the path tracer",
+    .summary = "simulation engines, compared with the path tracer",
     .limits =
         "within three standard errors of the difference; of the irradiance cache, "
         "which is not without bias, and 2 %; 1 in 100 may be outside",
@@ -90,11 +90,10 @@ static const struct pp_suite published = {
 static const struct pp_suite cie171 = {
     .name = "cie171",
     .summary = "the daylight cases of CIE 171:2006, 2592 values",
-    .limits =
-        "exact within 0.1 % (0.25 % where a mask cuts the opening) or 0.001 % "
-        "daylight factor of an independent integration, and within 1 % or 0.02 % of "
-        "what is printed soundly; traced within three standard errors of exact, but "
-        "for 1 in 100",
+    .limits = "exact: within 0.1 % (0.25 % where a mask cuts the opening) or 0.001 % "
+              "daylight factor of an independent integration. It is also within 1 % or "
+              "0.02 % of soundly printed values. Traced: within three standard errors "
+              "of exact, except 1 in 100",
     .samples = 64,
     .chance = 0.01,
     .run = run_cie171};
