@@ -16,8 +16,8 @@
 enum pp_status pp_array_reserve(void *list, int *capacity, int wanted, size_t size,
                                 struct pp_error *err);
 
-/* Room for one item more than `count`, for lists that keep no capacity: they have grown
- * by this function only, so that it is the power of two that count has reached. */
+/* Room for one item more than `count`, for lists that keep no capacity: such a list may
+ * grow by this function only, which makes its capacity the next power of two. */
 enum pp_status pp_array_append(void *list, int count, size_t size,
                                struct pp_error *err);
 

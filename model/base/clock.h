@@ -2,7 +2,7 @@
 #ifndef PP_MODEL_BASE_CLOCK_H
 #define PP_MODEL_BASE_CLOCK_H
 
-/* Seconds since some moment of the past, by a clock that nobody sets (monotonic). */
+/* Seconds since an arbitrary moment, by a monotonic clock. */
 double pp_clock_s(void);
 
 #endif

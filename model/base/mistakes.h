@@ -1,4 +1,4 @@
-/* mistakes.h - all that is wrong with an input file, gathered before any of it is
+/* mistakes.h - all mistakes in an input file, collected before any of them is
  * printed. */
 #ifndef PP_MODEL_BASE_MISTAKES_H
 #define PP_MODEL_BASE_MISTAKES_H

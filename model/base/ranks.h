@@ -15,7 +15,8 @@ struct pp_ranks {
     int rank;  /* this process, from 0 */
     int count; /* of processes, 2 or more */
 
-    /* Sends a message; does not wait until it has arrived. To who is dead: nothing. */
+    /* Sends a message; does not wait until it has arrived. A message to a dead rank is
+     * dropped. */
     enum pp_status (*send)(void *data, int to, const void *bytes, size_t length,
                            struct pp_error *err);
 

@@ -10,9 +10,10 @@
 #define PP_READ_FILE_STREAM_MOST ((size_t)512 << 20)
 
 /* Reads the file; path "-" is standard input. On success *bytes is the caller's to
- * free; *length is their number, at most `most` + 1, which says that the file is larger
- * than `most`. PP_BAD_INPUT where there is no such file, or a directory, a device, or a
- * stream of more than PP_READ_FILE_STREAM_MOST; PP_INTERRUPTED by a signal; PP_SYSTEM for other failures. */
+ * free; *length is their number, at most `most` + 1, which means that the file is
+ * larger than `most`. PP_BAD_INPUT where there is no such file, or a directory, a
+ * device, or a stream of more than PP_READ_FILE_STREAM_MOST; PP_INTERRUPTED by a
+ * signal; PP_SYSTEM for other failures. */
 enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
                             struct pp_error *err);
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The folder of a file from the root of all on, without links; NULL: there is none. */
+/* The absolute folder of a file, with links resolved; NULL: there is none. */
 static char *whole_folder_of(const char *file)
 {
     const char *end = strrchr(file, '/');
@@ -15,7 +15,8 @@ static char *whole_folder_of(const char *file)
     return whole;
 }
 
-/* Bytes of the folders that both begin with: up to behind a '/', or to the end of one. */
+/* Length of the common leading folders of two paths, in bytes: up to and including a
+ * '/', or to the end of one. */
 static size_t common(const char *a, const char *b)
 {
     size_t shared = 0;

@@ -228,7 +228,7 @@ static const char *skip_digits(const char *p, int *count)
     return p;
 }
 
-/* The end of the decimal number at p, or NULL if none stands there. */
+/* The end of the decimal number at p, or NULL if there is none. */
 static const char *decimal_end(const char *p)
 {
     int digits = 0, exponent_digits = 0;

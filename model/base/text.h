@@ -34,7 +34,7 @@ int pp_text_edit_distance(const char *a, const char *b);
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
 
 /* "did you mean NAME?" with NAME between `before` and `after`, which may hold more than
- * quotes; empty where name is NULL. The words stand in the program once: here. */
+ * quotes; empty where name is NULL. No other place of the program has these words. */
 const char *pp_text_did_you_mean(char *text, size_t room, const char *before,
                                  const char *name, const char *after);
 
@@ -75,8 +75,9 @@ static inline bool pp_text_is_white(char c)
 }
 
 /* The bytes, 1 to 4, of the UTF-8 letter that starts the `left` bytes at text (1 at
- * least), and its number in *letter, which may be NULL; 0 where they start none: overlong
- * forms, surrogates and numbers above U+10FFFF are none. Reads no byte behind a NUL. */
+ * least), and its number in *letter, which may be NULL; 0 if they do not start a
+ * letter: overlong forms, surrogates and numbers above U+10FFFF are not letters. Reads
+ * no byte behind a NUL. */
 int pp_text_letter(const char *text, size_t left, int32_t *letter);
 
 /* True if the text has no control characters, which a terminal would obey. */

@@ -9,8 +9,8 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Small work: the most indices that a worker takes at once, and the fewest times it does
- * so, which keeps all workers busy to the end. */
+/* Small work: the most indices in a batch, and the fewest batches for each worker, so
+ * that all workers are busy to the end. */
 enum { BATCH_MOST = 16, BATCHES_LEAST = 16 };
 
 struct pool_worker {
@@ -95,8 +95,8 @@ int pp_thread_pool_size(const struct pp_thread_pool *pool)
     return pool->size;
 }
 
-/* Runs indices until there are none. No index is started after one that stopped the
- * rest, but started ones are finished, so that the finished ones are the first. */
+/* Runs indices until there are none left. No index is started after one that stopped
+ * the work; those already started are finished. */
 static void run_indices(struct pp_thread_pool *pool, int worker)
 {
     while (!atomic_load(&pool->stopped)) {
@@ -134,8 +134,8 @@ static void *worker_main(void *data)
     return NULL;
 }
 
-/* Starts workers until there are `wanted`. Signals are left to the program's own
- * thread. */
+/* Starts workers until there are `wanted`. They block signals, which the main thread
+ * handles. */
 static void start_workers(struct pp_thread_pool *pool, int wanted)
 {
     sigset_t all, before;
@@ -162,7 +162,7 @@ static void wake_workers(struct pp_thread_pool *pool)
     pthread_mutex_unlock(&pool->mutex);
 }
 
-/* Who comes from now on is too late; who is at work has an index to finish. */
+/* Closes the work to further workers, and waits until those at work have finished. */
 static void close_and_wait(struct pp_thread_pool *pool)
 {
     pthread_mutex_lock(&pool->mutex);

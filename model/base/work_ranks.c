@@ -18,13 +18,14 @@
 #include "model/base/thread_pool.h"
 #include "model/base/work_results.h"
 
-/* Between two looks for a message; and between two questions of who was told to wait. */
+/* Seconds between two checks for a message; and between two requests of a rank that was
+ * answered WAIT. */
 static const double look_s = 0.0005, ask_again_s = 0.1;
 
 /* Time after which a rank without an answer gives up: rank 0 is dead. */
 static const double given_up_s = 60.0;
 
-/* Chunks for each thread of all ranks, if none took longer than another. */
+/* Number of chunks for each thread of all ranks, if all took equally long. */
 enum { CHUNKS = 8, CHUNK_MOST = 16 };
 
 enum kind { ASK, GIVE, WAIT, OVER, DONE };
@@ -135,7 +136,7 @@ static enum pp_status hear(struct leading *leading, int from, const char *messag
     return PP_OK;
 }
 
-/* Assigns work until all is done, or messages fail. */
+/* Rank 0's loop: assigns work until all is done or messages fail. */
 static void lead(struct leading *leading)
 {
     const struct pp_ranks *ranks = leading->queue->ranks;
@@ -158,7 +159,7 @@ static void lead(struct leading *leading)
     }
 }
 
-/* A thread of rank 0's own: the next index of any, until it is over. */
+/* Work of a thread of rank 0: the next unassigned index, until the queue is over. */
 static void work_for_rank_0(struct leading *leading, int worker)
 {
     const struct pp_work_queue *queue = leading->queue;
@@ -188,7 +189,7 @@ static void work_for_rank_0(struct leading *leading, int worker)
     }
 }
 
-/* Pool work: the caller assigns, the others work, each until all is done. */
+/* Pool work: the calling thread assigns, the others work, until all is done. */
 static bool lead_or_work(void *data, int worker, int index)
 {
     struct leading *leading = data;
@@ -200,7 +201,7 @@ static bool lead_or_work(void *data, int worker, int index)
     return true;
 }
 
-/* Busy ranks read the message when they are done. */
+/* Sends OVER to all ranks; busy ranks read it when they are done. */
 void pp_work_ranks_dismiss(const struct pp_ranks *ranks)
 {
     const struct head over = {.kind = OVER};
@@ -261,7 +262,7 @@ static enum pp_status tell(const struct pp_ranks *ranks, int index,
     return status;
 }
 
-/* A chunk, as many indices at a time as there are threads. */
+/* Works out a chunk, as many indices at a time as there are threads. */
 static enum pp_status do_chunk(struct following *following, struct pp_thread_pool *pool,
                                int first, int count, struct pp_error *err)
 {

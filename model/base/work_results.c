@@ -1,10 +1,11 @@
-/* work_results.c - a slot for every index; the slots before `next` have been taken. */
+/* work_results.c - a slot for every index; the results before `next` have been
+ * collected. */
 #include "model/base/work_results.h"
 
 #include <stdlib.h>
 
-/* A rank is given up after a silence longer than this, and than some times the longest
- * time of any index. This affects time only: collected results stay. */
+/* A rank counts as lost after a silence longer than both this and a multiple of the
+ * longest time of any index. This affects time only: collected results stay. */
 static const double silence_s = 0.5, silence_times = 3.0;
 
 struct slot {

@@ -1,7 +1,7 @@
 /* xml.c - see xml.h.
  *
- * The parser takes the text piece by piece from on_read, which gives it nothing more once
- * a mistake has been noted, so that it soon ends.
+ * The parser reads the text piece by piece through on_read, which returns nothing more
+ * once a mistake has been noted, so that parsing ends soon.
  */
 #include "model/base/xml.h"
 
@@ -180,7 +180,7 @@ static const char *next_attribute(const char *p, const char *end, const char **n
     return p;
 }
 
-/* Is it xmlns="..." or xmlns:p="..."? libxml2 does not count these as attributes. */
+/* True for xmlns="..." or xmlns:p="...", which libxml2 does not count as attributes. */
 static bool is_declaration(const char *p, const char *end)
 {
     return end - p > 5 && memcmp(p, "xmlns", 5) == 0
@@ -361,7 +361,7 @@ static void note_sentence(struct xml_builder *b, const xmlError *error)
     pp_mistakes_add(b->mistakes, line_at(b, at), "%s", sentence.text);
 }
 
-/* Notes the first error; all that follow may come of it. */
+/* Notes the first error only, since later ones may be caused by it. */
 static void on_error(void *context, const xmlError *error)
 {
     struct xml_builder *b = context;

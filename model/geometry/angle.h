@@ -1,4 +1,4 @@
-/* angle.h - an angle by its sine and cosine, worked out once for many uses. */
+/* angle.h - an angle by its sine and cosine, calculated once for many uses. */
 #ifndef PP_MODEL_GEOMETRY_ANGLE_H
 #define PP_MODEL_GEOMETRY_ANGLE_H
 

@@ -32,7 +32,7 @@ static bool is_spike(const double a[2], const double b[2], const double c[2])
     return dot <= 0.0 && fabs(cross) <= 1e-9 * fabs(dot);
 }
 
-/* Takes spikes off a ring, which overlays leave: they have no area, but enlarge the
+/* Removes spikes from a ring, which overlays leave: they have no area, but enlarge the
  * bounding box. */
 static void take_spikes_off(struct pp_ring *ring)
 {

@@ -325,8 +325,8 @@ enum pp_status pp_clipper_close_gaps(struct pp_clipper *clipper,
     return pp_geos_region_from(result, geos, closed, clipper->grid, err);
 }
 
-/* Delaunay: the diagonal 0-2 is taken unless the circle through corners 0, 1 and 2 holds
- * corner 3 by more than rounding. Corners run counter-clockwise. */
+/* Delaunay: chooses the diagonal 0-2 unless the circle through corners 0, 1 and 2
+ * contains corner 3 by more than rounding. Corners run counter-clockwise. */
 static bool takes_first_diagonal(const double *const p[4])
 {
     double x[3], y[3], square[3], scale = 0.0;
@@ -342,7 +342,7 @@ static bool takes_first_diagonal(const double *const p[4])
     return !(held > 1e-12 * scale * scale);
 }
 
-/* The same for a convex ring of three or four corners, as most are, without GEOS. */
+/* Triangulates a convex ring of three or four corners, the usual case, without GEOS. */
 static enum pp_status cut_convex(double (**triangles)[3][2], int *count,
                                  const struct pp_ring *ring, struct pp_error *err)
 {

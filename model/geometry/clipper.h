@@ -50,7 +50,7 @@ enum pp_status pp_clipper_difference(struct pp_clipper *clipper,
                                      const struct pp_region *minus,
                                      struct pp_error *err);
 
-/* Takes a region from another, which stays as it was on failure. */
+/* Subtracts a region from another, which is unchanged on failure. */
 enum pp_status pp_clipper_take_away(struct pp_clipper *clipper,
                                     struct pp_region *region,
                                     const struct pp_region *minus,
@@ -62,7 +62,7 @@ enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *re
                                 const struct pp_region *region, double distance,
                                 struct pp_error *err);
 
-/* The region with the gaps in it and between its pieces, as far as they are narrower than
+/* The region with all gaps filled, in it and between its pieces, that are narrower than
  * `width` (greater than 0); its outer corners stay sharp. */
 enum pp_status pp_clipper_close_gaps(struct pp_clipper *clipper,
                                      struct pp_region *result,

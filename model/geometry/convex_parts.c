@@ -1,4 +1,5 @@
-/* convex_parts.c - tells a convex polygon, and divides any other into triangles. */
+/* convex_parts.c - tests whether a polygon is convex, and divides any other into
+ * triangles. */
 #include "model/geometry/convex_parts.h"
 
 #include <stdlib.h>

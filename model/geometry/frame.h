@@ -1,7 +1,7 @@
 /* frame.h - three axes at right angles, and points and directions seen in them.
  *
- * Right-handed: x cross y is z. Which way they point is the owner's: a face's frame has
- * z along its normal, a sampling frame has z along the axis of its lobe.
+ * Right-handed: x cross y is z. Their orientation is defined by the owner: a face's
+ * frame has z along its normal, a sampling frame has z along the axis of its lobe.
  */
 #ifndef PP_MODEL_GEOMETRY_FRAME_H
 #define PP_MODEL_GEOMETRY_FRAME_H

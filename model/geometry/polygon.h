@@ -28,12 +28,12 @@ struct pp_polygon {
  * counter-clockwise; zero for fewer than three vertices. */
 struct pp_vec3 pp_polygon_area_vector(const struct pp_vec3 *vertices, int count);
 
-/* A copy of the vertices with normal and area worked out; an area of zero leaves the
+/* A copy of the vertices with normal and area calculated; an area of zero leaves the
  * normal zero. On success the vertices are the caller's, to be given to
  * pp_polygon_clear. */
 enum pp_status pp_polygon_of(struct pp_polygon *polygon, const struct pp_vec3 *vertices,
                              int count, struct pp_error *err);
-/* Works them out anew from vertices that have been moved. */
+/* Recalculates normal and area from vertices that have been moved. */
 void pp_polygon_measure(struct pp_polygon *polygon);
 void pp_polygon_clear(struct pp_polygon *polygon);
 
@@ -44,8 +44,8 @@ struct pp_vec3 pp_polygon_middle(const struct pp_polygon *polygon);
  * in metres. */
 double pp_polygon_height(const struct pp_polygon *polygon, struct pp_vec3 point);
 
-/* Does no vertex of it lie behind the plane of the other, to a ten thousandth of a
- * millimetre? */
+/* True if no vertex of the polygon is behind the plane of the other, to a ten
+ * thousandth of a millimetre. */
 bool pp_polygon_is_before(const struct pp_polygon *polygon,
                           const struct pp_polygon *plane);
 

@@ -4,8 +4,8 @@
 
 enum { PP_POLYNOMIAL_MOST = 8 };
 
-/* powers[k], the coefficient of t^k, of the one of least degree that has values[i] at at[i]:
- * `count` places, all different, 1 to PP_POLYNOMIAL_MOST. By Newton's divided
+/* powers[k], the coefficient of t^k, of the polynomial of least degree with values[i]
+ * at at[i]: `count` different places, 1 to PP_POLYNOMIAL_MOST. By Newton's divided
  * differences. */
 static inline void pp_polynomial_through(double *powers, const double *at,
                                          const double *values, int count)

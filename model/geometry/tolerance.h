@@ -1,8 +1,8 @@
-/* tolerance.h - how near is the same, in one place.
+/* tolerance.h - tolerances of lengths and angles, in one place.
  *
  * A room file is typed by people, to the millimetre at best; two points nearer than
- * that are meant to be one. Sums of typed lengths (left + width) are off by rounding
- * only, and far less.
+ * that count as one. Sums of typed lengths (left + width) are off by rounding only, and
+ * far less.
  */
 #ifndef PP_MODEL_GEOMETRY_TOLERANCE_H
 #define PP_MODEL_GEOMETRY_TOLERANCE_H
@@ -18,8 +18,8 @@
 /* A receiver nearer to a surface than this lies on it. Metres. */
 #define PP_TOUCH_M 1e-4
 
-/* Surfaces that lie flush against the envelope are set off by this, so that it is
- * plain to a ray which of the two it meets. Metres. */
+/* Surfaces flush with the envelope are moved off it by this, so that rays meet them in
+ * a definite order. Metres. */
 #define PP_SET_OFF_M 1e-4
 
 /* A face is level, a direction horizontal, when its slope is below this (radians). */

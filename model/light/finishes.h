@@ -1,4 +1,4 @@
-/* finishes.h - the finishes that have a name (tables/finishes.csv). */
+/* finishes.h - the named finishes (tables/finishes.csv). */
 #ifndef PP_MODEL_LIGHT_FINISHES_H
 #define PP_MODEL_LIGHT_FINISHES_H
 

@@ -7,8 +7,8 @@
 
 #include "model/geometry/min_max.h"
 
-/* Light polarised across the plane of incidence and along it: worked out side by side,
- * by the compiler's own vectors. */
+/* Light polarised perpendicular and parallel to the plane of incidence, calculated
+ * together by the compiler's vectors. */
 typedef double polarised __attribute__((vector_size(16)));
 
 /* Transmittance and reflectance of a pane or a stack of panes. */

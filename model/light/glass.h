@@ -49,8 +49,8 @@ struct pp_glass pp_glass_diffusing(double transmittance);
  * its hemispherical transmittance. */
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);
 
-/* Specular reflectance, the same from both sides; at most 1 - transmittance.
- * A diffusing pane answers with 0.1, of a diffuse kind. */
+/* Specular reflectance, the same from both sides; at most 1 - transmittance. For a
+ * diffusing pane 0.1, its diffuse reflectance. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
 /* Calculates both at once. */

@@ -41,7 +41,7 @@ void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *gl
     }
 }
 
-/* True if the law itself is to be evaluated. */
+/* True if the law itself has to be evaluated, near grazing incidence. */
 static bool is_grazing(double cosine)
 {
     return !(cosine * PP_GLASS_CURVE_STEPS >= PP_GLASS_CURVE_GRAZING);

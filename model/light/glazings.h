@@ -1,4 +1,4 @@
-/* glazings.h - the glazings that have a name (tables/glazings.csv). */
+/* glazings.h - the named glazings (tables/glazings.csv). */
 #ifndef PP_MODEL_LIGHT_GLAZINGS_H
 #define PP_MODEL_LIGHT_GLAZINGS_H
 
@@ -16,8 +16,8 @@ struct pp_glazing {
 int pp_glazings_count(void);
 const struct pp_glazing *pp_glazings_at(int index); /* in the table's order */
 
-/* The glazing of that name, or NULL. "none" is not in the table: it is an opening
- * without any. */
+/* The glazing of that name, or NULL. "none" (an unglazed opening) is not in the
+ * table. */
 const struct pp_glazing *pp_glazings_find(const char *name);
 
 struct pp_glass pp_glazings_glass(const struct pp_glazing *glazing);

@@ -112,8 +112,8 @@ struct pp_material pp_material_glow(struct pp_rgb radiance);
 /* Material through which rays pass. */
 struct pp_material pp_material_air(void);
 
-/* The reflectance that hand methods use: diffuse and gloss together, weighted as the
- * eye weights colours; of glass 0.1. */
+/* The reflectance that hand methods use: diffuse and gloss together, weighted by
+ * luminance; 0.1 for glass. */
 double pp_material_reflectance(const struct pp_material *material);
 
 /* Finish of the table (finishes.h), with its colour and gloss, scaled so that
@@ -122,8 +122,9 @@ struct pp_finish;
 struct pp_material pp_material_finish(const struct pp_finish *finish,
                                       double reflectance);
 
-/* PP_BAD_INPUT, with a sentence that begins with the material's name, where its
- * fields make no sense or it gives back more light than it gets in any channel. */
+/* PP_BAD_INPUT, with a sentence that begins with the material's name, if its fields are
+ * inconsistent or it reflects and transmits more light than it receives in any
+ * channel. */
 enum pp_status pp_material_check(const struct pp_material *material,
                                  struct pp_error *err);
 

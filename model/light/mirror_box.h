@@ -1,18 +1,19 @@
 /* mirror_box.h - the sky of an artificial sky of the mirror-box kind, and how far it is from
  * the CIE overcast sky.
  *
- * A luminous ceiling over a square of upright mirrors, H high and W wide, is seen again
- * and again in them, without end; each reflection leaves rho. A line of sight at altitude
- * a goes H cot(a) sideways before it meets the ceiling. Across one pair of mirrors, at
- * azimuth psi from their normal, that is x = (H/W) cot(a) |cos psi| widths, and so m or
- * m + 1 reflections for m <= x < m + 1: over all places of the model, on average
+ * A luminous ceiling over a square of vertical mirrors, H high and W wide, is reflected
+ * infinitely often in them; each reflection has a factor rho. A line of sight at
+ * altitude a travels H cot(a) horizontally before it meets the ceiling. Across one pair
+ * of mirrors, at azimuth psi from their normal, that is x = (H/W) cot(a) |cos psi|
+ * widths, and so m or m + 1 reflections for m <= x < m + 1: over all places of the
+ * model, on average
  *
  *     g(x) = rho^m (1 - (x - m) (1 - rho))                              (1)
  *
  *     L(a) = L0 mean over psi of g(k cot a |cos psi|) g(k cot a |sin psi|),  k = H/W  (2)
  *
- * for a ceiling of luminance L0 in all directions; light that floor and model send back
- * to it is left out. It depends on nothing but rho and k, and rises from 0 at the horizon
+ * for a ceiling of luminance L0 in all directions; light reflected back by floor and
+ * model is neglected. L/L0 depends on rho and k only, and rises from 0 at the horizon
  * to L0 at the zenith, where the overcast sky rises from a third.
  */
 #ifndef PP_MODEL_LIGHT_MIRROR_BOX_H

@@ -10,8 +10,8 @@
  *
  *     E = Es + rho_ground (1 - n_z)/2
  *
- * Es from the sky (sky.h), the rest from the ground, of which a plane of that tilt sees
- * the share (1 - n_z)/2 of a half space.
+ * Es from the sky (sky.h), the rest from the ground, which fills the share (1 - n_z)/2
+ * of the plane's view.
  */
 #ifndef PP_MODEL_LIGHT_OUTSIDE_LIGHT_H
 #define PP_MODEL_LIGHT_OUTSIDE_LIGHT_H

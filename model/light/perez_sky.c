@@ -18,11 +18,11 @@ static const double bins[][COLUMNS] = {
 static const double EPS_MOST = 12.01, D_LEAST = 0.01, D_MOST = 0.6;
 static const double Z_MOST = 87.0 * PP_RAD;
 
-/* The value within the limits; outside, the limit is noted. */
+/* The value clamped to the limits; notes the limit if it is outside. */
 static double limited(double value, double low, double high, unsigned limit,
                       unsigned *limits)
 {
-    /* Rounding alone reaches just below the clearness of a sky without sun, 1. */
+    /* Rounding alone makes the clearness of a sky without sun slightly less than 1. */
     if (value < low - 1e-9 || value > high)
         *limits |= limit;
     return pp_clamp(value, low, high);

@@ -36,7 +36,7 @@ static struct sources sources_of(const struct pp_scene_description *scene)
     return sources;
 }
 
-/* The source of the smallest angle that u lies in; NULL: none. */
+/* The source of smallest angle in direction u; NULL: none. */
 static const struct pp_shape *seen_in(const struct sources *sources, struct pp_vec3 u)
 {
     const struct pp_shape *found = NULL;

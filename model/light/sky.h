@@ -48,8 +48,8 @@ struct pp_sky pp_sky_uniform(void);
  * it times Eh over pi. */
 struct pp_sky pp_sky_faded(double ground_reflectance);
 
-/* A graded sky: uniform for b = 0, and any other is taken for an overcast one. Rooms
- * have the two above; others show that nothing assumes their b. */
+/* A graded sky of any b: its kind is uniform for b = 0, else overcast. Rooms use the
+ * two above; tests use other values of b. */
 struct pp_sky pp_sky_graded(double b);
 
 /* ISO 15469 sky of type 1 to 15 with the sun in direction sun (unit, above the horizon;
@@ -65,7 +65,7 @@ bool pp_sky_iso_has_sun(int type);
  * as long. */
 struct pp_sky pp_sky_of_picture(const struct pp_sky_picture *picture, double north_rad);
 
-/* Is the luminance a gradation in the sine of the altitude? */
+/* True if the luminance is a gradation in the sine of the altitude. */
 static inline bool pp_sky_is_graded(const struct pp_sky *sky)
 {
     return sky->kind == PP_SKY_OVERCAST || sky->kind == PP_SKY_UNIFORM;
@@ -78,7 +78,7 @@ static inline struct pp_vec3 pp_sky_to_north(const struct pp_sky *sky, struct pp
                   u.y * sky->north[0] - u.x * sky->north[1], u.z);
 }
 
-/* Does the luminance change with azimuth? */
+/* True if the luminance depends on azimuth. */
 bool pp_sky_has_azimuth(const struct pp_sky *sky);
 
 /* Luminance in direction u (unit) over the horizontal illuminance, 1/sr; 0 below the

@@ -1,9 +1,8 @@
-/* sky_cells.c - sums over a fine net of directions, read backwards.
+/* sky_cells.c - inverts cumulated sums over a fine net of directions.
  *
- * The light of a patch on a level plane is L sin(a) cos(a) da db for altitude a and bearing
- * b; cos(a) sin(a) da is d(sin^2 a)/2, so that strips between equal steps of sin^2 a would
- * be equal under a uniform sky.
- */
+ * The light of a patch on a horizontal plane is L sin(a) cos(a) da db for altitude a
+ * and bearing b; cos(a) sin(a) da is d(sin^2 a)/2, so that strips between equal steps
+ * of sin^2 a would be equal under a uniform sky. */
 #include "model/light/sky_cells.h"
 
 #include <math.h>

@@ -30,10 +30,10 @@ bool pp_sky_patches_init(struct pp_sky_patches *patches, int count, double north
 /* The patch in which a direction (unit, above the horizon) lies. */
 int pp_sky_patches_of(const struct pp_sky_patches *patches, struct pp_vec3 u);
 
-/* Its centre, unit: the middle of its altitudes and azimuths. */
+/* Centre of a patch, unit: the middle of its altitudes and azimuths. */
 struct pp_vec3 pp_sky_patches_centre(const struct pp_sky_patches *patches, int index);
 
-/* Its solid angle, sr. */
+/* Solid angle of a patch, sr. */
 double pp_sky_patches_solid_angle(const struct pp_sky_patches *patches, int index);
 
 #endif

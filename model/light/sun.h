@@ -1,9 +1,8 @@
-/* sun.h - where the sun stands.
+/* sun.h - position of the sun.
  *
- * The Astronomical Almanac's formulae for low precision as [MIC88] has them: within
- * 0.01 degrees from 1950 to 2050, and 0.02 from 1800 to 2200. Refraction, which lifts
- * the sun by half a degree at the horizon and by less than 0.1 above 10 degrees, is
- * left out.
+ * The Astronomical Almanac's low-precision formulae, from [MIC88]: within 0.01 degrees
+ * from 1950 to 2050, and 0.02 from 1800 to 2200. Refraction, which lifts the sun by
+ * half a degree at the horizon and by less than 0.1 above 10 degrees, is left out.
  */
 #ifndef PP_MODEL_LIGHT_SUN_H
 #define PP_MODEL_LIGHT_SUN_H

@@ -1,4 +1,4 @@
-/* sun_path.h - the sun's way over the sky of a day, by solar time.
+/* sun_path.h - the path of the sun on a day, by solar time.
  *
  *     sin a = sin phi sin delta + cos phi cos delta cos h
  *

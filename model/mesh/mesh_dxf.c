@@ -157,7 +157,7 @@ static enum pp_status move_of(struct pp_dxf_move *move, struct pp_vec3 steps[2],
         turned.axes[k] = pp_dxf_shapes_moved(&own, axes[k]);
     turned.origin =
         pp_vec_sub(pp_dxf_shapes_moved(&own, at), pp_dxf_shapes_moved(&turned, base));
-    /* And on to the file's. */
+    /* Then to the file's coordinates. */
     struct pp_dxf_move level = *e->move;
     level.origin = pp_vec(0.0, 0.0, 0.0);
     move->origin = pp_dxf_shapes_moved(e->move, turned.origin);

@@ -35,8 +35,8 @@ enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
     return fail_kind(name, err);
 }
 
-/* Is the path a regular file, or none at all, which reading reports? A pipe would never
- * end. */
+/* True if the path is a regular file, or does not exist, which reading reports. Reading
+ * a pipe would not end. */
 static bool is_plain_file(const char *path)
 {
     struct stat found;

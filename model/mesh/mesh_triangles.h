@@ -12,7 +12,7 @@
 /* The most triangles that are taken of one file, and the most corners. */
 enum { PP_MESH_MOST = 1000000, PP_MESH_CORNERS_MOST = 3000000 };
 
-/* Coordinates are less than this, either sign, in any unit: beyond it no length is one
+/* Coordinates are less than this, either sign, in any unit: larger ones cannot be those
  * of a building's surroundings. */
 #define PP_MESH_COORDINATE_MOST 1e12
 
@@ -27,8 +27,8 @@ struct pp_mesh_triangles {
 
 void pp_mesh_triangles_clear(struct pp_mesh_triangles *mesh);
 
-/* Why a corner or a triangle can't be added: static, NULL: it was. "memory" where that
- * is out is PP_MESH_NO_MEMORY itself. */
+/* Reason why a corner or a triangle could not be added, static; NULL: it was added. If
+ * memory is exhausted it is this pointer. */
 extern const char *const pp_mesh_triangles_no_memory;
 
 const char *pp_mesh_triangles_add_corner(struct pp_mesh_triangles *mesh,

@@ -36,7 +36,7 @@ struct pp_camera {
 
 /* `up` need not be square to `toward`, only not along it; neither need be unit. Sizes:
  * perspective less than pi, hemispherical up to pi, angular up to 2 pi, all above 0.
- * PP_BAD_INPUT for views that make no sense. */
+ * PP_BAD_INPUT for invalid views. */
 enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
                              struct pp_vec3 eye, struct pp_vec3 toward,
                              struct pp_vec3 up, double across, double down,

@@ -26,7 +26,7 @@ static double round_number(int index)
     return decade < 0 ? mantissa / ten : mantissa * ten;
 }
 
-/* The last one that is no larger, but for rounding. */
+/* Index of the largest round number that does not exceed the value, up to rounding. */
 static int round_below(double value)
 {
     int index = 3 * (int)floor(log10(value));

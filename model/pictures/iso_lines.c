@@ -63,8 +63,8 @@ static void smooth_along(const struct log_picture *field, double *out, bool rows
         }
 }
 
-/* Does a pixel show another surface than one of the pixels round it? Then its value may
- * be a mixture of both. */
+/* True if a pixel shows another surface than one of its neighbours: its value may be a
+ * mixture of both. */
 static bool is_mixed(const struct log_picture *field, int x, int y)
 {
     for (int j = y > 0 ? y - 1 : y; j <= y + 1 && j < field->height; j++)
@@ -176,7 +176,8 @@ static void place_of_edge(const struct squares *squares, int edge, double xy[2])
     xy[1] = y + 0.5 + (below ? t : 0.0);
 }
 
-/* Takes the line that begins at an edge out of the squares, if it is long enough. */
+/* Removes the line that begins at an edge from the squares; stores it if it is long
+ * enough. */
 static enum pp_status take_iso_line(struct squares *squares, int start, double shortest,
                                     struct pp_curve_list *lines, struct pp_error *err)
 {

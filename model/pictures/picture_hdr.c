@@ -236,7 +236,7 @@ static enum pp_status read_header(struct input *in, struct pp_hdr_notes *notes,
 
 /* ---- reading the pixels ---- */
 
-/* Pixels one after the other, or a count of how often the last one comes again. */
+/* Reads a row of pixels, each explicit or a repeat count of the one before. */
 static bool read_plain_row(struct input *in, unsigned char *row, int width)
 {
     int shift = 0;
@@ -260,7 +260,7 @@ static bool read_plain_row(struct input *in, unsigned char *row, int width)
     return true;
 }
 
-/* Channel by channel, in runs. */
+/* Reads a row channel by channel, in runs. */
 static bool read_packed_row(struct input *in, unsigned char *row, int width)
 {
     for (int channel = 0; channel < 4; channel++)

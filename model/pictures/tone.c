@@ -109,7 +109,8 @@ static double trim(double bins[PP_TONE_BINS], const struct pp_tone *tone, double
     return cut;
 }
 
-/* The scene's own contrast fits: it is shown as it is, its brightest white. */
+/* If the scene's contrast fits the display, shows it linearly, with its brightest
+ * luminance as white. */
 static void show_linearly(struct pp_tone *tone, double brightest)
 {
     tone->white = brightest;
@@ -122,7 +123,7 @@ static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fie
         low = fmin(low, fields->logs[i]);
         high = fmax(high, fields->logs[i]);
     }
-    /* Luminances below a ten thousandth of a cd/m2 are taken for that. */
+    /* Lower luminances count as 1e-4 cd/m2. */
     low = fmax(low, log(1e-4));
     if (!(high > low + 1e-6)) {
         show_linearly(tone, exp(high) / PP_TONE_MIDDLE);

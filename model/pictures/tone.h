@@ -49,8 +49,8 @@ enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *pi
 
 /* The display's luminance for a luminance of the scene (cd/m2), over the display's
  * white: 0 to 1, and above in the first two ways. It grows with the luminance. The
- * display's black is not taken off the curve: on one that gives off less, the contrast
- * of dark parts would grow. */
+ * display's black is not subtracted from the curve: on a display with a darker black
+ * the contrast of dark parts would increase. */
 double pp_tone_shown(const struct pp_tone *tone, double luminance);
 
 /* A pixel in sRGB [IEC61966]. */

@@ -20,8 +20,8 @@ struct pp_atlas_scale {
     double edges[PP_ATLAS_CLASSES + 1]; /* rising */
 };
 
-/* Ratio of the method's result to the truth, 1 where it is right: median and the values
- * that 5 and 95 % lie below. NAN of fewer than PP_ATLAS_ENOUGH rooms. */
+/* Ratio of the method's result to the simulated value: median, and 5th and 95th
+ * percentiles. NAN of fewer than PP_ATLAS_ENOUGH rooms. */
 struct pp_atlas_quantiles {
     int rooms;
     double low, median, high;

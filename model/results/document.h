@@ -114,7 +114,8 @@ bool pp_document_has_head(const struct pp_document_table *table);
 enum pp_status pp_document_status(const struct pp_document *document,
                                   struct pp_error *err);
 
-/* Calls `tell` with each text of the document in order, cells and headings too. */
+/* Calls `tell` with each text of the document in order, including cells and
+ * headings. */
 void pp_document_texts(const struct pp_document *document,
                        void (*tell)(void *closure, const char *text), void *closure);
 

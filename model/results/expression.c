@@ -169,7 +169,8 @@ static struct term wrong_dimension(struct parser *parser, const char *at,
     return fail(parser, at, what);
 }
 
-/* a and b are added, compared or chosen from; b stands at `at`. */
+/* Checks that a and b, which are added, compared or alternatives, have the same
+ * dimension; b is at `at`. */
 static bool check_alike(struct parser *parser, const struct term *a,
                         const struct term *b)
 {

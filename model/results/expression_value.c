@@ -1,4 +1,4 @@
-/* expression_value.c - operations in postfix order, worked out on a stack. */
+/* expression_value.c - evaluates operations in postfix order on a stack. */
 #include "model/results/expression_value.h"
 
 #include <math.h>

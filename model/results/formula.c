@@ -1,4 +1,4 @@
-/* formula.c - texts of formulae taken apart, parsed, and kept for a method. */
+/* formula.c - parses texts of formulae, and stores them for a method. */
 #include "model/results/formula.h"
 
 #include <assert.h>
@@ -46,7 +46,7 @@ bool pp_formula_parse(struct pp_expression *expression,
     return pp_expression_parse(expression, sum, shift, names, count, mistake);
 }
 
-/* Parses a published sum, which a test does, too: it is right. */
+/* Parses a published sum, which cannot fail (tests parse all). */
 static void parse_published(struct pp_expression *expression,
                             const struct pp_formula *formula)
 {

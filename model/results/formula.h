@@ -40,7 +40,7 @@ struct pp_formula {
 bool pp_formula_is_open(const struct pp_formula *formula, const char *symbol);
 
 /* True if the expression's dimension fits the formula's left side, apart from hidden
- * units of its numbers: degrees become per cent in the average daylight factor. */
+ * units of its numbers: in the average daylight factor degrees become per cent. */
 bool pp_formula_comes_out(const struct pp_formula *formula,
                           const struct pp_expression *expression);
 
@@ -49,7 +49,7 @@ bool pp_formula_parse(struct pp_expression *expression,
                       const struct pp_formula *formula, const char *sum, int shift,
                       struct pp_expression_mistake *mistake);
 
-/* Works the published sum out; values in the order of the quantities, in the program's
+/* Evaluates the published sum; values in the order of the quantities, in the program's
  * units (fractions, radians, metres), as the result is. */
 double pp_formula_value(const struct pp_formula *formula, const double *values);
 
@@ -60,8 +60,8 @@ struct pp_formula_variant {
 };
 
 /* The formulae of a method, parsed once for many points. The list ends with NULL; NULL
- * for the list: none. A variant (not owned; NULL: none) stands in place of all formulae of
- * its symbol that are not fixed and have the quantities that it names. */
+ * for the list: none. A variant (not owned; NULL: none) replaces all formulae of its
+ * symbol that are not fixed and have the quantities that it uses. */
 struct pp_formulary;
 enum pp_status pp_formulary_create(struct pp_formulary **formulary,
                                    const struct pp_formula *const *formulae,

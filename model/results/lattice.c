@@ -4,7 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Coordinates that differ by less are one (m), and steps by less than this share. */
+/* Coordinates with a smaller difference (m) count as equal, and steps with a smaller
+ * relative difference. */
 static const double same_m = 1e-6, even = 1e-3;
 
 static int compare_coordinates(const void *a, const void *b)
@@ -13,7 +14,7 @@ static int compare_coordinates(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Sorts the values and leaves one of each; how many there are. */
+/* Sorts the values and removes repeated ones; returns the number left. */
 static int distinct(double *values, int count)
 {
     int kept = 0;
@@ -60,7 +61,7 @@ static bool faces_up_at_one_height(const struct pp_receiver *receivers, int coun
     return count >= 4;
 }
 
-/* False: two receivers stand in one place. */
+/* Returns false if two receivers are at one place. */
 static bool settle_lattice(struct pp_lattice *lattice,
                            const struct pp_receiver *receivers, int count)
 {

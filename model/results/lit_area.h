@@ -1,5 +1,5 @@
-/* lit_area.h - the part of a room that has light enough, by one of the two lines that planners
- * and courts draw across it.
+/* lit_area.h - the sufficiently lit part of a room, by one of the two lines used by
+ * planners and courts.
  *
  * studies/lit_line.h defines the lines and traces them.
  */
@@ -51,7 +51,7 @@ struct pp_lit_change {
     struct pp_lit_loss loss;
 };
 
-/* before_m2 NAN: unknown; the result is all NAN: nothing is known. */
+/* before_m2 NAN: unknown; lost_m2 and the loss are then NAN. */
 struct pp_lit_change pp_lit_area_change(double plane_m2, double before_m2,
                                         double now_m2);
 

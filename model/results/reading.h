@@ -15,8 +15,8 @@ static inline struct pp_reading pp_reading_none(const char *why)
     return (struct pp_reading){NAN, NAN, why, 0};
 }
 
-/* Distance of two sampled values, in standard errors of their difference; 0 where they
- * are the same without error, NAN where an error is not known. */
+/* Difference of two sampled values, in standard errors of it; 0 if they are equal
+ * without error, NAN if an error is unknown. */
 static inline double pp_reading_apart(const struct pp_reading *reading,
                                       const struct pp_reading *other)
 {

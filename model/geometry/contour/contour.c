@@ -11,8 +11,8 @@
 #include "model/geometry/contour/level_crossing.h"
 #include "model/geometry/min_max.h"
 
-/* True if the level could cross the triangle, or come near it. Between the corners the
- * function may exceed their values by half of their difference. */
+/* True if the level could cross the triangle, or come near it: between corners the
+ * function may exceed their range by half of it. */
 static bool is_near(const struct pp_field *field, int triangle)
 {
     const int *t = field->mesh.triangles[triangle];
@@ -88,8 +88,8 @@ static enum pp_status cross_triangles(struct pp_field *field, double least_m,
     return status;
 }
 
-/* Triangles that the curve leaves and comes back to are halved, down to a
- * sixty-fourth of the coarse size: of a function with a crease the curve turns corners. */
+/* Triangles that the curve leaves and comes back to are halved, down to a sixty-fourth
+ * of the coarse size: at a crease of the function the curve has corners. */
 static enum pp_status find_crossings(struct pp_field *field, double level,
                                      struct pp_error *err)
 {
@@ -312,7 +312,7 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
     if (!ends && status == PP_OK)
         status = pp_fail_memory(err);
 
-    /* Closed curves are outlines by themselves; of open ones, gather the ends. */
+    /* Closed curves are outlines by themselves. The ends of open ones are collected. */
     int end_count = 0;
     for (int i = 0; i < curves.count && status == PP_OK; i++) {
         const struct pp_curve *curve = &curves.list[i];
@@ -331,7 +331,8 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
         if (!ends[i].taken)
             status = trace_outline(field, &curves, ends, end_count, i, outlines, err);
 
-    /* Edges of the figure that no curve meets are outlines where they are low. */
+    /* Edges of the figure that no curve meets are outlines if the function is low
+     * there. */
     for (int r = 0; r < field->region.count && status == PP_OK; r++) {
         const struct pp_ring *ring = &field->region.rings[r];
         bool met = false;

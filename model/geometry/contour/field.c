@@ -9,9 +9,9 @@
 
 /* Longest edge of the first triangles, over the figure's diagonal. Chosen by trial. */
 #define COARSE (1.0 / 24.0)
-/* The same along the figure's edge, over COARSE: light that comes in through windows
- * changes most beside them. With whole triangles there, the highest level of a hall of
- * 100 m was not found. */
+/* The same along the figure's edge, over COARSE: light from windows changes most next
+ * to them. With coarse triangles at the edge, the highest level in a hall of 100 m was
+ * missed. */
 #define FINE_EDGE 0.25
 
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
@@ -46,7 +46,7 @@ static double diagonal_of(const struct pp_region *region)
     return hypot(bounds.high[0] - bounds.low[0], bounds.high[1] - bounds.low[1]);
 }
 
-/* Has the triangle a side on the figure's edge? */
+/* True if the triangle has a side on the figure's edge. */
 static bool is_on_edge(const struct pp_mesh *mesh, int triangle)
 {
     const int *t = mesh->triangles[triangle];

@@ -16,7 +16,7 @@
 #include "model/geometry/contour/mesh.h"
 #include "model/geometry/region.h"
 
-/* *value at (x, y); must be finite. A failure ends the work and is handed on. */
+/* Sets *value at (x, y); must be finite. An error stops the tracing and is returned. */
 typedef enum pp_status (*pp_field_function)(void *context, double x, double y,
                                             double *value, struct pp_error *err);
 

@@ -1,4 +1,5 @@
-/* known_values.c - a list, and where in it a place is found, to the bit. */
+/* known_values.c - a list, and a hash table of its places, which must agree to the
+ * bit. */
 #include "model/geometry/contour/known_values.h"
 
 #include <stdint.h>

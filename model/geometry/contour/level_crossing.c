@@ -136,7 +136,7 @@ static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
             *leaves = true; /* keep to the chord */
             return PP_OK;
         }
-        /* A little further than where a straight line would put the level. */
+        /* A little beyond the linear extrapolation to the level. */
         double rise = (far_value - near_value) / (step - near_step);
         double reach = 1.2 * (field->level - far_value) / rise;
         *strays = true;
@@ -163,7 +163,7 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
 }
 
 /* Positions along a chord where the curve is searched: the middle and, on a chord
- * across the whole triangle, one beside it. An S-shaped curve passes through the
+ * across the whole triangle, one other, since an S-shaped curve passes through the
  * middle. */
 static const double asides[] = {0.5, 0.27};
 enum { ASIDES = sizeof asides / sizeof *asides };

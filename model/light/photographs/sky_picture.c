@@ -7,7 +7,7 @@
 
 /* ---- a pixel's neighbourhood ---- */
 
-/* Mean of the pixels around a place, by bilinear weights, of those that count. */
+/* Mean of the valid pixels around a place, with bilinear weights. */
 struct pixel_square {
     double luminance;
     struct pp_rgb colour;
@@ -26,8 +26,8 @@ static double radius_of(const struct pp_sky_frame *frame, double x, double y)
     return hypot(x - frame->centre[0], y - frame->centre[1]) / frame->radius[0];
 }
 
-/* The variable in which luminance goes on at the rim: r, or of a hemispherical picture
- * the cosine of the angle. */
+/* The variable for extrapolation at the rim: r, or the cosine of the angle for a
+ * hemispherical picture. */
 static double rim_variable(const struct pp_sky_frame *frame, double radius)
 {
     if (frame->projection != PP_SKY_HEMISPHERICAL)
@@ -36,7 +36,7 @@ static double rim_variable(const struct pp_sky_frame *frame, double radius)
     return sqrt(fmax(0.0, 1.0 - sine * sine));
 }
 
-/* Is the pixel on the same side of the horizon as `side` (its sign; 0: any)? */
+/* True if the pixel is on the same side of the horizon as `side` (its sign; 0: any). */
 static bool is_on_side(const struct pp_sky_frame *frame, int x, int y, double side)
 {
     double place[2] = {(x + 0.5 - frame->centre[0]) / frame->radius[0],

@@ -139,8 +139,8 @@ struct pp_annual_sheet {
     float *sun_lx;    /* [receiver][sky]: direct sun, part of it; owned */
 };
 
-/* Credits of LEED v4.1, daylight, option 1, by the mean sDA of all regularly occupied area;
- * this room stands for it. */
+/* Credits of LEED v4.1, daylight, option 1, by the mean sDA of all regularly occupied
+ * area; here for this room alone. */
 struct pp_annual_leed {
     const char *why_not; /* NULL: points are known */
     int points;          /* 1, 2, 3 from an sDA of 40, 55, 75 % */

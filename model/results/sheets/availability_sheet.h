@@ -30,7 +30,7 @@ struct pp_availability_period {
     double most_lx;     /* illuminance in 85 of 100 hours, or more */
 };
 
-/* Places beside the receivers, which have their index. */
+/* Values of `place` other than the index of a receiver. */
 enum { PP_PLACE_AVERAGE = -1, PP_PLACE_MEDIAN = -2 };
 
 /* Share of time that one place has one illuminance, by one method's daylight factor. */
