@@ -9,8 +9,8 @@
 #include "model/base/array.h"
 #include "studies/bands/report_bands.h"
 
-/* Greatest width (in logarithms), over the narrowest, of a band whose method is still
- * preferred: because it comes earlier in the report, or because it is the best over all
+/* Ratios (in logarithms) to the narrowest band: a band at most this much wider is still
+ * preferred if its method comes earlier in the report, or if it is the best over all
  * points. */
 static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 
@@ -19,7 +19,7 @@ static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 struct ranking {
     struct pp_band_index index;
     struct pp_band_record *list;
-    int *columns; /* of the report */
+    int *columns; /* their indices in the report */
     int count;
 };
 
@@ -35,7 +35,7 @@ static double figure_of(const struct pp_column *column, int index)
     return index < 0 ? column->average.value : column->points[index].value;
 }
 
-/* Looks the methods up at a point, or (-1) for the average. */
+/* Looks up the bands of all methods at a point, or (-1) of the average. */
 static void look_up(struct ranking *ranking, const struct pp_report *report,
                     double features[PP_BAND_FEATURES], int index)
 {
@@ -69,8 +69,8 @@ static int narrowest(const struct ranking *ranking)
     return found;
 }
 
-/* First of the list whose band is about as narrow as the narrowest, or the favourite
- * column's if that is narrow enough. */
+/* First record whose band is about as narrow as the narrowest, or the record of the
+ * favourite column if its band is narrow enough. */
 static int best_of(const struct ranking *ranking, int favourite)
 {
     double least = width_of(&ranking->list[narrowest(ranking)]);
@@ -84,8 +84,8 @@ static int best_of(const struct ranking *ranking, int favourite)
     return best;
 }
 
-/* Finds the column with the narrowest bands on average over all points that it and
- * others have; -1: none. */
+/* Finds the column with the narrowest bands on average, among those that have bands at
+ * the most points; -1: none. */
 static enum pp_status find_favourite(int *favourite, const struct pp_report *report,
                                      double features[PP_BAND_FEATURES],
                                      struct ranking *ranking, struct pp_error *err)
@@ -158,7 +158,7 @@ static enum pp_status add_item(struct pp_advice *advice, const struct ranking *r
     return PP_OK;
 }
 
-/* Appends the figure times the middle of its range. */
+/* Appends the figure times the median ratio of its band. */
 static enum pp_status add_corrected(struct pp_advice_item *item, int count,
                                     double figure, struct pp_error *err)
 {

@@ -22,19 +22,19 @@ struct pp_advice_item {
     bool of_average;
     int *points; /* indices of receivers; owned */
     int point_count;
-    /* The method's figures times the middle of its range, fractions: one for each point, or
-     * one for the average; owned. */
+    /* The method's figures times the median ratio of the band, fractions: one for each
+     * point, or one for the average; owned. */
     double *corrected;
 };
 
 struct pp_advice {
     struct pp_advice_item *items; /* the average's first */
     int count;
-    char why_not[256]; /* why there is none; empty where there is */
+    char why_not[256]; /* why there is no advice; empty if there is */
 };
 
-/* Gives advice from the daylight factors of a report whose methods are the choices. The
- * caller clears it in any case. */
+/* Recommends methods by the daylight factors of a report, which must have all methods
+ * to choose from. The caller clears *advice in any case. */
 enum pp_status pp_advice_of(struct pp_advice *advice, struct pp_report *report,
                             struct pp_error *err);
 void pp_advice_clear(struct pp_advice *advice);

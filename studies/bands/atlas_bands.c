@@ -1,5 +1,5 @@
-/* atlas_bands.c - takes the figures of each column out of the table, and has them fitted.
- */
+/* atlas_bands.c - reads the figures of each column from the table, and fits bands to
+ * them. */
 #include "studies/bands/atlas_bands.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 /* Columns of the table that belong to a hand column; -1: none. */
 struct places {
     int hand, own, truth;
-    int sc, erc, irc; /* of a pair's parts */
+    int sc, erc, irc; /* components of a pair of methods; -1: none */
     int features[PP_ROOM_FEATURES];
 };
 
@@ -55,7 +55,7 @@ static struct places find_places(const struct pp_atlas_table *table,
     return places;
 }
 
-/* The file has per cent; NAN where there is none. */
+/* Value as a fraction (the file has per cent); NAN if it is missing. */
 static double fraction_at(const struct pp_atlas_table *table, int row, int column)
 {
     return pp_atlas_table_value(table, row, column) / 100.0;
@@ -66,7 +66,7 @@ static bool is_average(const struct pp_atlas_table *table, int row)
     return pp_atlas_table_value(table, row, table->point) < 0.0;
 }
 
-/* Adds the rows of a column that have a hand figure and the truth. */
+/* Adds the rows that have both a hand figure and a simulated value. */
 static enum pp_status take_figures(struct pp_band_figures *figures,
                                    const struct pp_atlas_table *table,
                                    const struct places *places, struct pp_error *err)
@@ -111,7 +111,7 @@ static enum pp_status fit_column(struct pp_atlas_column *column,
     return status;
 }
 
-/* Adds the column's bands where it has rooms enough for any. */
+/* Adds the column's bands if enough rooms have its figures. */
 static enum pp_status add_band_column(struct pp_atlas_bands *bands,
                                       const struct pp_atlas_table *table,
                                       enum pp_component component, const char *name,

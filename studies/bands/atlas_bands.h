@@ -1,5 +1,5 @@
-/* atlas_bands.h - the bands of all columns of an atlas, and how they do on rooms held out.
- */
+/* atlas_bands.h - the bands of all columns of an atlas, and their test on rooms held
+ * out. */
 #ifndef PP_STUDIES_BANDS_ATLAS_BANDS_H
 #define PP_STUDIES_BANDS_ATLAS_BANDS_H
 
@@ -31,13 +31,14 @@ struct pp_atlas_bands {
     int column_count;
 };
 
-/* Fits bands of every hand column that the table has with the truth beside it. To be
- * cleared in any case. */
+/* Fits bands to every hand column whose simulated values are in the table. The caller
+ * clears *bands in any case. */
 enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err);
-/* Is a trial farther from 95 % than it may be (above, without the ends of its band), and
- * how many are? */
+/* True if the share of a trial's points inside the band is farther from 95 % than
+ * trial->limit; too large a share is judged without the band's ends. The second
+ * function counts these trials. */
 bool pp_atlas_bands_is_outside(const struct pp_band_trial *trial);
 int pp_atlas_bands_outside(const struct pp_atlas_bands *bands);
 

@@ -22,7 +22,8 @@ enum {
     PP_BAND_FEATURES,
 };
 
-/* Components as an atlas and the table of bands call them: "sc", "erc", "irc", "df". */
+/* Names of the components in an atlas and in the table of bands: "sc", "erc", "irc",
+ * "df". */
 extern const char *const pp_band_features_components[PP_COMPONENT_COUNT];
 
 /* "depth-head", ..., "inside". */
@@ -52,7 +53,7 @@ struct pp_band_columns {
 struct pp_band_columns pp_band_features_columns(const struct pp_report *report,
                                                 const struct pp_column *column);
 
-/* The same from a report's columns, of point `index`, or -1: of the average. */
+/* The same from a report's columns, at point `index`; -1: for the average. */
 void pp_band_features_of_columns(double features[PP_BAND_FEATURES],
                                  const struct pp_band_columns *columns, int index);
 

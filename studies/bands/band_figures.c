@@ -1,4 +1,4 @@
-/* band_figures.c - rows that are added one by one. */
+/* band_figures.c - a table to which rows are added one by one. */
 #include "studies/bands/band_figures.h"
 
 #include <stdint.h>
@@ -25,7 +25,7 @@ void pp_band_figures_clear(struct pp_band_figures *figures)
     pp_band_figures_init(figures, figures->feature_count);
 }
 
-/* All lists grow alike. */
+/* All lists have the same length and grow together. */
 static enum pp_status reserve(struct pp_band_figures *figures, struct pp_error *err)
 {
     double **const lists[] = {&figures->hand, &figures->own, &figures->truth};

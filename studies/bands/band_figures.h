@@ -1,9 +1,10 @@
-/* band_figures.h - what one column of an atlas says beside the truth: the figures from
- * which its bands are made.
+/* band_figures.h - figures of one column of an atlas with the simulated values, from
+ * which its bands are fitted.
  *
- * A column is a component by a method, at points or of the average. Its rows have the hand
- * figure, what is true in the world that the method assumes, what is true of the room (all
- * fractions, 0 or more), and features. Rows of a room stand together.
+ * A column is a component by a method, at points or of the average. Each row has the
+ * hand figure, the simulated value in the world that the method assumes, the simulated
+ * value of the room (all fractions, 0 or more), and features. Rows of a room are
+ * adjacent.
  */
 #ifndef PP_STUDIES_BANDS_BAND_FIGURES_H
 #define PP_STUDIES_BANDS_BAND_FIGURES_H
@@ -20,7 +21,7 @@ struct pp_band_figures {
     char column[48];
     int count, capacity;
     int *rooms;
-    double *hand, *own, *truth; /* own: NAN where it is not known */
+    double *hand, *own, *truth; /* own: NAN where it is unknown */
     int feature_count;          /* of each row */
     double *features;           /* row after row */
 };

@@ -45,7 +45,7 @@ struct column_fit {
     const struct pp_band_figures *figures;
     struct pp_band_sample samples[3];
     double *ratios[3];
-    int *rows; /* space for all */
+    int *rows; /* row numbers; space for all rows */
 };
 
 static enum pp_status fill_entry(struct pp_band_entry *entry,
@@ -144,7 +144,8 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
 
 /* ---- halves ---- */
 
-/* Tests each entry on the rooms; *inside is summed over all of them. */
+/* Tests each entry on the rooms; *inside becomes the share of all points in their
+ * bands. */
 static enum pp_status test_entries(struct pp_band_trial *trials, int count,
                                    double *inside,
                                    const struct pp_band_figures *figures,

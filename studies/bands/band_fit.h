@@ -1,20 +1,20 @@
-/* band_fit.h - the bands of a column: of what is true of the room, and of the method's
- * assumptions and its formula apart.
+/* band_fit.h - the bands of a column: for the ratio of simulated to hand figures, and
+ * for its two parts, the method's assumptions and its formula.
  *
- * Regimes are those of the whole (band_tree.h), truth over hand. In each of them stand
- * beside it
+ * Regimes (band_tree.h) are those of the whole ratio. In each there are also the bands
+ * of
  *
- *     formula      what is true in the method's own world over the hand figure
- *     assumption   what is true of the room over what is true in that world
+ *     formula      simulated value in the method's own world over the hand figure
+ *     assumption   simulated value of the room over that in the method's world
  *
- * each with the offset of band_regime.h. The bands hold for rooms that were not fitted as
- * far as the two samples allow: by regime their share of rooms differs from 95 % by no
- * more than three standard errors,
+ * each with the offset of band_regime.h. A test on rooms that were not fitted passes
+ * if in each regime the share of rooms differs from 95 % by at most three standard
+ * errors,
  *
  *     3 sqrt(0.95 0.05 (1 / n_fit + 1 / n_test))                                 (2)
  *
- * with n in rooms, as the points of a room err together: the share of a room's points
- * that lie inside varies by no more than that of one point.
+ * with n in rooms, as the errors of a room's points are correlated: the share of its
+ * points inside varies by no more than that of one point.
  */
 #ifndef PP_STUDIES_BANDS_BAND_FIT_H
 #define PP_STUDIES_BANDS_BAND_FIT_H
@@ -26,24 +26,26 @@
  * band_regime.h: ten times the accuracy of a simulated value. */
 #define PP_BAND_OFFSET 2e-4
 
-/* A regime with all that is known of a column in it. */
+/* A regime and the bands of a column in it. */
 struct pp_band_entry {
-    struct pp_band_regime regime; /* with the ratio of truth over hand */
+    struct pp_band_regime regime; /* with the ratio of simulated to hand figures */
     double spread; /* half the distance of its quantiles of 16 and 84 % */
-    struct pp_band_quantiles formula, assumption; /* NAN where own is not known */
+    struct pp_band_quantiles formula, assumption; /* NAN if the values in the method's
+                                                   * own world are unknown */
 };
 
-/* The entries of a column, to be freed. Of fewer rooms than rules->rooms_least there are
- * none. */
+/* The bands of a column, which the caller frees; none with fewer rooms than
+ * rules->rooms_least. */
 enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
                            const struct pp_band_figures *figures,
                            const struct pp_band_rules *rules, struct pp_error *err);
 
 /* Performance of a band on rooms that it was not made from. */
 struct pp_band_trial {
-    struct pp_band_entry entry; /* of the rooms fitted */
+    struct pp_band_entry entry; /* from the rooms fitted */
     int rooms;                  /* tested */
-    double inside;              /* share of these in the band; NAN if there are none */
+    double inside;              /* share of the tested rooms' points in the band; NAN if
+                                 * there are none */
     double between; /* that share without the band's ends; it is smaller if figures are
                      * exact in all digits, like figures of 0 */
     double limit;   /* (2): how far from 0.95 that may be */

@@ -1,4 +1,5 @@
-/* band_regime.c - the conditions of a regime, and its ratio to and fro. */
+/* band_regime.c - tests a regime's conditions, and converts ratios to figures and
+ * back. */
 #include "studies/bands/band_regime.h"
 
 #include <math.h>

@@ -1,10 +1,10 @@
-/* band_regime.h - a regime of rooms and points, and the band that the ratio of the true to
- * the hand figure has in it.
+/* band_regime.h - a regime of rooms and points, and the band of the ratio of
+ * simulated to hand figures in it.
  *
- * A regime is told by conditions on features, numbers that are known of a room and a point
- * before any light is traced. The ratio is taken with an offset a, so that it is one of
- * the two figures where these are large and their difference over a where they are small
- * or 0:
+ * A regime is defined by conditions on features, numbers that are known of a
+ * room and a point without simulation. The ratio has an offset a: for large
+ * figures it is their ratio, for figures small against a their difference over
+ * a:
  *
  *     q = (truth + a) / (hand + a)                                               (1)
  */
@@ -37,7 +37,7 @@ struct pp_band_regime {
 /* True if a point's features fit the regime. */
 bool pp_band_regime_holds(const struct pp_band_regime *regime, const double *features);
 
-/* The truth that a ratio makes of a hand figure by (1), at least 0; both fractions. */
+/* True value that a hand figure and a ratio (1) give, at least 0; both fractions. */
 double pp_band_regime_truth(double hand, double ratio, double offset);
 
 /* The ratio (1). */

@@ -33,8 +33,9 @@ int pp_band_sample_rooms(const struct pp_band_sample *sample, const int *rows,
     return rooms;
 }
 
-/* The ratio below which the share p of the weight lies, each ratio standing in the middle
- * of its weight, linear between. list rises; its weights add up to total. */
+/* The ratio below which the share p of the weight lies, interpolated between ratios
+ * that are each in the middle of their weight. `list` is in rising order; its weights
+ * sum to `total`. */
 static double quantile(const struct weighted *list, int count, double total, double p)
 {
     double wanted = p * total, below = 0.0, last = 0.0;

@@ -1,8 +1,8 @@
-/* band_sample.h - ratios of true to hand figures with their features, as they come out of
- * an atlas, and their quantiles.
+/* band_sample.h - ratios of simulated to hand figures with their features, from an
+ * atlas, and their quantiles.
  *
- * The unit is the room: a room's points count together as one, as they err together. Rows
- * of one room stand together.
+ * The unit is the room: its points together have weight 1, as their errors are
+ * correlated. Rows of one room are adjacent.
  */
 #ifndef PP_STUDIES_BANDS_BAND_SAMPLE_H
 #define PP_STUDIES_BANDS_BAND_SAMPLE_H
@@ -22,10 +22,10 @@ struct pp_band_sample {
 int pp_band_sample_rooms(const struct pp_band_sample *sample, const int *rows,
                          int count);
 
-/* The quantiles of the ratios of rows (at least one), each room of weight 1 that its rows
- * share. The outer ones stand where the expected share of further rooms between them is
- * 95 %: at the rank 0.025 (n + 1) of n rooms and as far from the other end, or at the ends
- * where n is under 39. */
+/* Quantiles of the ratios of rows (at least one); the rows of a room share its weight
+ * of 1. Between the outer quantiles 95 % of further rooms are expected: they are at
+ * the rank 0.025 (n + 1) of n rooms from either end, or at the ends where n is under
+ * 39. */
 enum pp_status pp_band_sample_quantiles(struct pp_band_quantiles *quantiles,
                                         const struct pp_band_sample *sample,
                                         const int *rows, int count,
@@ -37,8 +37,8 @@ enum pp_status pp_band_sample_spread(double *spread,
                                      const struct pp_band_sample *sample,
                                      const int *rows, int count, struct pp_error *err);
 
-/* Share of rows, weighted as above, whose ratio lies in the band, with its ends or
- * without. */
+/* Share of rows, weighted as above, whose ratio lies in the band; with or without its
+ * ends. */
 double pp_band_sample_inside(const struct pp_band_sample *sample, const int *rows,
                              int count, const struct pp_band_quantiles *band,
                              bool ends);

@@ -52,8 +52,8 @@ const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *
                                                   enum pp_band_place place,
                                                   const double *features);
 
-/* Span of a feature of rooms or points in the run, from the least to the most. False: the
- * run does not tell. */
+/* Smallest and largest value of a feature of rooms or points in the run; false:
+ * unknown. */
 bool pp_band_table_span(double *from, double *to, const struct pp_band_table *table,
                         int feature);
 

@@ -9,16 +9,17 @@
 #include <string.h>
 
 enum {
-    EDGES = 31, /* bounds at most that a feature may be split at */
+    EDGES = 31, /* most bounds tried for a feature */
     BINS = EDGES + 1,
     STEPS = 256,      /* bins of the logarithm of the ratio */
-    LOOKED_AT = 4000, /* rows from which bounds are chosen */
+    LOOKED_AT = 4000, /* most rows from which bounds are chosen */
 };
 
 const struct pp_band_rules pp_band_tree_rules = {
     .rooms_least = 300, .regimes_most = 20, .gain_least = 0.004};
 
-/* Bounds of a feature that split it: row in bin b is at or above edges[b - 1]. */
+/* Bounds at which a feature can be split: a row in bin b is at or above edges[b -
+ * 1]. */
 struct edges {
     double at[EDGES];
     int count;
@@ -33,7 +34,7 @@ struct node {
     struct pp_band_regime regime;
     int *rows; /* owned; rising */
     int count;
-    double score; /* of its rows, a sum */
+    double score; /* sum of the scores of its rows */
     struct split best;
 };
 
@@ -42,9 +43,9 @@ struct tree {
     const struct pp_band_rules *rules;
     struct edges *edges; /* of each feature */
     uint8_t *bins;       /* of each row and feature */
-    uint8_t *steps;      /* of each row: its ratio's */
+    uint8_t *steps;      /* step of the ratio of each row */
     double first,
-        width; /* logarithm of the ratio in the middle of step 0, and a step's */
+        width; /* logarithm of the ratio in the middle of step 0, and width of a step */
     struct node *nodes;
     int count;
 };
@@ -57,7 +58,7 @@ static int compare_feature_values(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* A bound that reads well. */
+/* Rounds a bound to two significant digits. */
 static double two_digits(double value)
 {
     char text[32];
@@ -216,7 +217,7 @@ static bool has_space(const struct pp_band_regime *regime, int feature)
     return regime->condition_count < PP_BAND_CONDITIONS;
 }
 
-/* Takes the best split by one feature where it is better than the node's so far. */
+/* Keeps the best split by one feature if it is better than the node's best so far. */
 static void try_feature(struct node *node, struct counts *counts,
                         const struct tree *tree, int feature)
 {
@@ -285,7 +286,7 @@ static bool fill_node(struct node *node, const struct tree *tree,
     return true;
 }
 
-/* Puts the halves of a node in its place and behind it. */
+/* Replaces a node by its first half and adds the second half. */
 static bool split_node(struct tree *tree, int index, struct counts *counts)
 {
     struct node *node = &tree->nodes[index], halves[2] = {{.rows = NULL}};

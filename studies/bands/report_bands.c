@@ -1,5 +1,5 @@
-/* report_bands.c - holds a report's room against the rooms of the atlas, and looks the
- * bands of its columns up. */
+/* report_bands.c - compares a report's room with the rooms of the atlas, and looks up
+ * the bands of its columns. */
 #include "studies/bands/report_bands.h"
 
 #include <math.h>
@@ -27,9 +27,10 @@ static bool plane_is_convex(const struct pp_region *plane)
     return true;
 }
 
-/* Has a wall a dado of quite another reflectance? The walls of the atlas are each of one
- * piece. With a dado of 1.1 m and 0.2 in 51 of its rooms the truth left the band of
- * exact+split-flux in five, as against three of the 90 without. */
+/* True if a wall has a dado whose reflectance differs by more than 0.2: walls in the
+ * atlas have one reflectance. With a dado of 1.1 m that differed by 0.2 in 51 of its
+ * rooms, the simulated value left the band of exact+split-flux in five; without, in
+ * three of 90. */
 static bool has_contrasting_dado(const struct pp_world *world)
 {
     const double contrast = 0.2 + 1e-9; /* 0.8 and 0.6 are no further apart */
@@ -63,8 +64,8 @@ static bool is_within(double value, double from, double to)
     return isnan(value) || (value >= from - slack && value <= to + slack);
 }
 
-/* The first feature from `first` up to `end` in which no room of the table is like this
- * one; -1: there is none. */
+/* First feature from `first` up to `end` whose value is outside that of all rooms of
+ * the table; -1: there is none. */
 static int find_unlike(const struct pp_band_table *table, const double *features,
                        int first, int end, double *from, double *to)
 {

@@ -1,7 +1,8 @@
-/* report_bands.h - sets the band of the atlas beside each hand figure of a report.
+/* report_bands.h - adds the band of the atlas to each hand figure of a report.
  *
- * The bands hold for rooms like those of the atlas: under an overcast sky or one of ISO
- * 15469 (band_table.h), of features within those of its rooms, with nothing standing in them and no recess in their plan.
+ * Bands hold for rooms like those of the atlas: under an overcast sky or one of ISO
+ * 15469 (band_table.h), with features within the ranges of its rooms, empty, and with a
+ * convex plan.
  */
 #ifndef PP_STUDIES_BANDS_REPORT_BANDS_H
 #define PP_STUDIES_BANDS_REPORT_BANDS_H
@@ -13,8 +14,8 @@
  * Points that do not face up, or are in places unlike those of the atlas, have none. */
 enum pp_status pp_report_bands_fill(struct pp_report *report, struct pp_error *err);
 
-/* The features of the report's room, and in *why why the atlas does not cover it (NULL: it
- * does), kept with the report's sentences. */
+/* The features of the report's room. *why: why the atlas does not cover it, kept with
+ * the report's sentences; NULL: it does. */
 enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
                                         const char **why, struct pp_report *report,
                                         struct pp_error *err);

@@ -1,6 +1,6 @@
-/* availability.c - fills the sheet of an availability question: first the rows, one a
- * place, method and illuminance, then each period's curve and the rows' shares of it.
- */
+/* availability.c - fills the sheet of an availability question: first the rows (a
+ * place, a method and an illuminance each), then each period's curve and its share for
+ * each row. */
 #include "studies/climate/availability.h"
 
 #include <math.h>
@@ -40,8 +40,8 @@ static enum pp_status fill_period(struct pp_availability_period *period,
     return PP_OK;
 }
 
-/* The share of one period's hours that one row's illuminance is reached in, and its
- * standard error by central differences of one standard error of the daylight factor. */
+/* Share of a period's hours in which a row's illuminance is reached, and its standard
+ * error: central differences over one standard error of the daylight factor. */
 static void fill_share(struct pp_availability_row *row, int period,
                        const struct pp_diffuse_curve *curve)
 {

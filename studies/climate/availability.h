@@ -1,9 +1,9 @@
-/* availability.h - in how many of the working hours daylight gives an illuminance.
+/* availability.h - share of the working hours in which daylight gives an illuminance.
  *
- * A daylight factor D turns an illuminance E on the working plane into what the sky has
- * to give outside, Eh = E/D; the cumulative curve of the diffuse horizontal illuminance
- * in the working hours says how often it does [GEEBELEN]. The daylight factor is taken
- * to hold through the year, whatever the sky; sunlight is left out.
+ * With a daylight factor D, an illuminance E on the working plane needs an illuminance
+ * Eh = E/D outside. The cumulative curve of the diffuse horizontal illuminance in the
+ * working hours gives the share of hours with Eh or more [GEEBELEN]. The daylight
+ * factor is assumed constant through the year, whatever the sky; sunlight is left out.
  */
 #ifndef PP_STUDIES_CLIMATE_AVAILABILITY_H
 #define PP_STUDIES_CLIMATE_AVAILABILITY_H

@@ -83,7 +83,7 @@ void pp_diffuse_curve_clear(struct pp_diffuse_curve *curve)
 
 double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx)
 {
-    /* Bisection for the number of illuminances that are `lx` or more and above 0. */
+    /* Bisection for the number of illuminances that are at least `lx` and above 0. */
     int low = 0, high = curve->count;
     while (low < high) {
         int middle = (low + high) / 2;

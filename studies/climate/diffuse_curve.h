@@ -23,12 +23,12 @@ enum pp_status pp_diffuse_curve_init(struct pp_diffuse_curve *curve,
                                      struct pp_error *err);
 void pp_diffuse_curve_clear(struct pp_diffuse_curve *curve);
 
-/* The share of the working hours in which the sky gives `lx` or more, 0 to 1; for 0 or
+/* Share of the working hours in which the sky gives `lx` or more, 0 to 1; with 0 or
  * less: the share with any light at all. Falls as lx rises. */
 double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx);
 
-/* The largest illuminance (lx) of the year that is reached in that share of the working
- * hours, 0 to 1, or in more. */
+/* Largest illuminance (lx) that is reached in at least that share (0 to 1) of the
+ * working hours. */
 double pp_diffuse_curve_lx(const struct pp_diffuse_curve *curve, double share);
 
 #endif

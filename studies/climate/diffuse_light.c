@@ -25,9 +25,9 @@ void pp_diffuse_light_clear(struct pp_diffuse_light *light)
 
 /* ---- from a weather file ---- */
 
-/* Sun of a record, at its mean height (sine of the altitude) over those of STEPS times
- * in the record at which it is up. If it is down at all of them it is put on the
- * horizon, and *up is false. */
+/* Sun of a record: its mean height (sine of the altitude) over those of STEPS times in
+ * the record at which it is up. If it is always down it is put on the horizon, and *up
+ * is false. */
 static struct pp_sun sun_of(const struct pp_epw *epw,
                             const struct pp_epw_record *record, bool *up)
 {
@@ -51,9 +51,9 @@ static struct pp_sun sun_of(const struct pp_epw *epw,
 }
 
 /* Diffuse illuminance from diffuse irradiance by [PISMS90]; NAN where the irradiance is
- * missing. Where the direct irradiance is missing it is the global less the diffuse over
- * the sine of the sun's altitude, for which 0.05 stands at low sun; where that is
- * missing too there is no direct irradiance. A dew point that is missing is 11 degrees. */
+ * missing. A missing direct irradiance is replaced by the global less the diffuse one,
+ * over the sine of the sun's altitude (0.05 at least), or by 0 if that is missing too.
+ * A missing dew point is replaced by 11 degrees. */
 static double by_efficacy(const struct pp_epw *epw, const struct pp_epw_record *record,
                           bool *up)
 {
@@ -81,7 +81,8 @@ static bool has_illuminance(const struct pp_epw *epw)
     return false;
 }
 
-/* The i-th hour from the i-th record: its illuminance, else by its irradiance. */
+/* Fills the i-th hour from the i-th record: by its illuminance, else by its
+ * irradiance. */
 static void fill_hour(struct pp_diffuse_light *light, const struct pp_epw *epw, int i,
                       bool *sun_was_up)
 {
@@ -197,8 +198,8 @@ enum pp_status pp_diffuse_light_median(double *median_lx,
     }
     qsort(known, (size_t)count, sizeof *known, compare_falling);
 
-    /* The illuminance at which half of the brightest hours are passed; at the border of
-     * two stretches of time the mean of theirs. */
+    /* Illuminance exceeded in half of the brightest hours; between two stretches of
+     * time, their mean. */
     double half_h = 0.5 * fmin(4380.0, 0.5 * known_h), passed_h = 0.0;
     for (int i = 0; i < count; i++) {
         passed_h += known[i][1];

@@ -1,13 +1,12 @@
-/* luminous_efficacy.c - equation (1) of luminous_efficacy.h, after [PISMS90]; its
- * coefficients are columns of tables/perez_1993_all_weather.csv.
- */
+/* luminous_efficacy.c - equation (1) of luminous_efficacy.h [PISMS90]; its coefficients
+ * are columns of tables/perez_1993_all_weather.csv. */
 #include "studies/climate/luminous_efficacy.h"
 
 #include <math.h>
 
 #include "model/geometry/vec.h"
 
-/* Columns: upper bound of the clearness bin; a of (1), which b, c and d follow. */
+/* Columns: upper bound of the clearness bin; a of (1), followed by b, c and d. */
 enum { EPS_HIGH = 2, DIFFUSE = 27, COLUMNS = 39 };
 
 static const double bins[][COLUMNS] = {

@@ -8,8 +8,8 @@
 
 #define SUNSHINE_W_M2 120.0
 
-/* The hour of solar time; at the equator, where the hour angle h stands in the plane of
- * east and zenith: the sun is at (-sin h, cos h) but for its declination. */
+/* Hour of solar time, from the hour angle h: at the equator the sun is at (-sin h, cos
+ * h) in the plane of east and zenith, apart from its declination. */
 static int solar_hour(double days_since_2000, double longitude_rad)
 {
     struct pp_sun sun = pp_sun_at(days_since_2000, 0.0, longitude_rad);

@@ -1,6 +1,5 @@
-/* working_hours.c - standard time put on the clock on the wall, and its overlap with the
- * working hours.
- */
+/* working_hours.c - converts standard time to clock time, and finds its overlap with
+ * the working hours. */
 #include "studies/climate/working_hours.h"
 
 #include <math.h>

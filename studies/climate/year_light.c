@@ -1,5 +1,5 @@
 /* year_light.c - reads the light outside from a weather file or computes it for a
- * latitude, and writes the sentences on both. */
+ * latitude, and describes both in sentences. */
 #include "studies/climate/year_light.h"
 
 #include <math.h>

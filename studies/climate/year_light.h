@@ -11,7 +11,7 @@
 
 struct pp_clock_times {
     int count;
-    struct pp_working_hours list[PP_PERIODS_MOST]; /* of all days */
+    struct pp_working_hours list[PP_PERIODS_MOST]; /* the same on all working days */
 };
 
 struct pp_illuminances {
@@ -21,23 +21,23 @@ struct pp_illuminances {
 
 struct pp_summer_choice {
     bool of_file;
-    struct pp_summer_time time; /* else; months 0: none */
+    struct pp_summer_time time; /* if not of_file; months 0: none */
 };
 
-/* NAN: not said. */
+/* Options of a study over a year; numbers are NAN if not given. */
 struct pp_year_options {
     const char *weather;                /* file; NULL: an overcast sky */
-    double latitude_deg, longitude_deg; /* of that sky, */
-    double time_zone_h;                 /* and of its clock */
+    double latitude_deg, longitude_deg; /* of the overcast sky's site */
+    double time_zone_h;                 /* of clock time at that site */
     struct pp_clock_times hours;
-    unsigned days; /* bits, from Monday */
+    unsigned days; /* working days, bit 0: Monday */
     struct pp_summer_choice summer;
     struct pp_illuminances illuminances;
 
     struct pp_epw *epw; /* the weather file, read; NULL: none; not owned */
 };
 
-/* 8-18 and 9-17, all days, no summer time, 300 and 500 lx, nothing said of the place. */
+/* 8-18 and 9-17 h, all days, no summer time, 300 and 500 lx, no place. */
 extern const struct pp_year_options pp_year_options_default;
 
 /* The days of the week, Monday first: "Mon". */
@@ -59,7 +59,7 @@ enum pp_status pp_year_light_of_room(struct pp_year_light *outside,
                                      struct pp_error *err);
 void pp_year_light_clear(struct pp_year_light *outside);
 
-/* The question that options and light make; good as long as they are. */
+/* Availability question for these options and light; it points to both. */
 struct pp_availability_question pp_year_light_question(
     const struct pp_year_options *options, const struct pp_year_light *outside);
 

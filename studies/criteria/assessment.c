@@ -15,7 +15,7 @@
 #include "studies/criteria/grid/plane_trace.h"
 #include "studies/criteria/room_before.h"
 
-/* Marks the criteria of a comma-separated list; NULL: all. */
+/* Marks the criteria named in a comma-separated list; NULL: all. */
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
                                     struct pp_error *err)
 {
@@ -102,14 +102,14 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
 
 /* ---- the grid ---- */
 
-/* A figure's error by the grid is small below this share of it. */
+/* Relative error of a figure by the grid below which the grid is fine enough. */
 static const double small_error = 0.02;
 
-/* Most halvings of a grid that the user has not chosen, and points of it. */
+/* Limits for a grid that the user has not chosen: number of halvings, and of points. */
 enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
 
-/* Has the grid a larger part in the error than the noise, where it matters? A minimum
- * (which is reached over no given share) depends on every grid, and halves none. */
+/* True if the grid causes more error than noise does and may change the verdict. A
+ * minimum (without a share of the plane) depends on every grid and is left out. */
 static bool is_coarse(const struct pp_finding *finding)
 {
     if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over))
@@ -124,7 +124,7 @@ static bool is_coarse(const struct pp_finding *finding)
                || finding->grid_error > small_error * finding->figure);
 }
 
-/* Should the grid be halved, and may it be? */
+/* True if the grid should be halved and may be. */
 static bool wants_finer_grid(const struct pp_assessment *assessment,
                              const struct pp_assess_options *options)
 {
@@ -148,7 +148,8 @@ static void clear_answers(struct pp_assessment *assessment)
     assessment->answer_count = 0;
 }
 
-/* Makes the grid, and the report with the hand methods' factors at its points. */
+/* Makes the grid, and a report with the daylight factors of hand methods at its
+ * points. */
 static enum pp_status lay_grid(struct pp_assessment *assessment, int halvings,
                                const struct pp_assess_options *options,
                                struct pp_error *err)
@@ -166,8 +167,8 @@ static enum pp_status lay_grid(struct pp_assessment *assessment, int halvings,
     return status == PP_OK ? pp_factors_by_hand(&assessment->report, err) : status;
 }
 
-/* Gathers the daylight factors needed by criteria, without those of simulation, on a grid
- * that is fine enough for the hand methods' verdicts. */
+/* Computes the daylight factors that criteria need, by hand methods, on a grid that is
+ * fine enough for their verdicts. */
 static enum pp_status gather_factors(struct pp_assessment *assessment,
                                      const bool chosen[PP_CRITERIA_MOST],
                                      const struct pp_assess_options *options,

@@ -18,11 +18,11 @@
 #include "studies/criteria/factors.h"
 #include "studies/criteria/grid/plane_share.h"
 
-/* The greatest traced average over that by average-df, of all example rooms; see the
- * manual's section on accuracy. */
+/* Largest ratio of the simulated average to that by average-df, over all example rooms;
+ * see the manual's section on accuracy. */
 static const double LOWEST_BY_FORMULA = 1.75;
 
-/* Might the figure be not met because average-df is too low? */
+/* True if the target may be missed only because average-df is too low. */
 static bool is_low_by_formula(const struct pp_finding *finding,
                               const struct pp_finding_list *findings)
 {

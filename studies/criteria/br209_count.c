@@ -34,7 +34,8 @@ static void count_loss(struct pp_br209_count *count, const struct pp_finding *fi
     count->compared++;
 }
 
-/* A window by the criterion that compares, if that judges it, else by 27 %. */
+/* Counts each window once: by its former value if it was compared with one, else by 27
+ * %. */
 static void count_windows(struct pp_br209_count *count,
                           const struct pp_assessment *room)
 {

@@ -17,8 +17,8 @@ static const struct pp_capital capitals[] = {
 
 static const double earth_km = 6371.0; /* mean radius */
 
-/* A capital farther away than this says nothing of a site. The distance was chosen; the
- * latitude is half of the widest gap in the table and a little more. */
+/* Greatest distance of a capital that is used for a site. The distance was chosen; the
+ * latitude is slightly more than half of the widest gap in the table. */
 static const double farthest_km = 1000.0, farthest_deg = 2.5;
 
 int pp_capitals_count(void)

@@ -6,8 +6,8 @@
 
 #include <stdbool.h>
 
-/* The diffuse horizontal illuminance that a site has in half of the year's daylight
- * hours, E_v,d,med of [EN17037]. */
+/* Diffuse horizontal illuminance exceeded in half of the year's daylight hours at a
+ * site, E_v,d,med of [EN17037]. */
 struct pp_median {
     double lux;    /* NAN: not known */
     char how[200]; /* where it comes from ("London, 12 km away"), or why it is not
@@ -21,7 +21,7 @@ struct pp_capital {
     double median_lux;
     double target_300_percent; /* as printed: 300 lx over median_lux */
     const char *country;       /* two letters */
-    bool recalled_only;        /* by memory alone: no second list was at hand */
+    bool recalled_only;        /* from memory: no second list was available */
 };
 
 int pp_capitals_count(void);

@@ -1,9 +1,9 @@
-/* criterion.h - what a criterion of daylight is: a rule that a room meets or does not.
+/* criterion.h - a criterion of daylight: a rule that a room meets or does not meet.
  *
- * A criterion is one entry in one list (studies/criteria/criteria.c); a file holds one
- * criterion, or a family of them. It adds findings about the room: figures, each with
- * the bound that is wanted and a verdict. Criteria trace nothing: simulated daylight
- * factors come in as readings.
+ * Each criterion is one entry in one list (studies/criteria/criteria.c); a file holds
+ * one criterion, or a family of them. It adds findings about the room: figures, each
+ * with its bound and a verdict. Criteria do not simulate: simulated daylight factors
+ * come in as readings.
  */
 #ifndef PP_STUDIES_CRITERIA_CRITERION_H
 #define PP_STUDIES_CRITERIA_CRITERION_H
@@ -18,19 +18,19 @@
 #include "model/results/report.h"
 #include "model/room/world.h"
 
-/* The room that is judged, and all that criteria judge it by. Nothing is owned. */
+/* The room to be judged, and the data for it. Nothing is owned. */
 struct pp_inquiry {
     const struct pp_world *world;
     const struct pp_outside_light *light;
-    const struct pp_world *before; /* the same room with other surroundings; NULL: none
-                                    * was given */
+    const struct pp_world *before; /* the same room with its former surroundings; NULL:
+                                    * none was given */
     const int *pairs; /* for each opening of `world` its index in `before`, as
                        * pp_pair_rooms finds them */
 
     const struct pp_world
         *mirrored;             /* with the building's mirror image outside instead of
                                 * the proposed parts; NULL: not requested */
-    const int *mirrored_pairs; /* as pairs, of it */
+    const int *mirrored_pairs; /* like `pairs`, for `mirrored` */
 
     /* Daylight factors at the points of a grid (plane_grid.h), which are the report's
      * receivers, and averages over the working plane: columns "traced" where the room
@@ -39,17 +39,18 @@ struct pp_inquiry {
     const struct pp_plane_grid *grid;
     struct pp_median median;            /* outside, at the room's site */
     const struct pp_sunshine *sunshine; /* at the site; NULL: not known */
-    double french_m; /* above the floor, where the vertical sky component of a window
-                      * down to it is taken; 0: at its middle */
-    double least_altitude_rad; /* above which the sun counts for EN 17037; 0: the
-                                * country's, where it is known */
-    const char *country;       /* country whose rules apply; "": unknown */
+    double french_m; /* height above the floor at which the vertical sky component of a
+                      * full-height window is calculated; 0: at its centre */
+    double least_altitude_rad; /* altitude above which the sun counts for EN 17037; 0:
+                                * the country's, if known */
+    const char *country;       /* ISO 3166 code of the country whose rules apply; "":
+                                * unknown */
 };
 
 struct pp_criterion {
-    const char *name;  /* as typed on the command line, and in JSON */
-    const char *alias; /* its short name in the field, which is good as well; or NULL */
-    const char *title; /* for people */
+    const char *name;        /* as typed on the command line, and in JSON */
+    const char *alias;       /* its usual short name, also accepted; NULL: none */
+    const char *title;       /* for people */
     const char *source;      /* keys in docs/SOURCES.md, with ", " between */
     const char *summary;     /* one line for the help, without a full stop */
     bool needs_before;       /* is evaluated only where there is a room before */
@@ -57,7 +58,8 @@ struct pp_criterion {
     bool of_gardens;         /* is evaluated only with a room that has gardens */
     bool of_factors; /* judges by the inquiry's factors; else they may be NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
-    const char *countries;                      /* its countries, "GB IE"; NULL: any */
+    const char *countries;                      /* codes of the countries it applies in,
+                                                 * "GB IE"; NULL: any */
 
     /* Adds the criterion's findings, including figures that are not applicable, with
      * the reason. Fails only on errors such as lack of memory. */

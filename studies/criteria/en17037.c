@@ -47,8 +47,8 @@ static bool is_lit_by_rooflights(const struct pp_world *world)
     return all;
 }
 
-/* Adds the finding of one target: by the daylight factors in `column`, or not judged
- * where `why` gives a reason. */
+/* Adds the finding of one target: by the daylight factors in `column`, or, if `why`
+ * gives a reason, not judged. */
 static enum pp_status add_target(const struct pp_inquiry *inquiry,
                                  const struct target *target,
                                  const struct pp_column *column, const char *why,
@@ -89,7 +89,7 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
                                             struct pp_finding_list *findings,
                                             const char **why)
 {
-    /* Reasons that no option of the command line removes come first. */
+    /* Reasons that no option can remove come first. */
     *why = pp_factors_refuse(inquiry);
     if (!*why && isnan(inquiry->median.lux))
         *why = inquiry->median.how;
@@ -107,7 +107,7 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
     return column;
 }
 
-/* The verdict on a level: the worst one of the findings from `first` on. */
+/* Verdict on a level: the worst among the findings from `first` on. */
 static enum pp_verdict level_verdict(const struct pp_finding_list *findings, int first)
 {
     bool undecided = false;

@@ -29,7 +29,8 @@ static bool any_sampled(const struct pp_assessment *assessment)
     return false;
 }
 
-/* The same finding about the other room; NULL: there is none. */
+/* The finding about the other room that corresponds to this one; NULL: there is
+ * none. */
 static const struct pp_finding *counterpart(const struct pp_assessment *other,
                                             const struct pp_criterion *criterion,
                                             const struct pp_finding *finding, int index)
@@ -68,7 +69,7 @@ static void compare_assessments(struct pp_assessment *assessment,
     }
 }
 
-/* Judges the other room, and looks which verdicts are others there. */
+/* Judges the other room, and marks the verdicts that differ there. */
 static enum pp_status judge_other(struct pp_assessment *assessment,
                                   const struct pp_study_room *room,
                                   const struct pp_assess_options *options,

@@ -1,18 +1,18 @@
-/* facade_sensitivity.h - would a verdict change if the facade were larger?
+/* facade_sensitivity.h - checks whether a verdict would change with a larger facade.
  *
- * A room's file need not say how far the walls round its windows go on (facade). A wall
- * that goes on takes sky from the ground before it, and light from whatever faces it, so
- * that a figure of the room by itself is rather too high. Where that is left out the room
- * is traced once more with walls that go on by 30 m; a verdict that is another one there
- * is not certain, whatever its noise.
+ * A room file need not state how far the walls round its windows extend (facade). A
+ * larger wall hides sky from the ground in front of it, and from surfaces that face it,
+ * so figures of a room by itself are slightly too high. If the facade is not given, the
+ * room is simulated again with walls extended by 30 m. A verdict that differs there is
+ * not certain, however small its noise.
  */
 #ifndef PP_STUDIES_CRITERIA_FACADE_SENSITIVITY_H
 #define PP_STUDIES_CRITERIA_FACADE_SENSITIVITY_H
 
 #include "studies/criteria/assessment.h"
 
-/* Share of the room's time for the other trace: at twice the standard error it is a
- * quarter of the work. */
+/* Share of the room's time for simulating the other room: with twice the standard error
+ * it needs a quarter of the work. */
 #define PP_FACADE_SENSITIVITY_SHARE 0.2
 
 /* Checks the sampled verdicts of an assessment by simulation: those that change lose their

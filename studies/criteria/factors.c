@@ -37,7 +37,7 @@ const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
                     : "the criterion is for an overcast sky, and the room has another";
 }
 
-/* Names the method that the findings rest on. */
+/* Names the method on which the findings are based. */
 static void set_basis(struct pp_finding_list *findings, const char *name)
 {
     bool simulated = name == traced;
@@ -45,7 +45,7 @@ static void set_basis(struct pp_finding_list *findings, const char *name)
                               simulated ? "" : ", not simulated");
 }
 
-/* Why the column lacks a value at some point; NULL where every point has one. */
+/* Reason why the column lacks a value at some point; NULL if every point has one. */
 static const char *missing(const struct pp_column *column, int count)
 {
     for (int i = 0; i < count; i++)
@@ -101,7 +101,7 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
     return NULL;
 }
 
-/* The level of a part of the points with each at the lower, or the upper end of its
+/* Level that a part of the points reaches if each is at the lower, or upper, end of its
  * band. */
 static enum pp_status level_at(double *level, const struct pp_band_ends *bands,
                                int count, double part, bool upper, struct pp_error *err)
@@ -144,7 +144,7 @@ enum pp_status pp_factors_grid_error(struct pp_grid_error *error,
     return pp_grid_error(error, inquiry->grid, column->points, part, target, err);
 }
 
-/* The less certain of two probabilities of one event. */
+/* Of two probabilities of one event the one nearer to 1/2. */
 static double less_certain(double a, double b)
 {
     return fabs(a - 0.5) < fabs(b - 0.5) ? a : b;

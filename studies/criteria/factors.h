@@ -29,20 +29,20 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
                                            struct pp_finding_list *findings,
                                            const char **why);
 
-/* Level that a part (a fraction) of the grid's points reaches, if all of them were at
- * the lower, or at the upper ends of their bands; none if a point has no band. */
+/* Level that a part (a fraction) of the grid's points would reach with all points at
+ * the lower, or all at the upper ends of their bands; none if a point has no band. */
 enum pp_status pp_factors_band(struct pp_band_ends *band,
                                const struct pp_column *column, int count, double part,
                                struct pp_error *err);
 
-/* The error of the figure is that of its grid, too: sets std_error, grid_error and
- * over_error and judges by them. share: as pp_plane_share has it; error: of the spacing.
- * scale: the figure over the share's level. */
+/* Adds the grid's error to that of the figure: sets std_error, grid_error and
+ * over_error, and the verdict by them. share, error: of the daylight factors at the
+ * grid's points. scale: the finding's figure over share->level. */
 void pp_factors_judge_share(struct pp_finding *finding,
                             const struct pp_plane_share *share,
                             const struct pp_grid_error *error, double scale);
 
-/* Errors of the inquiry's grid; NAN where it is not known. */
+/* Errors of the inquiry's grid; NAN if unknown. */
 enum pp_status pp_factors_grid_error(struct pp_grid_error *error,
                                      const struct pp_inquiry *inquiry,
                                      const struct pp_column *column, double part,

@@ -1,4 +1,4 @@
-/* finding.c - judges figures by their bounds, and lists findings. */
+/* finding.c - compares figures with their bounds, and lists findings. */
 #include "studies/criteria/finding.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* Figures and bounds are both computed: a difference of this share is rounding. */
+/* Figures and bounds are computed: a relative difference below this is rounding. */
 static const double rounding = 1e-9;
 
 static bool is_met(const struct pp_finding *finding)

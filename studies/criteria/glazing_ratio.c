@@ -1,11 +1,12 @@
-/* glazing_ratio.c - the area of windows over that of the floor, as building codes ask
- * for it:
+/* glazing_ratio.c - the area of windows over that of the floor, as required by building
+ * codes:
  *
- *   glass, net of frames, over floor area                  >= 8 %  [IBC21] section 1204.2
+ *   glass, net of frames, over floor area                  >= 8 %  [IBC21] section
+ *                                                          1204.2
  *   openings in the wall, frames included, over floor area >= 1/8  [MBO02] section 47
  *
- * Where the country is known, only its own code is asked. All openings count, rooflights too, whatever their glass; the floor is that of the
- * whole room.
+ * If the country is known, only its own code applies. All openings count, rooflights
+ * too, whatever their glass; the floor is that of the whole room.
  */
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* limiting_depth.c - how deep a room lit from one side may be [BS8206], [BREEAM14]:
+/* limiting_depth.c - limit on the depth of a room lit from one side [BS8206],
+ * [BREEAM14]:
  *
  *   d/w + d/h <= 2 / (1 - R_b)
  *
@@ -9,8 +10,8 @@
  *        from the window wall: floor, ceiling, walls, and both sides of free-standing
  *        surfaces
  *
- * The rule is for box-shaped rooms with windows in one wall; other rooms are not judged.
- * Obstructions outside, the size of the windows and their glass do not enter into it.
+ * The rule is for box-shaped rooms with windows in one wall; other rooms are not
+ * judged. Obstructions outside, the size of the windows and their glass do not matter.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -28,9 +29,9 @@ static bool is_level(const struct pp_polygon *polygon)
     return fabs(polygon->normal.z) > cos(PP_LEVEL_RAD);
 }
 
-/* The window wall of a plain box with windows in one wall; NULL for any other room, and
- * *why says why. A box has one level floor, one level ceiling and four more faces, all
- * with four corners and right angles, to 1e-3. */
+/* The window wall of a box-shaped room with windows in one wall; NULL for any other
+ * room, with the reason in *why. A box has one level floor, one level ceiling and four
+ * more faces, all with four corners and right angles, to 1e-3. */
 static const struct pp_surface *window_wall(const struct pp_world *world,
                                             const char **why)
 {
@@ -85,7 +86,7 @@ static enum pp_status add_rear(double sums[2], const struct pp_polygon *polygon,
     return PP_OK;
 }
 
-/* R_b: of the surfaces farther than `from` along `into`. */
+/* R_b: mean reflectance of the surfaces farther than `from` along `into`. */
 static enum pp_status rear_reflectance(double *mean, const struct pp_world *world,
                                        struct pp_vec3 into, double from,
                                        struct pp_error *err)
@@ -111,7 +112,7 @@ static enum pp_status rear_reflectance(double *mean, const struct pp_world *worl
     return PP_OK;
 }
 
-/* Extent of the room along a direction; *low is where it begins. */
+/* Extent of the room along a direction; *low is its lower end. */
 static double room_extent_along(const struct pp_world *world, struct pp_vec3 along,
                                 double *low)
 {

@@ -1,12 +1,14 @@
 /* no_sky_line.c - the share of the working plane from which sky can be seen.
  *
  * The no-sky line bounds the part of the working plane from which no sky can be seen
- * (studies/lit_line.h), through whatever glass.
+ * (studies/lit_line.h), through any kind of glass.
  *
- *   no-sky-line  the area behind the line, stated; with the room before, the area that
- *                sees sky is 0.8 of its former size or more      [BR209]
- *   sky-line     80 % of the plane or more sees sky: a fifth of the plane behind the line
- *                makes the back of a room look gloomy            [BS8206], [BREEAM14]
+ *   no-sky-line  the area behind the line, only stated; if the former room is given,
+ *                the area that sees sky must be 0.8 of its former size or more
+ *                [BR209]
+ *   sky-line     80 % of the plane or more must see sky: the back of a room looks
+ *                gloomy if a fifth of the plane lies behind the line      [BS8206],
+ *                [BREEAM14]
  */
 #include <math.h>
 

@@ -6,11 +6,11 @@
 
 #include "studies/criteria/grid/plane_share.h"
 
-/* Points of a cell in each direction. */
+/* Subdivisions of a cell in each direction. */
 enum { FINER = 4 };
 
-/* Change of the factor over one cell along an axis: the mean of the differences to the
- * neighbours that there are. index: of the point in each cell of the lattice, -1: none. */
+/* Change of the factor over one cell along an axis: mean of the differences to existing
+ * neighbours. index: point in each cell of the lattice; -1: none. */
 static double slope_at(const struct pp_plane_grid *grid, const int *index,
                        const struct pp_reading *points, int point, int axis)
 {

@@ -1,9 +1,10 @@
-/* grid_error.h - the error that the spacing of a grid makes in a median, in the level that
+/* grid_error.h - the error due to the spacing of a grid: in a median, in the level that
  * another part of the plane reaches, and in the area over a target.
  *
- * A point stands for its whole cell. Here each cell has 16 points instead, whose factors
- * follow the slopes to the neighbouring cells: a surface of planes in place of one of
- * steps. The difference of the two is the error, to first order in the spacing.
+ * A point represents its whole cell. Here each cell gets 16 points, whose factors
+ * follow the slopes to the neighbouring cells: a piecewise linear surface instead of a
+ * piecewise constant one. The difference between both is the error, to first order in
+ * the spacing.
  */
 #ifndef PP_STUDIES_CRITERIA_GRID_GRID_ERROR_H
 #define PP_STUDIES_CRITERIA_GRID_GRID_ERROR_H
@@ -13,8 +14,8 @@
 #include "studies/criteria/grid/plane_grid.h"
 
 struct pp_grid_error {
-    double level; /* of the level that the part reaches, as pp_plane_share has it */
-    double over;  /* of the share of the plane that reaches the target */
+    double level; /* error of pp_plane_share's level */
+    double over;  /* error of the share of the plane that reaches the target */
 };
 
 /* Errors, 0 or more, of a grid of one point or more, all with values. */

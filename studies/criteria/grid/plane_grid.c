@@ -11,7 +11,7 @@
 
 static const double default_spacing_m = 0.3;
 
-/* The default spacing grows in a large plane, so that it has no more points than this. */
+/* Most points at the default spacing, which grows in larger planes. */
 static const double default_points = 1000.0;
 
 double pp_plane_grid_largest_spacing(double width_m, double depth_m)
@@ -21,7 +21,7 @@ double pp_plane_grid_largest_spacing(double width_m, double depth_m)
     return fmin(0.5 * pow(5.0, log10(d)), 10.0);
 }
 
-/* Can a receiver stand there, and is it within the margin? */
+/* True if a receiver can stand there, outside the margin along the walls. */
 static bool is_grid_point(const struct pp_world *world, double margin_m, double x,
                           double y)
 {

@@ -18,14 +18,15 @@
 /* Distance of a probability from 0 or 1 within which the point counts as certain. */
 static const double surely = 1e-12;
 
-/* Standard errors beyond which it is certainly off: normal_below(-7.04) = 0.96e-12. */
+/* Standard errors from a level at which a point is certainly on one side of it:
+ * normal_below(-7.04) = 0.96e-12. */
 static const double surely_off = 7.04;
 
-/* Values and targets are computed: a difference of this share is rounding. */
+/* Values and targets are computed: a relative difference below this is rounding. */
 static const double rounding = 1e-9;
 
-/* Most points near the figure whose distribution is computed without approximation: its
- * time goes with the square of their number, and more. */
+/* Most points near the figure for which the distribution is computed exactly: the time
+ * grows with the square of their number, or faster. */
 enum { EXACT_MOST = 200 };
 
 static int compare_falling(const void *a, const void *b)
@@ -34,8 +35,9 @@ static int compare_falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* Points, the correlated share of their variance, and the root of the rest. The figure
- * is the wanted-th largest value, or half way between that and the next. */
+/* Points, the correlated share of their variance, and the root of the uncorrelated
+ * rest. The figure is the wanted-th largest value, or half way between that and the
+ * next. */
 struct plane_points {
     struct pp_reading *list;
     int count, wanted;
@@ -58,9 +60,10 @@ static double probability_of_point(const struct plane_points *points, int i,
     return pp_finding_probability_at_least(value, std_error, target);
 }
 
-/* odds[k], k to count, is the probability that k points reach `high` and all others stay
- * below `low`, at most `high`. Returns the number of points that surely reach `high`, which
- * odds leave out; -1 where some point surely does neither. *uncertain: the last k. */
+/* odds[k], 0 <= k <= *uncertain: probability that k of the uncertain points reach
+ * `high` and all others stay below `low` <= `high`. Returns the number of points
+ * that surely reach `high`, which are not in k; -1 if some point surely lies between
+ * both. */
 static int odds_of(const struct plane_points *points, double high, double low,
                    double shift, double *odds, int *uncertain)
 {
@@ -86,10 +89,10 @@ static int odds_of(const struct plane_points *points, double high, double low,
     return sure;
 }
 
-/* Square of two gaps: from the level up to the least of the `wanted` points above it,
- * and down to the greatest of the points below. corner[i][j]: the probability that the
- * first is at least low (i = 0) or high (i = 1), and the second at least low (j = 0) or
- * high (j = 1). */
+/* Joint distribution of two gaps: from the level up to the least of the `wanted` points
+ * above it, and down to the greatest of the points below. corner[i][j]: the probability
+ * that the first is at least low (i = 0) or high (i = 1), and the second at least low
+ * (j = 0) or high (j = 1). */
 struct gap_square {
     double low, high;
     double corner[2][2];
@@ -104,9 +107,9 @@ static double gaps_probability(const struct plane_points *points, double level,
     return sure >= 0 && k >= 0 && k <= uncertain ? odds[k] : 0.0;
 }
 
-/* The probability that the second gap is in the square's range and the first is greater.
- * Where both are in the range, half of the times; the square is halved until that happens
- * seldom. */
+/* Probability that the second gap is in the square's range and the first is greater. If
+ * both are in the range, half of the probability counts; the square is halved until
+ * that case is rare. */
 static double gap_above_is_greater(const struct plane_points *points, double level,
                                    double shift, const struct gap_square *square,
                                    double *odds)
@@ -153,15 +156,15 @@ static double tie_probability(const struct plane_points *points, double level,
     return gap_above_is_greater(points, level, shift, &all, odds);
 }
 
-/* Normal probability of a shift that is less than this. */
+/* Standard normal distribution function. */
 static double normal_below(double z)
 {
     return 0.5 * erfc(-z / sqrt(2.0));
 }
 
-/* Probability that the figure reaches the level, with such a shift, where the number of
- * points that reach it is nearly normal: by its mean and variance, half a point to either
- * side of whole numbers. */
+/* Probability that the figure reaches the level, given the shift, if many points are
+ * uncertain: their number is approximated as normal, with a correction of half a
+ * point. */
 static double probability_of_many(const struct plane_points *points, double level,
                                   double shift)
 {
@@ -175,7 +178,7 @@ static double probability_of_many(const struct plane_points *points, double leve
     return normal_below((mean - least + 0.5) / sqrt(fmax(variance, surely)));
 }
 
-/* Probability that the figure reaches the level, with such a shift. `odds` has space for
+/* Probability that the figure reaches the level, given the shift. `odds` has space for
  * count + 1 numbers. */
 static double probability_with(const struct plane_points *points, double level,
                                double shift, double *odds)
@@ -196,8 +199,8 @@ static double probability_with(const struct plane_points *points, double level,
 /* Largest shift, in standard deviations, and finest step. */
 static const double shift_most = 4.0, shift_least = 0.01;
 
-/* A probability rises with the shift; where by more than this between two, they are
- * taken apart. */
+/* Probabilities rise with the shift; an interval over which they rise by more than this
+ * is halved. */
 static const double steep = 0.05;
 
 struct shifted {
@@ -217,7 +220,7 @@ static struct shifted at_shift(const struct shifting *by, double z)
                             probability_with(by->points, by->level, shift, by->odds)};
 }
 
-/* The part of the mean over all shifts that those between two have. */
+/* Part of the mean over all shifts that belongs to the interval between two. */
 static double mean_between(const struct shifting *by, struct shifted low,
                            struct shifted high)
 {
@@ -229,7 +232,7 @@ static double mean_between(const struct shifting *by, struct shifted low,
            * (normal_below(high.z) - normal_below(low.z));
 }
 
-/* The same over all shifts, which are normal. */
+/* Mean probability over all shifts, which are normally distributed. */
 static double probability_of(const struct plane_points *points, double level,
                              double *odds)
 {
@@ -253,8 +256,8 @@ static double upper_end(const struct pp_reading *point)
     return point->value + (point->std_error > 0.0 ? 8.0 * point->std_error : 0.0);
 }
 
-/* The figure that is reached with the given probability, by bisection between a level that
- * all points reach and one that none reaches: 8 standard errors off. */
+/* Level that the figure reaches with the given probability, by bisection between a
+ * level that all points reach and one that none reaches: 8 standard errors off. */
 static double level_of(const struct plane_points *points, double probability,
                        double *odds)
 {
@@ -274,8 +277,8 @@ static double level_of(const struct plane_points *points, double probability,
     return 0.5 * (low + high);
 }
 
-/* Standard error of the share of points that reach the target: the number of these is a
- * sum of tosses, of which the share `common` of the variance is common. */
+/* Standard error of the share of points that reach the target. Their number is a sum of
+ * Bernoulli variables with a common share `common` of the variance. */
 static double share_error(const struct plane_points *points, double target)
 {
     double sum = 0.0, squares = 0.0;
@@ -291,8 +294,8 @@ static double share_error(const struct plane_points *points, double target)
     return pp_common_error(sum, squares, points->common) / points->count;
 }
 
-/* Leaves out points that are surely above, or surely below the figure: their order among
- * themselves changes nothing. values: space for count numbers. */
+/* Leaves out points that are surely above or surely below the figure: they do not
+ * change its distribution. values: space for count numbers. */
 static void leave_out_distant(struct plane_points *points, double *values)
 {
     int count = points->count, next = points->wanted + (points->half_way ? 1 : 0);
@@ -314,7 +317,7 @@ static void leave_out_distant(struct plane_points *points, double *values)
     }
 }
 
-/* Figure from falling values: the wanted-th, or half way to the next. */
+/* Figure from values in falling order: the wanted-th, or half way to the next. */
 static double figure_of(const struct plane_points *points, const double *values)
 {
     double here = values[points->wanted - 1];

@@ -1,6 +1,6 @@
-/* plane_trace.c - simulates with a large error a point, looks how large that of the
- * figures is, and simulates again with as much less as they need.
- */
+/* plane_trace.c - simulates with a large error per point, computes the error of
+ * the plane's figures, and simulates again with the error per point that they
+ * need. */
 #include "studies/criteria/grid/plane_trace.h"
 
 #include <math.h>
@@ -13,12 +13,13 @@
  * in eight rooms had 0.35 to 0.7 of a point's error. */
 static const double first_times = 2.0;
 
-/* An error so many times the target is no reason to simulate again. */
+/* Ratio to the target error up to which no further simulation is needed. */
 static const double near_enough = 1.05;
 
 enum { RUNS_MOST = 3 };
 
-/* Next error of a point, over the one by which the figures would just reach the target. */
+/* Safety factor on the error of a point for which the figures would just reach the
+ * target. */
 static const double margin = 0.85;
 
 static double relative_error(double value, double std_error)
