@@ -40,7 +40,7 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
     return PP_OK;
 }
 
-/* Traces the line and the area behind it, in a world with the plane at 0.85 m. */
+/* Traces the contour and the area behind it, in a world with the plane at 0.85 m. */
 static enum pp_status trace_sky_factor(struct pp_lit_area *area, struct pp_world *legal,
                                        struct pp_error *err)
 {
@@ -70,7 +70,7 @@ static enum pp_status find_adequately_lit(struct pp_lit_area *area,
     if (status != PP_OK || area->plane.count == 0)
         return status;
 
-    /* A shallow copy of the world with the law's plane. */
+    /* A shallow copy of the world, with the working plane at the legal height. */
     struct pp_world legal = *world;
     legal.working_plane_m = area->plane_m;
     legal.plane = area->plane;
@@ -95,7 +95,8 @@ static enum pp_status find_sky_view(struct pp_lit_area *area,
     return PP_OK;
 }
 
-/* 5,000 triangles before one opening take 0.9 and 2.2 s. */
+/* Most triangles times openings. 5,000 triangles before one opening take 0.9 s (no-sky
+ * line) and 2.2 s (sky factor). */
 static const double mesh_triangles_most = 10000.0;
 
 static bool is_too_fine(const struct pp_world *world)

@@ -7,8 +7,8 @@
 
 enum { TERMS = 6 };
 
-/* Solves the symmetric positive system by Cholesky's method, for the unknowns that are not
- * all but determined by those before: their coefficients are 0. */
+/* Solves the symmetric positive system by Cholesky's method. Unknowns that are almost
+ * determined by those before them are set to 0. */
 static void solve(double matrix[TERMS][TERMS], double right[TERMS])
 {
     double scale[TERMS];

@@ -74,7 +74,8 @@ static struct pp_reading sum_of(struct pp_reading a, struct pp_reading b)
     return a.why ? a : b.why ? b : pp_reading_of(a.value + b.value);
 }
 
-/* A copy of the column of the whole, or the sum of both direct components. */
+/* Sets the figures: a copy of the daylight factor column or, if direct, the sum of sky
+ * and externally reflected component. */
 static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
                                   bool direct, struct pp_error *err)
 {
@@ -97,7 +98,8 @@ static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
     return PP_OK;
 }
 
-/* Sums up the points of the grid, which are behind the room's own, and takes them off. */
+/* Computes the plane's figures from the points of the grid, which follow the room's own
+ * points, and removes these points. */
 static enum pp_status settle_plan_grid(struct pp_plan_study *study,
                                        const struct pp_study_room *room,
                                        struct pp_error *err)
@@ -182,7 +184,7 @@ static enum pp_status by_hand(struct pp_plan_study *study,
     status = tolerance_m > 0.0
                  ? pp_study_report_methods(&study->report, room, &one, err)
                  : pp_study_report_with_plane(&study->report, room, &one, err);
-    study->report.options = &options->method_options; /* `one` ends here */
+    study->report.options = &options->method_options; /* `one` goes out of scope here */
     if (status == PP_OK)
         status =
             draw_choice(study, &selection.choices[0], one.methods, tolerance_m, err);
@@ -196,7 +198,8 @@ static enum pp_status by_hand(struct pp_plan_study *study,
  * points, so each point may have this many times the error at first. */
 static const double coarse = 4.0;
 
-/* Do median and area shares of the grid at these points meet the target error? */
+/* *known: true if median and area shares of the grid at these points meet the target
+ * error. */
 static enum pp_status plane_is_known(bool *known, const struct pp_column *column,
                                      int first, int count, double error,
                                      struct pp_error *err)
@@ -248,9 +251,9 @@ static enum pp_status trace_points(struct pp_report *report,
     }
 }
 
-/* Factor on the target error for each point of the contours. The fit uses some twenty
- * points for each place and they have a third of their variance in common, so that a place
- * has some two or three times the target; the contours' bands show it. */
+/* Factor on the target error for each point of the contours. A fit uses about twenty
+ * points, which have a third of their variance in common, so a place has two or three
+ * times the target error; the contours' bands show it. */
 static const double error_of_points = 4.0;
 
 /* Traces the points that the contours are drawn from. */
@@ -275,7 +278,8 @@ static enum pp_status trace_plane(struct pp_traced_plane **plane,
                                 factors->common_near, err);
 }
 
-/* Notes the median and mean by the usual pair of hand methods, where it has them. */
+/* Adds to the note the median and mean by the usual pair of hand methods, if it has
+ * them. */
 static enum pp_status note_by_hand(struct pp_plan_study *study,
                                    const struct pp_study_room *room,
                                    const struct pp_study_options *options,

@@ -13,14 +13,15 @@ struct pp_plan_study {
     struct pp_daylight_plan plan;
     struct pp_report report;  /* of the room's points; with grid_points, of the plane */
     struct pp_column figures; /* figures at the report's receivers, and `plane` */
-    char note[320]; /* another method stands in for the usual one, or hand figures to
-                     * compare simulated ones with, or empty */
+    char note[320]; /* states that another method replaces the usual one, or the hand
+                     * figures to compare simulated ones with; may be empty */
 };
 
-/* Can a plan show what is asked for? It shows one figure: that of one direct method, or of a
- * pair; or with simulate, and without methods, the traced one. Methods that count squares or
- * dots, whose figures go in steps, and those that speak for the room as a whole have no
- * contours. methods NULL: the usual pair of the room. PP_BAD_INPUT says what is wrong. */
+/* Checks that a plan can show this choice: the daylight factor of one direct method or
+ * of one pair; or, with simulate and without methods, the simulated one. Methods that
+ * count squares or dots, with values in steps, and those that give one value for the
+ * room have no contours. methods NULL: the usual pair of the room. PP_BAD_INPUT says
+ * what is wrong. */
 enum pp_status pp_plan_study_check(const char *methods, bool simulate,
                                    struct pp_error *err);
 
@@ -31,8 +32,8 @@ enum pp_status pp_plan_study_make(struct pp_plan_study *study,
                                   const struct pp_study_options *options,
                                   bool *by_clock, struct pp_error *err);
 
-/* The same by hand, for a screen: contours to that tolerance (m, above 0), and without the
- * grid over the plane. */
+/* Plan by hand methods for the screen: contours to that tolerance (m, above 0), and
+ * without the grid over the plane. */
 enum pp_status pp_plan_study_sketch(struct pp_plan_study *study,
                                     const struct pp_study_room *room,
                                     const struct pp_study_options *options,

@@ -1,10 +1,10 @@
-/* plane_figures.h - what is said of a working plane as a whole: minimum, median, average,
- * uniformity, and the share of it over 1, 2 and 5 %.
+/* plane_figures.h - figures of a working plane as a whole: minimum, median, average,
+ * uniformity, and the shares of its area above 1, 2 and 5 %.
  *
- * The figures are those of points that stand for equal parts of the plane: the points asked
- * for where they are a grid (model/results/lattice.h), else those of EN 17037's grid, which
- * leaves out 0.5 m along the walls and which the criteria judge by. They are worked out with
- * the points asked for, in one go, and are then taken off the report.
+ * They are computed from points that represent equal parts of the plane: the requested
+ * points if they are a grid (model/results/lattice.h), else those of EN 17037's grid,
+ * which leaves out 0.5 m along the walls and by which the criteria judge. Both are
+ * evaluated together; the grid's points are then removed from the report.
  */
 #ifndef PP_STUDIES_PLANE_FIGURES_H
 #define PP_STUDIES_PLANE_FIGURES_H

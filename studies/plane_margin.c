@@ -35,7 +35,8 @@ void pp_plane_margin_clear(struct pp_plane_margin *margin)
     *margin = (struct pp_plane_margin){.has_plane = false};
 }
 
-/* A daylight factor that is no pair's. */
+/* True for a daylight factor of a method for the whole plane, neither a pair nor
+ * simulated. */
 static bool is_of_the_whole_plane(const struct pp_column *column)
 {
     return column->component == PP_DF && !strchr(column->name, '+')

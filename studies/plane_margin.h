@@ -1,8 +1,8 @@
-/* plane_margin.h - the mean over the working plane inside 0.5 m of its edge, as grids of
- * standards have it: without the bright strip along the windows and the dim ones in
+/* plane_margin.h - the mean over the working plane inside 0.5 m of its edge, as in
+ * grids of standards: without the bright strip along the windows and the dim ones in
  * corners.
  *
- * It is what methods and simulation say of the same room with a smaller plane:
+ * It is the average by methods and simulation in the same room with a smaller plane:
  *
  *     pp_plane_margin_init(&margin, room, err)
  *     ... a report on margin.room, if that has a plane ...
@@ -17,9 +17,9 @@
 
 /* The room with the smaller plane, and no points. */
 struct pp_plane_margin {
-    struct pp_world world; /* the room's, but for its plane */
+    struct pp_world world; /* as the room's, except for its plane */
     struct pp_study_room room;
-    bool has_plane; /* something is left of it */
+    bool has_plane; /* false: the margin leaves nothing of the plane */
 };
 
 enum pp_status pp_plane_margin_init(struct pp_plane_margin *margin,
@@ -27,9 +27,9 @@ enum pp_status pp_plane_margin_init(struct pp_plane_margin *margin,
                                     struct pp_error *err);
 void pp_plane_margin_clear(struct pp_plane_margin *margin);
 
-/* Gives the report's columns the averages that `inside`, a report of the same columns on
- * the margin's room, has of its plane; NULL: there is none. A formula that speaks of the
- * plane as a whole has none either. */
+/* Copies the averages of `inside`, a report with the same columns on the margin's room
+ * (NULL: there is none), to the report's columns. A formula for the plane as a whole
+ * gets none. */
 enum pp_status pp_plane_margin_take(struct pp_report *report,
                                     const struct pp_report *inside,
                                     struct pp_error *err);

@@ -1,4 +1,4 @@
-/* reliability.c - holds the shares of a report's hand figures against the thresholds of
+/* reliability.c - compares the shares of a report's hand figures with the thresholds of
  * reliability.h. */
 #include "studies/reliability.h"
 
@@ -20,10 +20,10 @@ const char *const pp_reliability_names[PP_RELIABILITY_KINDS] = {
     [PP_RELIABILITY_GROUND] = "ground",
 };
 
-/* Chosen so that the examples and trial rooms whose criteria come out otherwise by
- * simulation are above, all but one of 29 (an average by average-df, which
- * studies/criteria/averages.c says is low); those below were 0.76 to 1.14 of the traced
- * ones. */
+/* Thresholds between reliable and unreliable rooms: of 29 examples and trial rooms
+ * whose verdicts differ by simulation all but one are above (an average by average-df,
+ * noted in studies/criteria/averages.c); figures of rooms below were 0.76 to 1.14 of
+ * the simulated ones. */
 static const double outside_share = 0.3, inside_share = 0.65;
 static const double deep = 2.0, ground_off = 0.3;
 
@@ -67,7 +67,7 @@ static void set(struct pp_reliability *found, enum pp_reliability_kind kind,
     found->any |= is;
 }
 
-/* The share of the reflected light at the darkest of the points, 1 where it sees no
+/* Share of the reflected light at the darkest of the points; 1 if it sees no
  * sky. */
 static double share_inside(const struct pair *pair, int count)
 {
@@ -84,7 +84,8 @@ static double share_inside(const struct pair *pair, int count)
     return pair->irc->points[darkest].value / pair->df->points[darkest].value;
 }
 
-/* Depth over width of the room, seen from its largest upright opening; NAN without one. */
+/* Depth over width of the room, depth measured from its largest upright opening; NAN
+ * without one. */
 static double depth_over_width(const struct pp_world *world)
 {
     const struct pp_opening *largest = NULL;
@@ -110,7 +111,7 @@ static double depth_over_width(const struct pp_world *world)
     return (high[0] - low[0]) / (high[1] - low[1]);
 }
 
-/* True if the method answers for this room, or a point in it. */
+/* True if the method has a figure for this room, or for a point in it. */
 static bool has_figure(const struct pp_report *report, const char *name)
 {
     for (int i = 0; i < report->column_count; i++) {
@@ -126,8 +127,8 @@ static bool has_figure(const struct pp_report *report, const char *name)
     return false;
 }
 
-/* Names the methods with a ground of their own that answer; the largest distance from the
- * room's. */
+/* Lists the methods whose built-in ground reflectance differs from the room's; returns
+ * the largest difference. */
 static double compare_grounds(struct pp_reliability *found,
                               const struct pp_report *report)
 {

@@ -42,8 +42,8 @@ struct pp_reliability {
                         * sentence without a full stop; empty: none */
 };
 
-/* A row of the table: the lowest and highest ratio of hand to traced, of what, in how many
- * rooms. */
+/* A row of the table: lowest and highest ratio of hand to simulated figures; of: the
+ * figures' kind; rooms: their number. */
 struct pp_reliability_band {
     const char *kind, *of;
     double low, high;
@@ -52,17 +52,17 @@ struct pp_reliability_band {
 
 const struct pp_reliability_band *pp_reliability_band(enum pp_reliability_kind kind);
 
-/* Judges by the hand figures of the report: the first daylight factor by a pair of
- * methods, at its points and on average, and all methods that it has. Nothing is computed
- * but ratios; a report without such figures has no room of the first two kinds. */
+/* Assesses the hand figures of the report: the first daylight factor by a pair of
+ * methods, at its points and on average, and all other methods in it. A report without
+ * such figures has no room of the first two kinds. */
 struct pp_reliability pp_reliability_of(const struct pp_report *report);
 
-/* "Hand figures here are not to be relied on: ...", a sentence without a full stop; empty
- * where they are. */
+/* "Hand figures here are not to be relied on: ...", a sentence without a full stop;
+ * empty if they can be relied on. */
 void pp_reliability_sentence(const struct pp_reliability *reliability, char *text,
                              size_t size);
 
-/* The same of a report, with its full stop, as it stands below a drawing. */
+/* The same for a report, with its full stop, as a note below a drawing. */
 void pp_reliability_note(const struct pp_report *report, char *text, size_t size);
 
 #endif

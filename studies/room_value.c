@@ -1,6 +1,5 @@
-/* room_value.c - the figure is read from the report that the hand method fills, at the
- * lowest of the points or as the average.
- */
+/* room_value.c - reads the figure from the report that the hand method fills: the
+ * lowest of the points, or the average. */
 #include "studies/room_value.h"
 
 #include <stdio.h>

@@ -1,6 +1,5 @@
 /* room_value.h - one daylight factor of a room by one hand method: the figure by which
- * a design is judged when the room is changed step by step.
- */
+ * a design is judged as the room is changed step by step. */
 #ifndef PP_STUDIES_ROOM_VALUE_H
 #define PP_STUDIES_ROOM_VALUE_H
 
@@ -16,11 +15,11 @@ struct pp_room_value {
     const struct pp_receiver *points; /* the figure is the lowest at these; not owned */
     int point_count;                  /* 0: the figure is the working plane's average */
     int threads;                      /* 0: one for each processor */
-    char why[512];                    /* the text that a reading's why points to */
+    char why[512];                    /* text to which a reading's why points */
 };
 
-/* The figure in that world, under the light of `value`. Of a method that gives no
- * daylight factor it is the method's component: the internally reflected one, or the
+/* The figure in that world, under the light of `value`. If the method gives no daylight
+ * factor, the figure is the method's component: the internally reflected one, or the
  * direct one (sky component plus externally reflected component). A reading without a
  * value says why. */
 enum pp_status pp_room_value(struct pp_room_value *value, const struct pp_world *world,

@@ -14,10 +14,10 @@
 static const double slice_s = 0.1;
 
 struct pp_simulation {
-    const struct pp_engine *engine; /* engine whose columns are filled, */
+    const struct pp_engine *engine; /* engine that gives the columns their name, */
     const struct pp_engine
-        *solver;                /* and engine whose functions are used: the same, or its
-                                 * plain twin */
+        *solver;                /* and engine whose functions are called: the same, or
+                                 * its plain implementation */
     struct pp_light_scene *own; /* NULL: the scene is the caller's */
     struct pp_environment *environment;
     void *run;
@@ -138,7 +138,7 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
     return status;
 }
 
-/* Standard error over its target. */
+/* Ratio of the standard error to its target. */
 static double times_wanted(const struct pp_simulation *simulation,
                            const struct pp_reading *reading)
 {

@@ -1,14 +1,15 @@
-/* simulation.h - an engine at work on the points of a report.
+/* simulation.h - runs an engine on the points of a report.
  *
- * The caller holds the loop:
+ * The caller has the loop:
  *
- *     pp_simulation_create(&simulation, pp_engine_find("path"), &report, &options, err);
+ *     pp_simulation_create(&simulation, pp_engine_find("path"), &report, &options,
+ *     err);
  *     while (!pp_simulation_done(simulation))
  *         pp_simulation_advance(simulation, 0.1, err);
  *     pp_simulation_add_columns(simulation, &report, err);
  *
- * or leaves it to pp_simulation_run, which looks at the clock and at who watches. Who
- * comes back with another sky keeps the scene.
+ * or calls pp_simulation_run, which checks the clock and the watch. For a run under
+ * another sky the scene can be reused.
  */
 #ifndef PP_STUDIES_SIMULATION_H
 #define PP_STUDIES_SIMULATION_H
@@ -25,7 +26,7 @@ enum pp_status pp_simulation_create(struct pp_simulation **simulation,
                                     const struct pp_engine_options *options,
                                     struct pp_error *err);
 
-/* The same in the matt scene of the report's world, which must outlive it, too. */
+/* The same in the matt scene of the report's world; the scene must outlive it, too. */
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
                                        const struct pp_engine *engine,
                                        const struct pp_light_scene *scene,
@@ -34,7 +35,7 @@ enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
                                        struct pp_error *err);
 void pp_simulation_destroy(struct pp_simulation *simulation); /* NULL is allowed */
 
-/* Works for about `seconds` by the clock. */
+/* Works for about `seconds` of real time. */
 enum pp_status pp_simulation_advance(struct pp_simulation *simulation, double seconds,
                                      struct pp_error *err);
 bool pp_simulation_done(const struct pp_simulation *simulation);
@@ -51,20 +52,20 @@ enum pp_simulation_end {
     PP_SIMULATION_STOPPED
 };
 
-/* Advances until the engine is done, `seconds` (0: any) are over, or the watch says
- * stop. name: of the room, for the watch; may be NULL. */
+/* Advances until the engine is done, `seconds` (0: unlimited) are over, or the watch
+ * requests a stop. name: of the room, for the watch; may be NULL. */
 enum pp_status pp_simulation_run(struct pp_simulation *simulation, double seconds,
                                  const struct pp_watch *watch, const char *name,
                                  enum pp_simulation_end *end, struct pp_error *err);
 
-/* Adds to the report a column of the engine's name for each component, with what is
- * known so far; the columns of an earlier call are filled anew. */
+/* Adds to the report a column with the engine's name for each component, with the
+ * results so far; columns of an earlier call are filled again. */
 enum pp_status pp_simulation_add_columns(const struct pp_simulation *simulation,
                                          struct pp_report *report,
                                          struct pp_error *err);
 
-/* Data that a later run may begin with, as the bytes of a file, the caller's to free;
- * *bytes NULL where there is nothing (yet) to keep. */
+/* Data with which a later run may begin, as the content of a file, to be freed by the
+ * caller; *bytes NULL: nothing to keep (yet). */
 enum pp_status pp_simulation_keep(const struct pp_simulation *simulation, char **bytes,
                                   size_t *length, struct pp_error *err);
 

@@ -8,20 +8,21 @@
 #include "methods/method.h"
 #include "model/room/world.h"
 
-/* Reference points that stand for the file's; z is NAN for the working plane. */
+/* Reference points used instead of the file's; z is NAN for the working plane. */
 struct pp_point_list {
     struct pp_vec3 *list;
     int count;
 };
 
-/* Callbacks of a caller who watches a simulation: a progress bar, a request to stop. All NULL:
- * nobody. Called from one thread, between two slices of work. */
+/* Callbacks of a caller who watches a simulation: a progress bar, a request to stop.
+ * All NULL: no watch. Called from one thread, between two slices of work. */
 struct pp_watch {
-    /* name: of the room. Is anybody shown how far the simulation is? */
+    /* name: of the room. Returns true if progress is shown. */
     bool (*begin)(void *data, const char *name);
     /* Reports progress. done: 0 to 1; error: the largest standard error over daylight
-     * factor so far, NAN if there is none; 0 and NAN if they are not shown, since they
-     * take time. Returns false to stop; the results so far are then valid. */
+     * factor so far, NAN if there is none. They take time, and are 0 and NAN if
+     * progress is not shown. Returns false to stop; the results so far are then
+     * valid. */
     bool (*look)(void *data, double done, double error);
     void (*end)(void *data);
     void *data;
@@ -38,10 +39,10 @@ struct pp_study_options {
     double seconds; /* 0: not given */
     uint64_t seed;
     int threads; /* 0: one for each processor */
-    bool alone;  /* points share no light in light paths: sooner for few points */
+    bool alone;  /* points are simulated independently: faster for few points */
     struct pp_watch watch;
 
-    bool explain; /* methods write down the steps of the room's one point */
+    bool explain; /* methods record the steps of the calculation at the only point */
     struct pp_method_options method_options;
 
     double external_lux; /* of the open level plane; 0: not given */

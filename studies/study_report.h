@@ -17,9 +17,9 @@ enum pp_status pp_study_report_methods(struct pp_report *report,
                                        const struct pp_study_options *options,
                                        struct pp_error *err);
 
-/* The same, and at the points of a grid over the working plane (plane_figures.h), which
- * are behind the room's own until pp_study_report_settle has summed them up. A report that
- * is to explain has no grid. */
+/* The same, also at the points of a grid over the working plane (plane_figures.h),
+ * which follow the room's own until pp_study_report_settle computes the plane's figures
+ * and removes them. A report with explanations has no grid. */
 enum pp_status pp_study_report_with_plane(struct pp_report *report,
                                           const struct pp_study_room *room,
                                           const struct pp_study_options *options,
@@ -28,10 +28,10 @@ enum pp_status pp_study_report_settle(struct pp_report *report,
                                       const struct pp_study_room *room,
                                       struct pp_error *err);
 
-/* Adds the columns "traced" of all components, by light paths. If a watch stops it the
- * results so far are kept, and report->finished is false. *by_clock: the time was over
- * before the simulation was done. The second function simulates direct light alone: its
- * error is over the sum of sky and externally reflected component. */
+/* Adds the columns "traced" of all components, by the path engine. If a watch stops it
+ * the results so far are kept, and report->finished is false. *by_clock: the time limit
+ * ended the simulation. The second function simulates direct light alone: its error is
+ * over the sum of sky and externally reflected component. */
 enum pp_status pp_study_report_traced(struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err);
@@ -40,8 +40,8 @@ enum pp_status pp_study_report_traced_direct(struct pp_report *report,
                                              bool *by_clock, struct pp_error *err);
 
 /* Simulates by any engine. Error, samples, seed and threads are those of the study's
- * options. kept (may be NULL): data with which a later run may begin, unless the
- * simulation was stopped; freed by the caller. */
+ * options. kept (may be NULL): data with which a later run may begin, not after a stop;
+ * freed by the caller. */
 struct pp_kept_bytes {
     char *bytes;
     size_t length;

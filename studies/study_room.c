@@ -1,4 +1,4 @@
-/* study_room.c - takes over a room's world and points, and frees both. */
+/* study_room.c - takes ownership of a room's world and points, and frees both. */
 #include "studies/study_room.h"
 
 #include <stdlib.h>

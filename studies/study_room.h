@@ -8,19 +8,19 @@
 #include "model/room/world.h"
 
 struct pp_study_room {
-    const char *file;             /* as the user named it; not owned */
+    const char *file;             /* name given by the user; not owned */
     const struct pp_room *room;   /* as in the file, with the options' sky; not owned */
-    struct pp_building *building; /* that the room is part of; not owned */
+    struct pp_building *building; /* building of the room; not owned */
     int index;                    /* of the room in its building */
     struct pp_world *world;
     struct pp_outside_light light;
-    struct pp_receiver *receivers; /* the world's own, or others in their place */
+    struct pp_receiver *receivers; /* the world's own, or their replacement */
     int receiver_count;
     const struct pp_mistakes *doubts; /* warnings about its file; NULL: not looked for;
                                        * not owned */
 };
 
-/* Takes over world, with its own receivers as the points. description: room `index` of
+/* Takes ownership of world; its receivers are the points. description: room `index` of
  * the building, or a changed copy of it; light: from its own sky, or another. */
 void pp_study_room_init(struct pp_study_room *room, const char *file,
                         struct pp_building *building, int index,

@@ -1,4 +1,4 @@
-/* sweep.h - attributes of room files with other values: one value, or many runs.
+/* sweep.h - changes of attributes of room files: one value, or many runs.
  *
  * Several sweeps are combined: each value of one with each of the others. The last one
  * changes fastest.
@@ -23,7 +23,7 @@ struct pp_sweep {
     int set_count;
     struct pp_sweep_axis axes[PP_SWEEP_AXES_MOST];
     int axis_count;             /* 0: no --sweep */
-    struct pp_room_changes now; /* the changes of the run that was chosen; owned */
+    struct pp_room_changes now; /* changes of the current run; owned */
 };
 
 /* Number of runs: 1 without axes. */

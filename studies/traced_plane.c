@@ -1,4 +1,5 @@
-/* traced_plane.c - the choice of points, and the moving least squares between them. */
+/* traced_plane.c - chooses the points, and interpolates between them by moving least
+ * squares. */
 #include "studies/traced_plane.h"
 
 #include <math.h>
@@ -12,19 +13,21 @@
 #include "model/room/position.h"
 #include "studies/moving_fit.h"
 
-/* About as many squares cover the plane before those near openings are halved, and no
- * square is larger (m). */
+/* Approximate number of squares over the plane before those near openings are halved,
+ * and their largest side (m). */
 static const double squares = 240.0, largest_m = 0.45;
 
-/* Squares are halved nearer to an opening than this many of their sides, twice at most. */
+/* A square is halved if an opening is nearer than this many of its sides, twice at
+ * most. */
 static const double near_sides = 2.0;
 enum { HALVINGS = 2 };
 
-/* The radius of the weights, in sides of the square that the place would have. */
+/* Radius of the weights, in sides of the square at that place. */
 static const double reach_sides = 2.6;
 
-/* A point is never nearer to the plane's edge than this (m), and a place on the edge is
- * looked from so far within it: on the edge itself sight is not defined. */
+/* Least distance of a point from the plane's edge (m), and the distance by which a
+ * place on the edge is moved inside to test visibility, which is undefined on the edge
+ * itself. */
 static const double inset_m = 0.005, looked_from_m = 0.001;
 
 enum { NEIGHBOURS_LEAST = 10, NEIGHBOURS_MOST = 128 };
@@ -35,7 +38,7 @@ struct plane_point {
     bool known;
 };
 
-/* A line on the plane that sight does not pass. */
+/* A line on the plane that blocks the view between two points. */
 struct plane_screen {
     double a[2], b[2];
 };
@@ -43,16 +46,18 @@ struct plane_screen {
 struct pp_traced_plane {
     const struct pp_world *world;
     struct pp_direct_plane *direct; /* by `exact` */
-    double external; /* simulated externally reflected light over that of `exact` */
-    double side_m;   /* of the squares before any is halved */
-    double common;   /* the share of near points' variance that is common */
+    double external; /* ratio of simulated externally reflected light to that of
+                      * `exact` */
+    double side_m;   /* side of the squares before any is halved */
+    double common;   /* common share of the variance of neighbouring points */
     struct plane_point *points;
     int count;
     struct plane_screen *screens;
     int screen_count;
-    struct plane_screen *openings; /* their extent in the plan */
+    struct plane_screen *openings; /* openings as lines in the plan */
     int opening_count;
-    int *cells; /* first point in each cell of a lattice of side_m, then the next */
+    int *cells; /* index of the first point in each cell of a lattice of side_m, then of
+                 * the next */
     int *next;
     int columns, rows;
     double low[2];
@@ -147,7 +152,7 @@ static double distance_to(const struct plane_screen *line, double x, double y)
     return hypot(line->a[0] + share * dx - x, line->a[1] + share * dy - y);
 }
 
-/* Openings as lines in the plan, the longest between two of their corners. */
+/* Finds openings as lines in the plan: the longest between two of their corners. */
 static enum pp_status find_openings(struct pp_traced_plane *plane, struct pp_error *err)
 {
     const struct pp_world *world = plane->world;
@@ -177,7 +182,8 @@ static enum pp_status find_openings(struct pp_traced_plane *plane, struct pp_err
     return PP_OK;
 }
 
-/* Number of halvings of the square at a place; not whole, so that it changes evenly. */
+/* Number of halvings of the square at a place; a real number, so that it changes
+ * gradually. */
 static double halvings_at(const struct pp_traced_plane *plane, double x, double y)
 {
     double nearest = INFINITY;
@@ -321,7 +327,8 @@ void pp_traced_plane_destroy(struct pp_traced_plane *plane)
 
 /* ---- fitting ---- */
 
-/* The part that is known everywhere. */
+/* Direct component that is subtracted from the points: sky and scaled externally
+ * reflected light of `exact`. */
 static enum pp_status known_at(const struct pp_traced_plane *plane, double x, double y,
                                double *value, struct pp_error *err)
 {
@@ -384,8 +391,8 @@ struct neighbours {
     double weight[NEIGHBOURS_MOST];
 };
 
-/* Finds the known points in sight within the radius; the first NEIGHBOURS_MOST of
- * them. */
+/* Finds the points with values, visible from the place and within the radius;
+ * NEIGHBOURS_MOST at most. */
 static void find_neighbours(struct neighbours *found,
                             const struct pp_traced_plane *plane, const double at[2],
                             double radius)
@@ -413,7 +420,8 @@ static void find_neighbours(struct neighbours *found,
 }
 
 /* Limits a fit to the range of its points plus a quarter of it, and to at least half of
- * the least. With few points in sight, as beside a cupboard, they lie on one side. */
+ * the least. Beside a cupboard, for example, few points are visible, and all on one
+ * side. */
 static double bounded(double rest, const struct neighbours *of)
 {
     double low = INFINITY, high = -INFINITY;
@@ -427,7 +435,7 @@ static double bounded(double rest, const struct neighbours *of)
     return fmin(fmax(rest, least), high + beyond);
 }
 
-/* Fitted value, and its standard error; false: nothing is known. */
+/* Fitted value, and its standard error; false: no point has a value. */
 static bool fit(const struct pp_traced_plane *plane, double x, double y, double *rest,
                 double *error)
 {

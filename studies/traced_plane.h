@@ -1,19 +1,19 @@
-/* traced_plane.h - the traced daylight factor at any place of the working plane, from a
- * number of points that were traced.
+/* traced_plane.h - simulated daylight factor at any place of the working plane,
+ * interpolated between a number of simulated points.
  *
- * The points are the middles of squares that cover the plane, half and a quarter as large
- * near openings, where daylight factors are steep. Daylight factors
- * bend where the edge of some sky comes into view, which no fit of so few points follows.
- * So the direct component of `exact`, which is known at every place, is taken off the traced
- * factors at the points and added again at the place: all of its sky component, and as much
- * of its externally reflected one as the traced is most like. The latter has another meaning
- * and need not agree: what is taken off and added is the same.
+ * The points are the centres of squares that cover the plane, half and a quarter as
+ * large near openings, where daylight factors are steep. Daylight factors have kinks
+ * where the edge of a visible part of the sky appears, which no fit of so few points
+ * follows. So the direct component of `exact`, known at every place, is subtracted from
+ * the simulated factors at the points and added again at the place: its sky component,
+ * and its externally reflected one times the factor that fits the simulation best. The
+ * latter need not be accurate: the same amount is subtracted and added.
  *
- * The rest is smooth. Between the points it is a moving least squares fit of a quadratic
- * (moving_fit.h; weights (1 - d²/R²)², R some two and a half squares wide) to the points
- * that are in sight of the place: a wall's corner or a partition at the height of the plane
- * parts what lies on its two sides. The fit's standard error follows from those of the
- * points, and from what they have in common (common_error.h).
+ * The rest is smooth. Between the points it is a moving least squares fit of a
+ * quadratic (moving_fit.h; weights (1 - d²/R²)², R about two and a half squares wide)
+ * to the points that are visible from the place: a wall's corner or a partition at the
+ * height of the plane separates its two sides. The fit's standard error follows from
+ * those of the points, and from their common part (common_error.h).
  */
 #ifndef PP_STUDIES_TRACED_PLANE_H
 #define PP_STUDIES_TRACED_PLANE_H
@@ -25,8 +25,8 @@
 
 struct pp_traced_plane;
 
-/* Chooses the points (*points is the caller's to free), and makes the plane that they are
- * of, without values yet. World and light must live as long. */
+/* Chooses the points (the caller frees *points), and makes the plane for them, without
+ * values yet. World and light must outlive it. */
 enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
                                       struct pp_receiver **points, int *count,
                                       const struct pp_world *world,
@@ -34,9 +34,9 @@ enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
                                       struct pp_error *err);
 void pp_traced_plane_destroy(struct pp_traced_plane *plane); /* NULL is allowed */
 
-/* The daylight factors at the points, in their order, the externally reflected components
- * there, and the share of the factors' variance that points near each other have in common;
- * points without a value are left out. */
+/* Sets the daylight factors at the points, in their order, the externally reflected
+ * components there, and the common share of the variance of neighbouring points; points
+ * without a value are left out. */
 enum pp_status pp_traced_plane_fill(struct pp_traced_plane *plane,
                                     const struct pp_reading *factors,
                                     const struct pp_reading *external, double common,

@@ -8,18 +8,18 @@
 #include "model/base/array.h"
 #include "model/geometry/region.h"
 
-/* Lines of sight that end nearer to the glass than this are left out. */
+/* Lines of sight that end less than this beyond the glass are left out. */
 static const double NEAR_M = 2.0;
-/* Ground less than this below the horizon is landscape. */
+/* Ground less than this angle below the horizon counts as landscape. */
 static const double LANDSCAPE_RAD = 5.0 * PP_RAD;
-/* Steepest rise of an opening's outward normal. */
+/* Greatest sine of the altitude of an opening's outward normal. */
 static const double RISE_MOST = 0.70710678118654757;
 
 const double pp_view_out_angle_rad[4] = {0.0, 14.0 * PP_RAD, 28.0 * PP_RAD,
                                          54.0 * PP_RAD};
 const double pp_view_out_distance_m[4] = {0.0, 6.0, 20.0, 50.0};
 
-/* Bearings from `from` to `to`, at most pi apart, in [0, 4 pi). */
+/* Bearings from `from` to `to` (rad), at most pi apart, in [0, 4 pi). */
 struct bearing_span {
     double from, to;
 };
@@ -29,7 +29,7 @@ struct view_line {
     double distance_m, solid_angle;
 };
 
-/* All that openings add to. */
+/* Sums over all openings. */
 struct view_sum {
     struct bearing_span *spans;
     int span_count, span_space;
@@ -49,8 +49,8 @@ static int by_line_distance(const void *a, const void *b)
     return (s->distance_m > t->distance_m) - (s->distance_m < t->distance_m);
 }
 
-/* Total of the spans on the circle, each direction once. Spans beyond a full turn are
- * divided there first; space for as many again is kept for them. */
+/* Total of the spans on the circle, overlaps counted once. Splits spans that extend
+ * beyond a full turn; the array has space for twice the count. */
 static double spans_union(struct bearing_span *spans, int count)
 {
     int all = count;
@@ -97,8 +97,8 @@ static struct pp_vec3 axes_direction(const struct opening_axes *axes, double x,
     return pp_vec_along(pp_vec_along(v, y, axes->up), 1.0, axes->out);
 }
 
-/* Adds the bearings of one ring of an opening's visible part. They are taken from that of
- * the opening's normal, from which none is a quarter turn or more away. */
+/* Adds the bearings of one ring of an opening's visible part, measured from that of the
+ * opening's normal, from which none is a quarter turn or more away. */
 static enum pp_status add_bearings(struct view_sum *sum,
                                    const struct opening_axes *axes,
                                    const struct pp_ring *ring, struct pp_error *err)
@@ -240,7 +240,7 @@ enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world 
     return status;
 }
 
-/* The highest level whose bound the figure reaches, but for rounding. */
+/* Highest level whose bound the figure reaches, with a tolerance for rounding. */
 static enum pp_view_level view_level_of(double figure, const double bounds[4])
 {
     int level = PP_VIEW_HIGH;

@@ -1,17 +1,17 @@
-/* view_out.h - the view out of a room from one position of the eye, as [EN17037] 5.2
- * describes it: its horizontal sight angle, the distance of its objects, and its layers.
+/* view_out.h - the view out of a room from one position of the eye, by [EN17037] 5.2:
+ * its horizontal sight angle, the distance of visible objects, and its layers.
  *
- *   sight angle  the part of the horizon, in plan, that openings take; what two openings
- *                share counts once. Exact: the outline of an opening and its reveal, less
- *                furniture and other parts of the room before it
- *   distance     median, over solid angle, of the distance from the glass along lines of
- *                sight; sky counts as endless. Lines that end less than 2 m beyond the
- *                glass are left out: a window sill or a railing is no view
- *   layers       sky, landscape (whatever stands outside, and ground less than 5 degrees
+ *   sight angle  the part of the horizon, in plan, covered by openings; overlaps count
+ *                once. Exact: the outline of an opening and its reveal, less furniture
+ *                and other parts of the room before it
+ *   distance     median, over solid angle, of the distance from the glass along lines
+ *                of sight; that of the sky is infinite. Lines that end less than 2 m
+ *                beyond the glass are left out: a window sill or a railing is no view
+ *   layers       sky, landscape (all objects outside, and ground less than 5 degrees
  *                below the horizon) and ground
  *
- * The standard does not define the distance. These rules are those that ClimateStudio
- * documents. Openings count whose glass is clear and rises from the vertical by 45
+ * The standard does not define the distance; these rules are documented by
+ * ClimateStudio. Openings count whose glass is clear and rises from the vertical by 45
  * degrees or less. Distance and layers come from a lattice of lines of sight through
  * each opening.
  */
@@ -31,15 +31,15 @@ enum pp_view_layer {
     PP_VIEW_LAYERS = 7 /* all of them */
 };
 
-/* Levels of [EN17037], and of no recommendation. */
+/* Levels of [EN17037]; PP_VIEW_NONE: below the minimum. */
 enum pp_view_level { PP_VIEW_NONE, PP_VIEW_MINIMUM, PP_VIEW_MEDIUM, PP_VIEW_HIGH };
 
 struct pp_view_out {
     double sight_angle_rad; /* 0 to 2 pi */
-    double distance_m;      /* INFINITY: endless; 0: no line of sight counts */
+    double distance_m;      /* INFINITY: only sky; 0: no line of sight counts */
     int layers;             /* enum pp_view_layer, through any opening */
     int layers_together; /* greatest number through one opening, landscape among them;
-                             * 0: no opening shows landscape */
+                          * 0: no opening shows landscape */
 };
 
 /* Lines of sight along each side of an opening's visible part. */

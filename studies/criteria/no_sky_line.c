@@ -70,7 +70,7 @@ static enum pp_status add_former(const struct sky_view_area *now,
     return pp_finding_list_add(findings, &share, err);
 }
 
-/* The line of the world, or of the one before, is refused. */
+/* Adds the reason why the line is refused, in the room now or before. */
 static enum pp_status add_refused(const struct pp_inquiry *inquiry, const char *what,
                                   struct pp_finding_list *findings,
                                   struct pp_error *err)

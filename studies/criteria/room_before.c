@@ -5,7 +5,7 @@
 
 #include "studies/criteria/pair_rooms.h"
 
-/* The same room of the same file in the other state; NULL: it is not there then. */
+/* The same room of the same file in the other state; NULL: it does not exist there. */
 static const struct pp_study_room *find_in_state(const struct pp_study_room *room,
                                                  const struct pp_rooms_before *before)
 {

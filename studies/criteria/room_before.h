@@ -5,19 +5,20 @@
 
 #include "studies/study_room.h"
 
-/* The rooms before. */
+/* Rooms among which the former state of a room is searched. */
 struct pp_rooms_before {
     const struct pp_study_room *list;
     int count;
-    bool is_state; /* the former rooms are those of the same files in another state,
-                   * where a room may be missing; else of another file, where it may
-                   * not */
+    bool is_state; /* true: they are the same files in another state, in which a room
+                    * may be missing; false: they are another file, which must have each
+                    * room */
 };
 
-/* *found is one of the rooms before: the same of the same file in its other state, the one of
- * the same name, or the only one where there is but one of each (room_count is how many
- * there are now); NULL: there was none. *pairs are its openings as of pp_pair_rooms
- * (pair_rooms.h), to be freed. PP_BAD_INPUT says what is no pair, with the file. */
+/* *found: the former state of a room, not owned: with is_state the same room of the
+ * same file, else the one of the same name, or the only one if there is one of each
+ * (room_count: of rooms now); NULL: it did not exist. *pairs: its openings as of
+ * pp_pair_rooms (pair_rooms.h), to be freed. PP_BAD_INPUT names file and room that
+ * cannot be paired. */
 enum pp_status pp_room_before_find(const struct pp_study_room **found, int **pairs,
                                    const struct pp_study_room *room, int room_count,
                                    const struct pp_rooms_before *before,

@@ -1,6 +1,5 @@
-/* section_angle.c - cuts every polygon outside by the vertical section and takes the
- * highest angle of the pieces.
- */
+/* section_angle.c - cuts every polygon outside by the vertical section, and finds the
+ * highest angle of the pieces. */
 #include "studies/criteria/section_angle.h"
 
 #include <math.h>

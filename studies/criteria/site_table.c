@@ -32,8 +32,8 @@ static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
     return PP_OK;
 }
 
-/* Puts a value by the mirror image beside the window or the room that it belongs to;
- * false if that has no line. */
+/* Adds a value by the mirror image to the line of its window or room; false if there is
+ * no such line. */
 static bool put_beside(struct pp_site_table *table, const struct pp_assessment *room,
                        const struct pp_finding *finding)
 {

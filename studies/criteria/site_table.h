@@ -14,16 +14,16 @@ struct pp_site_row {
                                        * of rights of light m2 */
     double ratio;                     /* proposed over existing; NAN: not known */
     const struct pp_lit_change
-        *lit;        /* of rights of light; NULL: not judged, or another */
+        *lit;        /* for rights of light; NULL: not judged, or another criterion */
     double mirrored; /* with the building's mirror image instead of the proposed parts;
-                   * NAN: unknown */
+                      * NAN: unknown */
     const struct pp_finding *by_mirror_image; /* finding with the verdict by the mirror
                                                * image; NULL: none */
 };
 
-/* The lines of all rooms, in their order. */
+/* The lines of all rooms, in the order of the rooms. */
 struct pp_site_table {
-    bool has_mirror_image;       /* some line has one */
+    bool has_mirror_image;       /* some line has a value by the mirror image */
     struct pp_site_row *windows; /* vertical sky component, a line a window */
     int window_count;
     struct pp_site_row *rooms; /* area that sees sky, a line a room */

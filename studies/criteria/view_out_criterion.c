@@ -22,7 +22,7 @@ static const double part = 0.75;
 static const double eye_m = 1.2;
 static const double spacing_m = 0.5;
 static const int most_cells = 400;
-/* A distance that stands for endless ones. */
+/* Distance (m) used where a distance is unlimited. */
 static const double endless_m = 1000.0;
 
 static const char *const level_names[] = {"none", "minimum", "medium", "high"};
@@ -34,7 +34,7 @@ static int descending(const void *a, const void *b)
     return (*x < *y) - (*x > *y);
 }
 
-/* Value that the part of the points reach; sorts the values. */
+/* Value that the share `part` of the points reaches; sorts the values. */
 static double value_reached(double *values, int count)
 {
     qsort(values, (size_t)count, sizeof *values, descending);
@@ -68,7 +68,7 @@ static enum pp_status find_views(struct pp_view_out **views,
     return status;
 }
 
-/* Stated findings: what 75 % of the points have of each quantity. */
+/* Finding without a bound: the value of a quantity that 75 % of the points reach. */
 static struct pp_finding angle_finding(const struct pp_view_out *views, double *values,
                                        int count)
 {
@@ -100,7 +100,7 @@ static struct pp_finding layer_finding(const struct pp_view_out *views, double *
                          "layers through one opening");
 }
 
-/* The share of points that reach a level, and the part of them that should. */
+/* Finding on the share of points that reach a level; its bound is `part`. */
 static struct pp_finding level_finding(const struct pp_view_out *views, int count,
                                        enum pp_view_level level)
 {

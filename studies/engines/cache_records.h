@@ -4,8 +4,8 @@
 
 #include "simulate/cache/irradiance_cache.h"
 
-/* The cache for a scene under a light, with the records of `file` if there is one of that name; NULL:
- * without. A file of another scene or light is PP_BAD_INPUT. */
+/* The cache for a scene under a light. It begins with the records of `file` if the file
+ * exists (NULL: without). A file of another scene or light is PP_BAD_INPUT. */
 enum pp_status pp_cache_records_open(
     struct pp_irradiance_cache **cache, const char *file,
     const struct pp_light_scene *scene, const struct pp_environment *environment,

@@ -1,10 +1,10 @@
-/* engine.h - what simulates: the list of engines, each a file that puts one of
- * simulate/'s solvers behind the same few functions.
+/* engine.h - list of simulation engines: each is a file that gives one of simulate/'s
+ * solvers the same few functions.
  *
- * The scene is without light from outside: made once of a world, it serves any number of
- * runs of any engine, under one environment after another. The caller holds the loop
- * (studies/simulation.h): create, advance until done, read, destroy. A new engine
- * is a file like engine_path.c, and a line in engine.c.
+ * The scene has no light from outside: made once from a world, it serves any number of
+ * runs of any engine, under one environment after another. The caller has the loop
+ * (studies/simulation.h): create, advance until done, read, destroy. A new engine is a
+ * file like engine_path.c, and a line in engine.c.
  */
 #ifndef PP_STUDIES_ENGINES_ENGINE_H
 #define PP_STUDIES_ENGINES_ENGINE_H
@@ -20,38 +20,40 @@
 
 /* Options of any engine; each uses those that apply to it. */
 struct pp_engine_options {
-    double error; /* target standard error over daylight factor; 0: by samples, time */
+    double error; /* target standard error over daylight factor; 0: use samples or
+                   * seconds */
     long samples; /* paths a point in each randomisation instead; 0: not given */
     uint64_t seed;
     int threads; /* 0: one for each processor */
 
-    bool plain;  /* by the engine's plain twin, if it has one */
-    bool alone;  /* points share no light in light paths */
-    bool direct; /* by light paths: sky and externally reflected component alone, the
+    bool plain;  /* use the engine's plain implementation, if it has one */
+    bool alone;  /* path engine: each point is simulated independently */
+    bool direct; /* path engine: sky and externally reflected component only, with the
                   * error over their sum */
 
-    double sensor_m; /* photons are counted on discs of this radius round the receivers;
-                      * 0: the receivers are points */
+    double sensor_m; /* photon engine: photons are counted on discs of this radius round
+                      * the receivers; 0: the receivers are points */
 
     struct pp_cache_options cache; /* its seed and threads are those above */
-    bool interpolate;              /* reads reflected light at the points from the
-                                    * cache */
-    const char *cache_file; /* records to begin with, where there is such a file; NULL:
-                             * none */
+    bool interpolate;              /* cache engine: interpolates reflected light at the
+                                    * points */
+    const char *cache_file; /* cache engine: file of initial records, used if it exists;
+                             * NULL: none */
 };
 
 struct pp_engine {
     const char *name;   /* as typed: "path" */
     const char *column; /* of its results: "traced" */
     const char *summary;
-    const char *said;      /* of its figures, below a table: "by simulation" */
+    const char *said;      /* description of its figures below a table: "by
+                            * simulation" */
     const char *deviation; /* name of the error beside a figure: "one standard error" */
     const char *from;      /* heading for deviations from it: "from traced, %"; NULL:
                             * none, as it is not a reference */
     bool is_truth;         /* true if hand figures can be compared with it */
-    bool is_sampled;       /* another seed gives other figures */
+    bool is_sampled;       /* figures depend on the seed */
     const struct pp_engine
-        *plain; /* gives the same by a plain implementation; NULL: none */
+        *plain; /* engine with the same results by a plain implementation; NULL: none */
 
     /* Creates a run at the report's receivers and over its working plane, in the world's
      * matt scene under this environment. *run is set on success only; scene, environment
@@ -75,8 +77,8 @@ struct pp_engine {
     double (*common)(const void *run);
     double (*common_near)(const void *run);
 
-    /* Data that a later run may begin with, as the bytes of a file; NULL where there is
-     * nothing to keep. Otherwise the caller's to free. */
+    /* Data with which a later run may begin, as the content of a file; NULL: nothing to
+     * keep. The caller frees it. */
     enum pp_status (*keep)(const void *run, char **bytes, size_t *length,
                            struct pp_error *err);
     void (*destroy)(void *run); /* NULL is allowed */
@@ -91,8 +93,8 @@ const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none
 /* Engine whose columns have this name; NULL: the name of a method. */
 const struct pp_engine *pp_engine_of_column(const char *column);
 
-/* The column of daylight factors that others are held against: the first engine's of the
- * list that gives the truth and is in the report; NULL: none. */
+/* The column of daylight factors with which others are compared: of the first engine of
+ * the list that is a reference and is in the report; NULL: none. */
 const struct pp_column *pp_engine_truth(const struct pp_report *report);
 
 #endif

@@ -10,7 +10,7 @@
 #include "studies/engines/cache_records.h"
 #include "studies/engines/engine.h"
 
-/* All that stands on the scene, in the order in which it is made. */
+/* Objects made from the scene, in the order of their creation. */
 struct cache_run {
     struct pp_opening_store *store;
     struct pp_irradiance_cache *cache;

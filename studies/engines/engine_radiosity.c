@@ -12,7 +12,7 @@ static enum pp_status create_radiosity_engine(void **data,
     const struct pp_radiosity_options wanted = {.error = options->error,
                                                 .threads = options->threads};
     struct pp_radiosity *radiosity;
-    (void)scene, (void)environment; /* it makes its own of world and light */
+    (void)scene, (void)environment; /* radiosity makes its own scene */
     enum pp_status status =
         pp_radiosity_create(&radiosity, report->world, &report->light,
                             report->receivers, report->receiver_count, &wanted, err);
@@ -23,7 +23,7 @@ static enum pp_status create_radiosity_engine(void **data,
 static enum pp_status advance_radiosity_engine(void *data, double seconds,
                                                struct pp_error *err)
 {
-    (void)seconds; /* a level takes its own time */
+    (void)seconds; /* a level cannot be stopped by the clock */
     return pp_radiosity_advance(data, err);
 }
 

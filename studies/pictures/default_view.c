@@ -1,4 +1,5 @@
-/* default_view.c - the best of many places to look at a window from, and cut planes. */
+/* default_view.c - chooses the best of many view points towards a window, and cut
+ * planes. */
 #include "studies/pictures/default_view.h"
 
 #include <math.h>
@@ -6,9 +7,9 @@
 #include "model/room/position.h"
 
 enum {
-    PLACES = 24, /* that are tried along each side of the room */
-    WAYS = 8,    /* in which a place has to be clear */
-    RAYS = 24,   /* across the picture */
+    PLACES = 24, /* view points tried along each side of the room */
+    WAYS = 8,    /* directions in which a view point's distance to walls is checked */
+    RAYS = 24,   /* rays across the picture */
 };
 
 /* Distance from walls (m), if the room is large enough. */
@@ -17,8 +18,8 @@ static const double clear_m = 0.4;
 /* Below this slope an opening is a rooflight. */
 static const double upright_rad = 45.0 * PP_RAD;
 
-/* Most that a window may be above the eye: the view is raised until the window is at
- * this height, but at most by the second angle. */
+/* A view is level if the window is at most this far above the eye; else it is raised
+ * until the window is at this angle, but by the second angle at most. */
 static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
@@ -56,7 +57,7 @@ static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
     return pp_light_scene_first(scene, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* The distance from a place to the nearest surface at its height, `most` at most. */
+/* Distance from a place to the nearest surface at its height, limited to `most`. */
 static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place,
                         double most)
 {
@@ -67,7 +68,7 @@ static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place
     return most;
 }
 
-/* The penalty of a place from which the target is hidden. */
+/* Penalty of a view point from which the target is hidden. */
 static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
                      struct pp_vec3 target)
 {
@@ -79,8 +80,8 @@ static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
     return free_m < 0.98 * distance_m - 0.02 ? 1e3 : 0.0;
 }
 
-/* Free distance, level, across the picture: the harmonic mean, in which a wall near by on
- * one side of it weighs as it does to the eye. */
+/* Harmonic mean of the free distances across the picture, level: a near wall on one
+ * side of it counts as much as it obstructs the view. */
 static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
                        struct pp_vec3 target)
 {
@@ -93,9 +94,9 @@ static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
     return RAYS / sum;
 }
 
-/* The best of many places at that height: where one sees far, not aside of the target,
- * clear of all and, of places alike, the farthest back along `back` (zero: in any
- * direction). The middle of the scene's box is the last resort. */
+/* Best of many view points at that height: with a far view, the target near the middle,
+ * clear of all surfaces and, among equal ones, the farthest back along `back` (zero:
+ * any direction). If there is none, the middle of the scene's box. */
 static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                  struct pp_vec3 target, struct pp_vec3 back,
                                  double height_m)
@@ -150,7 +151,7 @@ static void look_at_window(struct pp_view_place *place,
             level * tan(fmin(fmax(altitude - level_rad, 0.0), raised_most_rad));
 }
 
-/* Looks along the longer side, in a room without windows. */
+/* Sets the view along the longer side, in a room without windows. */
 static void look_along(struct pp_view_place *place, const struct pp_light_scene *scene,
                        const struct pp_world *world)
 {
@@ -166,7 +167,7 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
     place->toward = pp_vec_scale(back, -1.0);
 }
 
-/* The place of the working plane that is farthest in from its walls. */
+/* Point of the working plane that is farthest from its edge. */
 static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
                                       const struct pp_world *world)
 {

@@ -1,12 +1,13 @@
-/* default_view.h - from where to look at a room when nobody says so.
+/* default_view.h - views of a room if the user chooses none.
  *
- * A perspective is taken towards the largest window, from where one sees it and sees
- * far across all of the picture, not much aside of the window, and 0.4 m clear of walls
- * and of what stands in the room where that is large enough: in an L-shaped room not
- * from behind the corner. It is taken at eye height, and level where the window is not
- * far above the eye: uprights stay upright. A fisheye is
- * the view of a light meter that lies on the working plane in the middle of the room.
- * Plan and section are parallel views of all of the room, cut as drawings are.
+ * A perspective looks towards the largest window, from a point from which the window is
+ * visible and most of the picture shows a far view, with the window not far from its
+ * middle. The point is 0.4 m clear of walls and of objects in the room, if the room is
+ * large enough. In an L-shaped room it is not behind the corner. It is at eye height,
+ * and the view is level unless the window is far above the eye: verticals stay
+ * vertical. A fisheye is the view of a light meter on the working plane in the middle
+ * of the room. Plan and section are parallel views of the whole room, cut as in
+ * drawings.
  */
 #ifndef PP_STUDIES_PICTURES_DEFAULT_VIEW_H
 #define PP_STUDIES_PICTURES_DEFAULT_VIEW_H

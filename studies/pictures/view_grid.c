@@ -18,7 +18,8 @@ static const double RIM = 0.95;
 struct tracing {
     struct pp_picture_sheet *sheet;
     const struct pp_camera *camera;
-    struct pp_curve curve; /* the line; its xy has space for `space` points */
+    struct pp_curve curve; /* the line; `space`: number of points for which its xy has
+                            * memory */
     int space;
 };
 

@@ -12,7 +12,7 @@
 
 #define SAME_WAY_RAD (2.0 * PP_RAD)
 #define TOLERANCE_M 0.01
-#define INSET_M 0.005 /* points on a wall's edge are moved this far inside */
+#define INSET_M 0.005 /* distance by which points on a wall's edge are moved inside */
 
 /* ---- a wall's contours ---- */
 
@@ -62,7 +62,7 @@ static enum pp_status trace_elevation_wall(struct pp_elevation_wall *wall,
     return status;
 }
 
-/* Distance of the wall's outside before the face. */
+/* Distance from the face to the outside of its wall. */
 static double outside_of(const struct pp_world *world, int face)
 {
     for (int i = 0; i < world->facade_count; i++)
@@ -75,7 +75,7 @@ static double outside_of(const struct pp_world *world, int face)
     return depth;
 }
 
-/* A place of a room by u and v. */
+/* Coordinates u and v in the elevation of a point of a room. */
 static void flat_of(const struct pp_site_elevation *elevation,
                     const struct pp_world *world, struct pp_vec3 point, double uv[2])
 {
@@ -108,7 +108,7 @@ static enum pp_status add_doors(struct pp_elevation_wall *wall,
     return status;
 }
 
-/* The face's outline by u and v. */
+/* The face's outline in coordinates u and v. */
 static enum pp_status flatten_wall(struct pp_elevation_wall *wall,
                                    const struct pp_site_elevation *elevation,
                                    const struct pp_world *world, int face,

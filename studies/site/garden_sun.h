@@ -1,4 +1,4 @@
-/* garden_sun.h - how much of a garden the sun reaches for two hours on 21 March. */
+/* garden_sun.h - area of a garden that gets two hours of sun on 21 March. */
 #ifndef PP_STUDIES_SITE_GARDEN_SUN_H
 #define PP_STUDIES_SITE_GARDEN_SUN_H
 
@@ -11,7 +11,7 @@ struct pp_garden_sun {
     double error_m2;           /* of sunlit_m2, by the tolerance of the line */
     struct pp_curve_list
         dark; /* outlines of the rest, in the room's x and y; outer ones
-                                * counter-clockwise, holes clockwise */
+               * counter-clockwise, holes clockwise */
 };
 
 /* Calculates the possible hours of sun in closed form (methods/exact/sunlit_hours.h) at

@@ -1,6 +1,6 @@
-/* mesh_shapes.c - see mesh_shapes.h. Of the triangles those that are upright are seen as lines
- * only; all others are turned to run counter-clockwise from above, so that an edge which two
- * of one part share is run through both ways, and what is left bounds the part. */
+/* mesh_shapes.c - see mesh_shapes.h. Upright triangles are seen as lines only. All
+ * others are oriented counter-clockwise from above: an edge shared by two triangles of
+ * one part then occurs in both directions, and the remaining edges bound the part. */
 #include "studies/site/mesh_shapes.h"
 
 #include <math.h>
@@ -9,23 +9,25 @@
 #include "model/base/array.h"
 
 static const double SAME_M = 1e-3;     /* corners nearer than this are one */
-static const double STRAIGHT_M = 1e-4; /* corners so near to a line are left out */
-static const double UPRIGHT = 1e-3;    /* a normal's z below that is an upright's */
-static const double BEND_RAD = 20 * PP_RAD; /* that is drawn */
+static const double STRAIGHT_M = 1e-4; /* a corner this near to the line between its
+                                        * neighbours is left out */
+static const double UPRIGHT = 1e-3;    /* a triangle is upright if its normal's z is
+                                        * below this */
+static const double BEND_RAD = 20 * PP_RAD; /* least bend that is drawn */
 static const double PLANE_RAD = 0.5 * PP_RAD;
 static const double RISE_M = 2.0, PLANE_RISE_M = 10.0;
 
 struct mesh_corner {
     struct pp_vec3 at;
-    int user; /* three times its triangle, and which of its corners it is */
+    int user; /* index: three times the triangle, plus its corner */
 };
 
 struct mesh_triangle {
-    int corners[3]; /* numbers of places */
+    int corners[3]; /* indices of places */
     struct pp_vec3 normal;
     bool is_upright;
-    int part; /* a triangle of the same part; a root's is itself */
-    /* Size of a root's part: */
+    int part; /* parent in the tree of its part; a root is its own parent */
+    /* Of a root: size and other properties of its part. */
     int size;
     bool is_plane;
     double low_m, high_m;
@@ -36,7 +38,7 @@ struct mesh_edge {
     int low, high; /* places, low < high */
     int triangle;
     bool forwards;  /* it runs from low to high */
-    bool is_unseen; /* of the boundary: no line */
+    bool is_unseen; /* a boundary that is not drawn */
 };
 
 struct mesh_parts {
@@ -86,7 +88,7 @@ static void number_places(struct mesh_parts *parts)
     }
 }
 
-/* Counter-clockwise from above. */
+/* Orients a triangle counter-clockwise from above. */
 static void settle_triangle(struct mesh_parts *parts, int index)
 {
     struct mesh_triangle *triangle = &parts->triangles[index];
@@ -159,8 +161,8 @@ static bool is_smooth(const struct mesh_parts *parts, const struct mesh_edge *pa
            && pp_vec_dot(a->normal, b->normal) > cos(BEND_RAD);
 }
 
-/* Greatest common rise of two parts: more where they are one plane, by their roots, so
- * that gentle bends are no edges. */
+/* Greatest rise of two parts, by their roots, if joined: larger if they are in one
+ * plane, so that gentle bends give no edges. */
 static double rise_of(const struct mesh_triangle *a, const struct mesh_triangle *b)
 {
     return pp_vec_dot(a->normal, b->normal) > cos(PLANE_RAD) && a->is_plane
@@ -169,7 +171,7 @@ static double rise_of(const struct mesh_triangle *a, const struct mesh_triangle 
                : RISE_M;
 }
 
-/* The larger part's root remains. */
+/* Joins two parts; the root of the larger one remains. */
 static void join_mesh_parts(struct mesh_parts *parts, const struct mesh_edge *pair)
 {
     int one = root_of(parts, pair[0].triangle), two = root_of(parts, pair[1].triangle);
@@ -187,7 +189,7 @@ static void join_mesh_parts(struct mesh_parts *parts, const struct mesh_edge *pa
     other->part = first ? one : two;
 }
 
-/* Number of edges from index i on between the same places. */
+/* Number of edges from index i on that join the same two places. */
 static int run_of(const struct mesh_parts *parts, int i)
 {
     int count = 1;
@@ -230,7 +232,7 @@ static int by_start(const void *left, const void *right)
 
 /* ---- shapes ---- */
 
-/* An empty shape at the end of the sheet. */
+/* Adds an empty shape to the sheet. */
 static enum pp_status begin_shape(struct pp_site_sheet *sheet, int corners,
                                   struct pp_error *err)
 {
@@ -254,8 +256,8 @@ static void add_shape_corner(struct pp_site_shape *shape, struct pp_vec3 at,
     shape->unseen[shape->count++] = unseen;
 }
 
-/* An open edge of upright triangles is a line, unless it is a point from above, or they stand
- * on it: then they have an edge above it. */
+/* Adds an open edge of upright triangles as a line, unless it is a point seen from
+ * above, or triangles stand on it, which have an edge above it. */
 static enum pp_status add_line(struct pp_site_sheet *sheet,
                                const struct mesh_parts *parts,
                                const struct mesh_edge *edge, struct pp_error *err)
@@ -311,8 +313,8 @@ static enum pp_status find_bounds(struct pp_site_sheet *sheet, struct mesh_parts
     return status;
 }
 
-/* Leaves out corners of a shape's last ring that lie on the line between their neighbours
- * where both edges are lines, or neither is. */
+/* Leaves out corners of a shape's last ring that lie on the line between their
+ * neighbours, if both edges are drawn, or neither is. */
 static void straighten(struct pp_site_shape *shape, int first)
 {
     int kept = first;
@@ -337,7 +339,7 @@ static void straighten(struct pp_site_shape *shape, int first)
     shape->count = kept;
 }
 
-/* The next edge of a part's that begins at a place and is not in a ring yet; -1: none. */
+/* The next edge of a part that begins at a place and is not yet in a ring; -1: none. */
 static int find_next(const struct mesh_parts *parts, const bool *used, int first,
                      int end, int place)
 {
@@ -397,7 +399,7 @@ static enum pp_status add_parts(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* The mesh's triangles in the building's axes. */
+/* Copies the mesh's triangles, in the building's axes. */
 static void take_triangles(struct mesh_parts *parts, const struct pp_world *world,
                            const struct pp_world_mesh *mesh)
 {

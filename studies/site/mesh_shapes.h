@@ -1,12 +1,12 @@
-/* mesh_shapes.h - a mesh as a plan of a site shows it: no triangles, but the parts that are
- * seen from above as one, and their edges.
+/* mesh_shapes.h - a mesh in a site plan: instead of triangles, the parts that look
+ * connected from above, and their edges.
  *
- * Triangles that share an edge are one part where they bend by less than 20 degrees and lie
- * beside each other from above, so that the edge is none to be drawn. Edges are drawn that
- * belong to one triangle, to a bend, or to where a part turns under itself. So that what is
- * low is not drawn after what is high (sheets are painted from low to high) a part that
- * bends is cut, without a line, where it rises by more than two metres, and one that is
- * plane by more than ten.
+ * Triangles that share an edge are in one part if they bend by less than 20 degrees and
+ * lie beside each other as seen from above; that edge is not drawn. Edges are drawn
+ * that belong to one triangle, to a bend, or to a place where a part turns under
+ * itself. Sheets are painted from low to high. So that low areas are not painted over
+ * high ones, a part that bends is cut, without a line, where it rises by more than two
+ * metres, and a plane part where it rises by more than ten.
  */
 #ifndef PP_STUDIES_SITE_MESH_SHAPES_H
 #define PP_STUDIES_SITE_MESH_SHAPES_H

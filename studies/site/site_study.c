@@ -11,7 +11,7 @@
 #include "studies/site/garden_sun.h"
 #include "studies/site/mesh_shapes.h"
 
-/* Corners nearer together than this are the same, before and now. */
+/* Distance below which corners before and now are the same. */
 static const double same_m = 0.01;
 
 /* ---- windows ---- */
@@ -46,7 +46,7 @@ static enum pp_status add_window(struct pp_site_sheet *sheet,
     for (int i = 0; i < outline->count; i++)
         pp_bounds2_add(&box, pp_vec_dot(outline->vertices[i], opening->along),
                        outline->vertices[i].z);
-    /* Seen from outside, left is where `along` leads to. */
+    /* Seen from outside, `along` points to the left. */
     struct pp_vec3 middle = pp_polygon_middle(outline);
     double at = pp_vec_dot(middle, opening->along);
     middle.z = box.low[1];
@@ -148,7 +148,7 @@ static enum pp_status add_shape(struct pp_site_sheet *sheet,
     return PP_OK;
 }
 
-/* The side of a block has the block's name. */
+/* Name of a surface; the side of a block has the block's name. */
 static const char *site_surface_name(const struct pp_world *world,
                                      const struct pp_surface *surface)
 {
@@ -202,7 +202,7 @@ static bool same_site_shape(const struct pp_site_shape *a,
     return false;
 }
 
-/* A shape by the x of its middle, which one that is the same has too. */
+/* A shape sorted by the x of its middle, which is the same for equal shapes. */
 struct shape_place {
     double x;
     int index;
@@ -251,7 +251,7 @@ static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *pla
     return found;
 }
 
-/* Moves a shape that has gone to the sheet. */
+/* Moves a former shape that no longer exists to the sheet. */
 static enum pp_status add_gone(struct pp_site_sheet *sheet,
                                struct pp_site_shape *former, struct pp_error *err)
 {

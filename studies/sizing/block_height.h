@@ -1,12 +1,13 @@
-/* block_height.h - how high a block may be so that the windows or the rooms about it keep
- * their due of the sky (retained_sky.h).
+/* block_height.h - greatest height of a block at which the windows or rooms around it
+ * retain their required share of the sky (retained_sky.h).
  *
- * Their sky falls as the block rises. `before` is the site as existing, or where the
- * file has no states, the site with the block as low as 2 mm.
+ * Their sky decreases as the block rises. `before` is the site as existing or, if the
+ * file has no states, the site with the block only 2 mm high.
  *
- * The height at which the first has no more than its due (root_bracket.h) is found to 1e-6 of
- * the share of a vertical sky component, to 1e-4 of that of a lit area, whose line is
- * known to a millimetre; and where it falls by a step, to 10 um below that.
+ * The height at which the first window or room has just its required value
+ * (root_bracket.h) is found to 1e-6 of a vertical sky component, or to 1e-4 of a lit
+ * area, whose line is known to a millimetre. If the value falls in a step, the height
+ * is within 10 um below that.
  */
 #ifndef PP_STUDIES_SIZING_BLOCK_HEIGHT_H
 #define PP_STUDIES_SIZING_BLOCK_HEIGHT_H
@@ -15,27 +16,27 @@
 
 struct pp_block_height_task {
     struct pp_building *building; /* its state and the block's height are changed */
-    const char *block;            /* its name; the building has one so called */
+    const char *block;            /* name of a block of the building */
     struct pp_retained_sky_rule rule;
-    double most_m; /* the greatest height of interest */
+    double most_m; /* greatest height considered */
 };
 
 enum pp_block_height_verdict {
     PP_BLOCK_HEIGHT_FOUND,
-    PP_BLOCK_HEIGHT_ANY, /* even at most_m everyone keeps his due */
-    PP_BLOCK_HEIGHT_NONE /* somebody lacks his due whatever the block's height */
+    PP_BLOCK_HEIGHT_ANY, /* all requirements are met even at most_m */
+    PP_BLOCK_HEIGHT_NONE /* some requirement is missed at any height of the block */
 };
 
 struct pp_block_height {
     enum pp_block_height_verdict verdict;
     double now_m;    /* as in the file */
-    double height_m; /* found; most_m where any will do, NAN where none will */
+    double height_m; /* found; most_m if any height will do, NAN if none */
     struct pp_retained_sky retained;
-    int deciding; /* who has the least over his due; -1: nobody is due anything */
+    int deciding; /* index of the place with the least surplus; -1: none counts */
 };
 
-/* PP_BAD_INPUT where nobody counts, or a room makes no sense at some height
- * (the block grows into it). To be cleared in any case. */
+/* PP_BAD_INPUT if no window or room counts, or a room is invalid at some height (the
+ * block grows into it). To be cleared in any case. */
 enum pp_status pp_block_height_find(struct pp_block_height *found,
                                     const struct pp_block_height_task *task,
                                     struct pp_error *err);

@@ -11,7 +11,7 @@
 
 enum { NAME_BYTES = 64 };
 
-static const double most_share = 1e6; /* of an upper bound, where the figure is 0 */
+static const double most_share = 1e6; /* ratio for an upper bound if the figure is 0 */
 
 /* Standard errors between a figure and its one-sided limit of 95 % (PP_SURE). */
 static const double sure_errors = 1.6449;
@@ -41,7 +41,8 @@ enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err
     return pp_assessment_choose(chosen, name, err);
 }
 
-/* Does a finding begin with these words? A hyphen stands for a blank, too: "living-room". */
+/* True if a finding begins with these words; a hyphen also matches a blank:
+ * "living-room". */
 static bool begins_with(const char *what, const char *beginning)
 {
     for (; *beginning; beginning++, what++)
@@ -50,8 +51,8 @@ static bool begins_with(const char *what, const char *beginning)
     return true;
 }
 
-/* Share of the bound that a figure has; of a sampled one, its limit on the side of the
- * bound, which is below 1 if the verdict is anything but met. */
+/* Ratio of a figure to its bound; for a sampled figure, of its 95 % limit on the
+ * unfavourable side, which is below 1 unless the verdict is met. */
 static double finding_share(const struct pp_finding *finding)
 {
     double limit = finding->figure;
@@ -63,7 +64,7 @@ static double finding_share(const struct pp_finding *finding)
     return fmin(share, most_share);
 }
 
-/* Says that no finding begins so, and lists those that there are. */
+/* Writes that no finding begins so, and lists the existing ones. */
 static void say_none(char *why, size_t why_bytes,
                      const struct pp_finding_list *findings, const char *beginning)
 {
@@ -76,7 +77,7 @@ static void say_none(char *why, size_t why_bytes,
                            findings->list[i].what);
 }
 
-/* The least share of the findings that count. */
+/* The least ratio among the findings that count. */
 static void take_least(struct pp_reading *least, char *why, size_t why_bytes,
                        const struct pp_finding_list *findings, const char *beginning)
 {

@@ -1,6 +1,6 @@
 /* criterion_margin.h - margin by which a room meets a criterion: the least ratio of its
- * findings' figures to their bounds, or of the bounds to the figures for upper ones. 1
- * or more: all are met. Of a sampled figure its limit of 95 % counts. */
+ * findings' figures to their bounds (of the bounds to the figures, for upper bounds). 1
+ * or more: all are met. A sampled figure counts with its 95 % limit. */
 #ifndef PP_STUDIES_SIZING_CRITERION_MARGIN_H
 #define PP_STUDIES_SIZING_CRITERION_MARGIN_H
 
@@ -16,11 +16,11 @@
  * PP_BAD_INPUT, with the valid names, if they name no criterion. */
 enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err);
 
-/* Margin of `world`, which is the room or a changed one, on the grid that assess would
- * judge it by. With `traced`, by its options
- * and by simulated daylight factors; else (NULL) by hand. No value, with the reason in
- * `why`, where a finding is not judged or none has a bound; and where daylight factors
- * have no part in it, and it was to be traced. */
+/* Margin of `world`, the room or a changed one, on the same grid as assess.
+ * traced: options for simulated daylight factors; NULL: by hand methods. No
+ * value, with the reason in `why`, if a finding is not judged or none has a
+ * bound, or if simulation is requested for a criterion without daylight
+ * factors. */
 enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                                    size_t why_bytes, const char *words,
                                    const struct pp_study_room *room,

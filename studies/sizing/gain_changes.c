@@ -69,8 +69,8 @@ static enum pp_status lighter_floor(struct pp_room **changed, struct pp_gain *ga
 
 /* ---- Glass ---- */
 
-/* The least value that a member of struct pp_opening, a fraction at that offset, has
- * over all openings. */
+/* Least value of a member of struct pp_opening (a fraction at that offset) over all
+ * openings. */
 static double least_of(const struct pp_world *world, size_t offset)
 {
     double least = 1.0;
@@ -111,7 +111,7 @@ static enum pp_status thinner_frames(struct pp_room **changed, struct pp_gain *g
     return status;
 }
 
-/* The clear glazing of as many panes as the glass, but two at most. */
+/* Name of clear glazing with as many panes as the glass, but two at most. */
 static const char *clear_of(const struct pp_glass *glass)
 {
     return glass->panes == 1 && !glass->diffusing ? "clear-single" : "clear-double";
@@ -163,8 +163,8 @@ static enum pp_status windows_of(int **windows, int *count, const struct pp_room
     return PP_OK;
 }
 
-/* Enlarges all windows by one kind of change and that number of steps, or as far as they
- * can grow where that is less; *changed stays NULL where they cannot grow. */
+/* Enlarges all windows by that number of steps of one kind of change, or as far as they
+ * can grow; *changed stays NULL if they cannot grow. */
 static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *room,
                               enum pp_size_change change, int steps,
                               struct pp_error *err)
@@ -258,7 +258,7 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
         if (opening.kind == PP_WINDOW)
             widest = fmax(widest, opening.place.width_m);
     }
-    /* The widest by a quarter, the others in proportion. */
+    /* The widest window by a quarter, the others in proportion. */
     enum pp_status status = enlarge(changed, room, PP_CHANGE_WIDTH,
                                     (int)round(widest / 4.0 / PP_SIZE_GRID_M), err);
     if (*changed)
@@ -289,8 +289,8 @@ static int largest_window(const struct pp_room *room)
 /* Places for one more window are tried along the wall at this spacing (m). */
 static const double search_m = 0.1;
 
-/* A copy of the room with one more window like the largest, in the first place along
- * its wall where there is space; *changed NULL where there is none. */
+/* Copies the room with one more window like the largest, in the first free place along
+ * its wall; *changed is NULL if there is none. */
 static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *gain,
                                       const struct pp_room *room,
                                       const struct pp_world *world,
@@ -321,8 +321,8 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
     return status;
 }
 
-/* The outer wall without openings that faces most nearly opposite to the given face, by 120
- * degrees at least; -1 where there is none. */
+/* Outer wall without openings whose direction is closest to the opposite of the given
+ * face's, at least 120 degrees from it; -1 if there is none. */
 static int opposite_wall(const struct pp_world *world, int face)
 {
     struct pp_vec3 n = world->surfaces[face].outline.normal;

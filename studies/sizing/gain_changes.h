@@ -7,8 +7,8 @@
 #include "studies/sizing/gains.h"
 #include "model/room/room.h"
 
-/* Makes the changed room, which is the caller's, and describes the change in
- * gain->change; *changed stays NULL where the change does not apply to the room. */
+/* Makes the changed room, owned by the caller, and describes the change in
+ * gain->change; *changed stays NULL if the change does not apply to the room. */
 typedef enum pp_status pp_gain_change(struct pp_room **changed, struct pp_gain *gain,
                                       const struct pp_room *room,
                                       const struct pp_world *world,

@@ -43,10 +43,10 @@ static enum pp_status evaluate_gain(struct pp_gain_values *values,
     return status;
 }
 
-/* The largest standard error of a simulated average, of that average. */
+/* Largest relative standard error of a simulated average. */
 static const double gain_error = 0.02;
 
-/* The same by simulation. */
+/* Average and darkest grid point by simulation. */
 static enum pp_status simulate_gain(struct pp_gain_values *values,
                                     const struct pp_world *world,
                                     const struct pp_outside_light *light,
@@ -74,7 +74,8 @@ static enum pp_status simulate_gain(struct pp_gain_values *values,
     return status;
 }
 
-/* By the method; by simulation where options are given. */
+/* Average and darkest grid point: by simulation if options are given, else by the
+ * method. */
 static enum pp_status evaluate_room(struct pp_gain_values *values,
                                     const struct pp_room *room,
                                     const struct pp_outside_light *light,
@@ -87,7 +88,7 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     pp_mistakes_init(&mistakes, "the changed room");
     enum pp_status status = pp_world_create(&world, room, &mistakes, err);
     *values = (struct pp_gain_values){NAN, NAN};
-    /* A change that leaves the room with mistakes has no values, and so no gain. */
+    /* A change that makes the room invalid has no values, and so no gain. */
     if (status == PP_BAD_INPUT)
         status = PP_OK;
     else if (status == PP_OK)

@@ -8,7 +8,8 @@
 
 static const double least_cell_m = 1.0;
 static const double most_cells = 12.0; /* along the plot's longer extent */
-static const double inside_m = 1e-9;   /* so far in, an edge cuts a cell */
+static const double inside_m = 1e-9;   /* distance inside a cell beyond which an edge
+                                        * cuts it */
 
 /* A plot's outline in axes along its longest side. */
 struct plot {
@@ -51,7 +52,7 @@ static void turn_plot(struct plot *plot)
     }
 }
 
-/* True if a side of the outline runs through the rectangle (Liang and Barsky). */
+/* True if a side of the outline passes through the rectangle (Liang and Barsky). */
 static bool is_cut(struct pp_vec3 a, struct pp_vec3 b, const double low[2],
                    const double high[2])
 {
@@ -71,7 +72,7 @@ static bool is_cut(struct pp_vec3 a, struct pp_vec3 b, const double low[2],
     return enter < leave;
 }
 
-/* True if the point lies in the outline, by the sides that a ray along x meets. */
+/* True if the point is inside the outline: counts sides that a ray along x crosses. */
 static bool contains(const struct plot *plot, double x, double y)
 {
     bool inside = false;

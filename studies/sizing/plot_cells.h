@@ -1,9 +1,9 @@
-/* plot_cells.h - the plot that a block stands on, in cells that may each be built on to a
- * height of their own.
+/* plot_cells.h - the plot of a block, in cells that may each be built to their own
+ * height.
  *
- * The cells are squares, or nearly, in rows along the longest side of the plot's outline:
- * 1 m wide, or a twelfth of the plot's extent where that is more. Those that lie in the
- * outline wholly are built on.
+ * The cells are nearly squares, in rows along the longest side of the plot's outline: 1
+ * m wide, or a twelfth of the plot's extent if that is more. Cells that lie completely
+ * inside the outline can be built on.
  */
 #ifndef PP_STUDIES_SIZING_PLOT_CELLS_H
 #define PP_STUDIES_SIZING_PLOT_CELLS_H
@@ -14,7 +14,7 @@
 struct pp_plot_cells {
     struct pp_building_cell *list; /* row by row, each along the longest side */
     int count;
-    int columns, rows;         /* of the rectangle round the plot */
+    int columns, rows;         /* of the bounding rectangle of the plot */
     int *columns_of, *rows_of; /* of each cell, from 0 */
 };
 

@@ -6,7 +6,7 @@
 
 #include "studies/sizing/root_bracket.h"
 
-static const double lowest_m = 0.002; /* nothing, and yet a block */
+static const double lowest_m = 0.002; /* almost no height, but still a block */
 static const double share_tolerance = 1e-6;
 static const double angle_tolerance_rad = 1e-8, factor_tolerance = 1e-8;
 static const double steepest_rad = 89.0 * PP_RAD;
@@ -15,12 +15,13 @@ enum { DOUBLINGS_MOST = 20 };
 struct envelope_search {
     struct pp_plot_envelope *found;
     const struct pp_plot_envelope_task *task;
-    double *tangents; /* tan a_i; INFINITY: the window limits nothing */
-    double *planes;   /* of the trial: those times the factor, or a single one */
+    double *tangents; /* tan a_i; INFINITY: the window sets no limit */
+    double *planes;   /* of the trial: the tangents times the factor, or a single one */
     int number;       /* of the window whose plane is searched */
 };
 
-/* z of the plane of a window at the cell's nearest corner; INFINITY behind its wall. */
+/* Height z of a window's plane at the cell's nearest corner; INFINITY behind its
+ * wall. */
 static double plane_over(const struct pp_retained_sky_place *due, double tangent,
                          const struct pp_building_cell *cell)
 {
@@ -36,7 +37,7 @@ static double plane_over(const struct pp_retained_sky_place *due, double tangent
     return due->middle.z + tangent * fmax(nearest, 0.0);
 }
 
-/* The building as proposed, with all cells as high as the trial's planes leave. */
+/* Makes the proposed building, with all cells as high as the trial's planes allow. */
 static enum pp_status build_cells(const struct envelope_search *search,
                                   struct pp_error *err)
 {
@@ -64,7 +65,7 @@ static void set_planes(const struct envelope_search *search, double tangent)
         search->planes[i] = tangent;
 }
 
-/* Surplus of the window over its due if its plane, of that altitude, is the only one. */
+/* Surplus of the window if only its own plane, with that altitude, limits the cells. */
 static enum pp_status alone_at(void *context, double altitude_rad, double *value,
                                struct pp_error *err)
 {
@@ -82,7 +83,7 @@ static enum pp_status alone_at(void *context, double altitude_rad, double *value
     return status;
 }
 
-/* The least that any window has over its due, by the planes as they are. */
+/* Least surplus of any window with the present planes. */
 static enum pp_status surplus(const struct envelope_search *search, double *value,
                               struct pp_error *err)
 {
@@ -105,8 +106,8 @@ static enum pp_status together_at(void *context, double factor, double *value,
     return surplus(search, value, err);
 }
 
-/* tan a_i of each window. A window that has its due with all cells at their highest limits
- * nothing. */
+/* tan a_i of each window. A window with its required value when all cells are at most_m
+ * sets no limit. */
 static enum pp_status find_alone(struct envelope_search *search, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -130,7 +131,7 @@ static enum pp_status find_alone(struct envelope_search *search, struct pp_error
     return status;
 }
 
-/* The factor s, and the envelope by it. */
+/* Finds the factor s, and the envelope with it. */
 static enum pp_status find_together(struct envelope_search *search,
                                     struct pp_error *err)
 {
@@ -159,7 +160,8 @@ static enum pp_status find_together(struct envelope_search *search,
 static enum pp_status look_before(struct envelope_search *search, struct pp_error *err)
 {
     const struct pp_plot_envelope_task *task = search->task;
-    set_planes(search, 0.0); /* nothing above a window's middle, and so no sky taken */
+    set_planes(search, 0.0); /* nothing above any window's centre, so no sky is
+                              * hidden */
     enum pp_status status =
         pp_building_has_states(task->building)
             ? pp_building_set_state(task->building, PP_STATE_EXISTING, err)

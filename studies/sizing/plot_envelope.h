@@ -1,24 +1,27 @@
-/* plot_envelope.h - the largest envelope on a plot that leaves every window about it its due
- * of the sky (retained_sky.h).
+/* plot_envelope.h - the largest envelope on a plot that leaves every window around it
+ * its required share of the sky (retained_sky.h).
  *
- * As codes of building do, a plane for each window rises over the plot from the window's
- * middle, at z_i, away from its wall; the envelope is what lies below all of them, in cells
- * (plot_cells.h), each as high as the planes leave at its nearest corner:
+ * As in building codes, a plane for each window rises over the plot from the window's
+ * centre, at z_i, away from its wall. The envelope is the space below all planes, in
+ * cells (plot_cells.h), each as high as the planes allow at its nearest corner:
  *
  *     h(cell) = min over i of  z_i + s tan(a_i) max(d_i, 0) - base
  *
- *     d_i  distance of the cell before window i's wall; behind it, the window limits nothing
- *     a_i  altitude at which the plane of window i, were it the only one, would leave that
- *          window just its due
- *     s    1 or more: the greatest common factor at which no window has less than its due
+ *     d_i  distance of the cell before window i's wall; behind it the window sets no
+ *          limit
+ *     a_i  altitude at which the plane of window i alone would leave that window just
+ *          its required value
+ *     s    1 or more: the greatest common factor at which every window has its required
+ *          value
  *
- * so that one of them has just that: the largest of that family. There is no largest of all.
- * A metre more on a tower at the altitude g hides, straight before a window,
+ * so that one of them has just that: the largest envelope of this family. There is no
+ * largest of all: a metre more on a tower at the altitude g hides, straight ahead of a
+ * window,
  *
- *     (1 + 2 sin g) cos^4 g        of the overcast sky, but for a constant factor
+ *     (1 + 2 sin g) cos^4 g        of the overcast sky, apart from a constant factor
  *
- * which falls above 17 degrees, so that the greatest volume is that of thin towers
- * without end.
+ * which decreases above 17 degrees, so the greatest volume would be that of thin towers
+ * of unlimited height.
  */
 #ifndef PP_STUDIES_SIZING_PLOT_ENVELOPE_H
 #define PP_STUDIES_SIZING_PLOT_ENVELOPE_H
@@ -28,28 +31,28 @@
 
 struct pp_plot_envelope_task {
     struct pp_building
-        *building;     /* its state, and the block, are changed: the cells take
-                                   * its place */
+        *building;     /* its state, and the block, are changed: the cells replace the
+                        * block */
     const char *block; /* block whose footprint is the plot */
     struct pp_retained_sky_rule rule; /* of VSC */
-    double most_m;                    /* no cell is higher */
+    double most_m;                    /* greatest height of a cell */
 };
 
 enum pp_plot_envelope_verdict {
     PP_PLOT_ENVELOPE_FOUND,
-    PP_PLOT_ENVELOPE_ANY, /* even with all cells at most_m every window has its due */
-    PP_PLOT_ENVELOPE_NONE /* a window lacks its due with nothing on the plot */
+    PP_PLOT_ENVELOPE_ANY, /* all requirements are met even with all cells at most_m */
+    PP_PLOT_ENVELOPE_NONE /* some requirement is missed even without a building */
 };
 
 struct pp_plot_envelope {
     enum pp_plot_envelope_verdict verdict;
-    struct pp_plot_cells cells; /* height_m: 0 where nothing may stand */
+    struct pp_plot_cells cells; /* height_m: 0 where nothing can be built */
     double volume_m3;
     struct pp_retained_sky retained;
-    double *altitudes_rad; /* of the planes, atan(s tan a_i); INFINITY where a window
-                            * limits nothing, NAN where none was found; owned */
+    double *altitudes_rad; /* of the planes, atan(s tan a_i); INFINITY if a window sets
+                            * no limit, NAN if none was found; owned */
     double factor;         /* s */
-    int deciding; /* who has the least over his due; -1: nobody is due anything */
+    int deciding; /* index of the window with the least surplus; -1: none counts */
 };
 
 /* PP_BAD_INPUT if no window counts, the plot has no cell, or a room is invalid with the

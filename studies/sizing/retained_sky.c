@@ -12,7 +12,8 @@
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/lit_line.h"
 
-static const double next_to_nothing = 1e-6; /* who has less before keeps nothing */
+static const double next_to_nothing = 1e-6; /* values below this before are not
+                                             * retained */
 
 const char *const pp_retained_sky_words[] = {"vsc", "lit-area", NULL};
 
@@ -49,7 +50,7 @@ static bool is_called(const char *own, const char *wanted)
     return !wanted || (own && strcmp(own, wanted) == 0);
 }
 
-/* Adds the windows; if `only` is given, only those of its line. */
+/* Adds the windows; if `only` is given, only those of its line of the file. */
 static enum pp_status add_retained_windows(struct pp_retained_sky *retained,
                                            const struct pp_retained_sky_rule *rule,
                                            const struct pp_retained_sky_place *only,
@@ -86,7 +87,7 @@ static enum pp_status add_lit_area(struct pp_retained_sky *retained,
     return status;
 }
 
-/* All that count in one room. */
+/* Adds all windows, or the area, of one room that count. */
 static enum pp_status add_room(struct pp_retained_sky *retained,
                                const struct pp_retained_sky_rule *rule,
                                const struct pp_retained_sky_place *only,
@@ -137,8 +138,9 @@ enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
                : pp_fail(err, PP_BAD_INPUT, "no room has a vertical window");
 }
 
-/* Values of the building as it stands, in the order of the list. Both are in the order of
- * rooms and lines; windows of one line follow one another alike. */
+/* Values of the building in its present state, in the order of the list. List and
+ * building have rooms and lines in the same order, and the windows of one line in the
+ * same sequence. */
 static enum pp_status measure_retained_sky(struct pp_retained_sky *retained,
                                            bool before,
                                            const struct pp_retained_sky_rule *rule,
@@ -184,7 +186,7 @@ enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int n
 {
     struct pp_retained_sky_place *due = &retained->list[number];
     struct pp_retained_sky then = {0};
-    int alike = 0; /* windows of its line before it */
+    int alike = 0; /* number of earlier windows of the same line */
     while (alike < number && due[-alike - 1].place == due->place
            && due[-alike - 1].line == due->line)
         alike++;

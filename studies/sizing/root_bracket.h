@@ -12,10 +12,10 @@ typedef enum pp_status pp_root_bracket_value(void *context, double at, double *v
                                              struct pp_error *err);
 
 struct pp_root_bracket_range {
-    double low, at_low;   /* an argument, and a value that is not below 0 */
-    double high, at_high; /* a greater one, and a value below 0 */
-    double near_value;    /* so near to 0, above or below, a value is 0 */
-    double near_argument; /* so near, two arguments are one */
+    double low, at_low;   /* an argument, and its value, which is not below 0 */
+    double high, at_high; /* a greater argument, and its value, which is below 0 */
+    double near_value;    /* values within this of 0 count as 0 */
+    double near_argument; /* arguments within this of each other count as equal */
 };
 
 /* The last call of the function is that at *found. */

@@ -14,17 +14,18 @@ enum {
     REFINED_MOST = 3,    /* refinements of the grid: down to a micrometre */
 };
 
-/* Most by which a value that is neither counted nor sampled may exceed the target,
- * relative. */
+/* Largest relative excess over the target of a value that is neither counted nor
+ * sampled. */
 static const double near_share = 0.0025;
 
-/* A sampled value shall come this near to the target, in its standard errors. */
+/* Largest distance of a sampled value from the target, in its standard errors. */
 static const double near_errors = 0.5;
 
-/* The lower limit of a sampled value may exceed the target by this share. */
+/* Largest relative excess of the lower limit of a sampled value over the target. */
 static const double near_limit = 0.01;
 
-/* A value this share below the target has lost it by rounding, and reaches it. */
+/* A value within this relative distance below the target differs by rounding only, and
+ * reaches it. */
 static const double rounding_share = 1e-9;
 
 /* The value at one size. */
@@ -95,8 +96,9 @@ static bool is_near(const struct search *search, const struct size_trial *trial)
                   <= near_errors * trial->reading.std_error;
 }
 
-/* The next size to evaluate between two: the middle, or, for sampled values, where a
- * straight line through both meets the target, at least a tenth of the way off each. */
+/* Next size to evaluate between two: the middle or, for sampled values, where a
+ * straight line through both reaches the target, but at least a tenth of the interval
+ * from either. */
 static int size_between(const struct search *search, const struct size_trial *below,
                         const struct size_trial *above)
 {
@@ -165,7 +167,7 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
     return status;
 }
 
-/* Evaluates sizes over the whole range, and the room as it is, in the order of size. */
+/* Evaluates sizes over the whole range, and the present room, in the order of size. */
 static enum pp_status scan_range(const struct search *search, struct size_trial *trials,
                                  int *count, struct pp_error *err)
 {
@@ -194,7 +196,7 @@ static enum pp_status scan_range(const struct search *search, struct size_trial 
     return status;
 }
 
-/* The search among numbers of windows: every number from the smallest on, as there are
+/* Searches numbers of windows: every number from the smallest on, as there are
  * few. */
 static enum pp_status search_numbers(const struct search *search,
                                      struct size_trial *found, struct pp_error *err)
@@ -226,7 +228,7 @@ static enum pp_status search_numbers(const struct search *search,
     return PP_OK;
 }
 
-/* The search among sizes. */
+/* Searches sizes. */
 static enum pp_status search_sizes(const struct search *search,
                                    struct size_trial *found, struct pp_error *err)
 {

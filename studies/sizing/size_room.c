@@ -1,5 +1,5 @@
-/* size_room.c - chooses method and openings, searches the size, and sets down the
- * edits to the room file. */
+/* size_room.c - chooses method and openings, searches the size, and lists the edits of
+ * the room file. */
 #include "studies/sizing/size_room.h"
 
 #include <stdio.h>
@@ -22,7 +22,7 @@ struct valuation {
     const struct pp_size_request *request;
     const struct pp_study_room *room;
     struct pp_room_value by_hand;
-    bool is_traced; /* is the size searched by simulated values? */
+    bool is_traced; /* the size is searched by simulated values */
 };
 
 enum pp_gives pp_size_room_gives(const char *by)
@@ -31,8 +31,8 @@ enum pp_gives pp_size_room_gives(const char *by)
     return method ? method->gives : PP_GIVES_WHOLE;
 }
 
-/* Traced reading at a point (-1: the average), of the components that the method gives.
- * The errors of two are added: they may go together. */
+/* Simulated reading at a point (-1: the average), of the components that the method
+ * gives. Errors of two components are added, since they may be correlated. */
 static struct pp_reading traced_at(const struct pp_report *report, enum pp_gives gives,
                                    int point)
 {
@@ -170,8 +170,8 @@ static bool same_opening_place(struct pp_opening_place a, struct pp_opening_plac
            && a.height_m == b.height_m;
 }
 
-/* Sets down how the sized room's openings differ from the room's; `openings` are those
- * that could change. */
+/* Lists the differences between the openings of the sized room and of the room;
+ * `openings`: those that could change. */
 static enum pp_status set_down_edits(struct pp_size_room_result *result,
                                      const int *openings, int count,
                                      struct pp_error *err)
@@ -199,7 +199,7 @@ static enum pp_status set_down_edits(struct pp_size_room_result *result,
     return PP_OK;
 }
 
-/* Finds the room's place in its file. */
+/* Finds the text of the room in its file. */
 static void find_text(struct pp_size_room_result *result)
 {
     struct pp_building *building = result->room->building;
@@ -209,7 +209,7 @@ static void find_text(struct pp_size_room_result *result)
 
 /* ---- The room ---- */
 
-/* True if the method's average of the room as it is can be relied on. */
+/* True if the method's average of the present room is reliable. */
 static enum pp_status find_reliability(struct pp_size_room_result *result,
                                        const struct valuation *valuation,
                                        struct pp_error *err)
@@ -226,7 +226,7 @@ static enum pp_status find_reliability(struct pp_size_room_result *result,
     return status;
 }
 
-/* The band of a daylight factor in the report: of the average, or of the lowest of the
+/* Band of a daylight factor in the report: of the average, or of the lowest of the
  * points. */
 static struct pp_band_ends band_in(const struct pp_report *report, const char *method)
 {
@@ -279,7 +279,7 @@ static void choose_method(struct valuation *valuation)
                 .name;
 }
 
-/* Traces the room, and has its value by hand, where by_hand is not NULL, too. */
+/* Simulates the room; also computes its value by hand if by_hand is not NULL. */
 static enum pp_status trace_room(struct pp_reading *reading, struct pp_reading *by_hand,
                                  const struct pp_room *room,
                                  struct valuation *valuation, struct pp_error *err)
@@ -297,14 +297,14 @@ static enum pp_status trace_room(struct pp_reading *reading, struct pp_reading *
     return status;
 }
 
-/* Below the target, by more than the noise? */
+/* True if the value is below the target by more than the noise. */
 static bool falls_short(const struct pp_reading *traced, double target)
 {
     double noise = traced->std_error > 0.0 ? 2.0 * traced->std_error : 0.0;
     return traced->value + noise < target;
 }
 
-/* Searches again by simulated values: the answer by hand does not hold. */
+/* Searches again by simulated values, as the answer by hand was not confirmed. */
 static enum pp_status search_traced(struct pp_size_room_result *result,
                                     struct pp_size_task *task,
                                     struct valuation *valuation, struct pp_error *err)
@@ -318,9 +318,9 @@ static enum pp_status search_traced(struct pp_size_room_result *result,
     return status;
 }
 
-/* Sizes again by hand, for a target that is higher or lower by as much as the simulated
- * margin fell short of the criterion or exceeded it, until the simulated margin is met by
- * 2 % or less. Ends with a search by simulation alone if that does not help. */
+/* Searches again by hand with a corrected target, higher or lower by the ratio of the
+ * simulated margin to the requirement, until the simulated margin exceeds it by 2 % or
+ * less. If that fails, searches by simulation alone. */
 static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
                                             struct pp_size_task *task,
                                             struct valuation *valuation,
@@ -353,9 +353,9 @@ static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
                                        : search_traced(result, task, valuation, err);
 }
 
-/* The simulated check of an answer. Where it does not hold, the largest size is traced
- * too: a target that not even that reaches is out of reach, and the largest size becomes
- * the answer. */
+/* Checks an answer by simulation. If it is not confirmed, the largest size is simulated
+ * too: if that misses the target, the target is out of reach, and the largest size
+ * becomes the answer. */
 static enum pp_status check_by_simulation(struct pp_size_room_result *result,
                                           struct pp_size_task *task,
                                           struct valuation *valuation,

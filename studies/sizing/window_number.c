@@ -1,6 +1,5 @@
-/* window_number.c - places windows at equal distances along their wall, and tries which
- * numbers the room accepts.
- */
+/* window_number.c - places windows at equal distances along their wall, and tests which
+ * numbers the room accepts. */
 #include "studies/sizing/window_number.h"
 
 #include <math.h>
@@ -51,7 +50,7 @@ double pp_window_number_wall_length(const struct pp_world *world, int opening)
     return high - low;
 }
 
-/* Length for a room whose world does not exist yet. */
+/* Length of the wall of a room whose world does not exist yet. */
 static enum pp_status wall_length(double *length_m, const struct pp_room *room,
                                   int index, struct pp_error *err)
 {
@@ -66,7 +65,7 @@ static enum pp_status wall_length(double *length_m, const struct pp_room *room,
     return status;
 }
 
-/* Distance of the i-th of `number` windows from the wall's beginning, rounded to the
+/* Distance of the i-th of `number` windows from the start of the wall, rounded to the
  * millimetre. */
 static double left_of(int i, int number, double width_m, double wall_m)
 {

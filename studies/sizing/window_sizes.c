@@ -1,6 +1,6 @@
-/* window_sizes.c - finds the stations at which edges of windows are blocked on their way
- * from the smallest size to the largest, and interpolates sizes between them.
- */
+/* window_sizes.c - finds the stations between the smallest and the largest
+ * size at which edges of windows are blocked, and interpolates sizes between
+ * them. */
 #include "studies/sizing/window_sizes.h"
 
 #include <math.h>
@@ -10,15 +10,15 @@
 #include "studies/sizing/window_number.h"
 #include "model/base/array.h"
 
-/* An edge that cannot move by this is blocked (m): more than rounding to the grid takes
- * away from two windows that meet. */
+/* An edge that cannot move by this is blocked (m): more than the gap that rounding to
+ * the grid leaves between adjoining windows. */
 static const double blocked_m = 0.0035;
 
 /* A difference of lengths that is rounding (m). */
 static const double slack_m = 1e-6;
 
 struct pp_window_sizes {
-    struct pp_room *room; /* as it is */
+    struct pp_room *room; /* the present room */
     enum pp_size_change change;
     int *openings; /* that change */
     int opening_count;
@@ -29,7 +29,7 @@ struct pp_window_sizes {
     bool upright;      /* sill and head move, else the sides */
     double **stations; /* 2 opening_count edges each */
     int station_count;
-    int fineness; /* steps in a grid's width */
+    int fineness; /* steps per millimetre of the grid */
 
     /* PP_CHANGE_NUMBER: the numbers of windows that fit in the wall, rising. */
     int *numbers;
@@ -38,14 +38,14 @@ struct pp_window_sizes {
 
 /* ---- Edges of openings ---- */
 
-/* The place of the i-th opening with these edges. */
+/* Place of the i-th opening with these edges. */
 static struct pp_opening_place sized_opening_place(const struct pp_window_sizes *sizes,
                                                    int i, const double *edges)
 {
     struct pp_opening_place place =
         pp_room_opening_at(sizes->room, sizes->openings[i]).place;
     double low = edges[2 * i], high = edges[2 * i + 1];
-    /* An opening that does not move keeps its length to the bit. */
+    /* The length of an opening that does not move stays the same, bit for bit. */
     double *first = sizes->upright ? &place.sill_m : &place.left_m;
     double *length = sizes->upright ? &place.height_m : &place.width_m;
     if (low != *first || high != *first + *length) {
@@ -55,7 +55,7 @@ static struct pp_opening_place sized_opening_place(const struct pp_window_sizes 
     return place;
 }
 
-/* The edges of the openings as the room has them. */
+/* Reads the edges of the room's openings. */
 static void read_edges(const struct pp_window_sizes *sizes, double *edges)
 {
     for (int i = 0; i < sizes->opening_count; i++) {
@@ -80,13 +80,13 @@ static double on_grid(double edge_m, bool high, double grid_m)
 {
     double n =
         high ? floor((edge_m + slack_m) / grid_m) : ceil((edge_m - slack_m) / grid_m);
-    /* A division, since 0.001 is no binary fraction and 1000 is. */
+    /* Divides, since 0.001 is not exact in binary, and 1000 is. */
     return n / round(1.0 / grid_m) + 0.0;
 }
 
 /* ---- How far the edges can move ---- */
 
-/* Adds a station behind the last; *edges is for the caller to fill. */
+/* Appends a station; the caller fills *edges. */
 static enum pp_status add_station(double **edges, struct pp_window_sizes *sizes,
                                   struct pp_error *err)
 {
@@ -102,7 +102,7 @@ static enum pp_status add_station(double **edges, struct pp_window_sizes *sizes,
     return status;
 }
 
-/* True if the room's openings can have these edges. */
+/* True if the room is valid with these edges. */
 static enum pp_status is_possible(bool *possible, const struct pp_window_sizes *sizes,
                                   struct pp_room *trial, const double *edges,
                                   struct pp_error *err)
@@ -119,8 +119,8 @@ static void move_edges(double *moved, const double *edges, const double *way, do
         moved[e] = edges[e] + by * way[e];
 }
 
-/* The largest `by` (m of the fastest edge) by which all edges can move along their ways
- * together: by doubling and halving, down to slack_m. `moved` is scratch. */
+/* Largest `by` (m of the fastest edge) by which all edges can move together: by
+ * doubling and halving, down to slack_m. `moved` is scratch. */
 static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
                                struct pp_room *trial, const double *edges,
                                const double *way, double *moved, struct pp_error *err)
@@ -148,7 +148,8 @@ static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
     return PP_OK;
 }
 
-/* Sets the way of each edge that is blocked by itself to 0; *stopped is their number. */
+/* Sets the speed of each edge that is blocked by itself to 0; *stopped: their
+ * number. */
 static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *sizes,
                                    struct pp_room *trial, const double *edges,
                                    double *way, double *moved, struct pp_error *err)
@@ -172,8 +173,8 @@ static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *s
     return PP_OK;
 }
 
-/* Adds the next station: where the first of the moving edges is blocked. *done: no edge
- * moves any more. */
+/* Adds the next station, at which the first of the moving edges is blocked. *done: no
+ * edge can move. */
 static enum pp_status advance_sizes(bool *done, struct pp_window_sizes *sizes,
                                     struct pp_room *trial, double *way, double *moved,
                                     struct pp_error *err)
@@ -202,9 +203,9 @@ static enum pp_status advance_sizes(bool *done, struct pp_window_sizes *sizes,
     return status;
 }
 
-/* The way of each edge in the `leg`-th part of the change: its speed outwards, 0 for an
- * edge that stays. False where the change has no such part: a height has two, the head's
- * and the sill's, every other change has one. */
+/* Outward speed of each edge in part `leg` of the change; 0 for an edge that stays.
+ * False if there is no such part: a height has two, for head and sill, every other
+ * change one. */
 static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
 {
     double widest = 0.0;
@@ -230,7 +231,7 @@ static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
     return leg == 0 || (height && leg == 1);
 }
 
-/* The edges of the smallest size, from which edges with a way move outwards. */
+/* Edges of the smallest size, from which moving edges move outwards. */
 static void shrink(const struct pp_window_sizes *sizes, const double *now,
                    const double *way, double *least)
 {
@@ -248,8 +249,8 @@ static void shrink(const struct pp_window_sizes *sizes, const double *now,
     }
 }
 
-/* The stations of the change: the smallest size, the room as it is, and each size at
- * which an edge is blocked. */
+/* Stations of the change: the smallest size, the present room, and each size at which
+ * an edge is blocked. */
 static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_error *err)
 {
     int count = 2 * sizes->opening_count;
@@ -285,7 +286,7 @@ static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_err
 
 /* ---- Steps ---- */
 
-/* The length by which an opening grows from a station to the next (m). */
+/* Length by which an opening grows from a station to the next (m). */
 static double growth(const struct pp_window_sizes *sizes, int station, int opening)
 {
     const double *from = sizes->stations[station] + 2 * opening;
@@ -370,7 +371,7 @@ enum pp_status pp_window_sizes_room(struct pp_room **room,
 
 /* ---- Create ---- */
 
-/* PP_BAD_INPUT where the opening cannot change so. */
+/* PP_BAD_INPUT if the opening does not allow this change. */
 static enum pp_status check_opening(const struct pp_room *room, int index,
                                     enum pp_size_change change, struct pp_error *err)
 {

@@ -1,16 +1,16 @@
-/* window_sizes.h - the sizes that some windows of a room can take by one kind of
+/* window_sizes.h - the sizes that some windows of a room can have by one kind of
  * change, step by step from the smallest to the largest; each size encloses the one
  * before.
  *
  * The windows change together. Widths change in proportion, about each window's middle;
  * an edge that meets the end of its wall or another opening stays there while the
- * others go on. Heads go up by equal lengths and sills down, each until it is blocked;
- * a height changes by the head first and then by the sill. A size is possible where
- * pp_world_create accepts the room. Edges that move are on a grid (a millimetre, or
- * finer; half of it where both edges move), rounded towards the window's inside.
+ * others go on. Heads are raised and sills lowered by equal lengths, each until it is
+ * blocked; a height changes by the head first and then by the sill. A size is possible
+ * if pp_world_create accepts the room. Edges that move are on a grid (a millimetre, or
+ * finer; half of it if both edges move), rounded towards the window's inside.
  *
- * A change of number is for windows alike in one wall, each in the middle of its share
- * of the wall's length; at the room's own number the windows stay where they are.
+ * A change of number is for equal windows in one wall, each in the middle of its share
+ * of the wall's length; at the room's own number the windows keep their places.
  */
 #ifndef PP_STUDIES_SIZING_WINDOW_SIZES_H
 #define PP_STUDIES_SIZING_WINDOW_SIZES_H
@@ -21,14 +21,14 @@
 #include "model/base/error.h"
 #include "model/room/room.h"
 
-#define PP_SIZE_LEAST_M 0.01 /* of the smallest windows, the way that they change */
+#define PP_SIZE_LEAST_M 0.01 /* least size of a window along the change */
 #define PP_SIZE_GRID_M 0.001
 
 struct pp_window_sizes;
 
 /* openings: indices of the openings that change, windows or rooflights; for
- * PP_CHANGE_NUMBER windows of one wall and one size. PP_BAD_INPUT if these openings
- * cannot change so. Copies the needed data of room, which must have no mistakes. */
+ * PP_CHANGE_NUMBER windows of one wall and one size. PP_BAD_INPUT if these openings do
+ * not allow the change. Copies the needed data of room, which must be valid. */
 enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
                                       const struct pp_room *room,
                                       enum pp_size_change change, const int *openings,
@@ -36,16 +36,16 @@ enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
 void pp_window_sizes_destroy(struct pp_window_sizes *sizes); /* NULL is allowed */
 
 /* Steps are 0 to count - 1. From one step to the next no window grows by more than the
- * width of the grid. Step `now` is the room as it is, to the bit. */
+ * width of the grid. Step `now` is the present room, bit for bit. */
 int pp_window_sizes_count(const struct pp_window_sizes *sizes);
 int pp_window_sizes_now(const struct pp_window_sizes *sizes);
 
 /* Makes each step ten times as fine: step k becomes step 10 k. Numbers stay. */
 void pp_window_sizes_refine(struct pp_window_sizes *sizes);
 
-/* Makes the room at that step; the caller's (pp_room_destroy). New openings come last
- * in the room's list and equal the last of those that change. If the number is smaller
- * than the room's own, the last openings are removed. */
+/* Makes the room at that step, owned by the caller (pp_room_destroy). New openings come
+ * last in the room's list and equal the last of those that change. If the number is
+ * smaller than the room's own, the last openings are removed. */
 enum pp_status pp_window_sizes_room(struct pp_room **room,
                                     const struct pp_window_sizes *sizes, int step,
                                     struct pp_error *err);

@@ -1,4 +1,4 @@
-/* annual.c - the steps from a room and a year to its figures. */
+/* annual.c - computes the annual figures of a room from its weather. */
 #include "studies/year/annual.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 
 enum { CELLS = 600, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
-/* Work for every point; out of memory is the only failure. */
+/* Calls a function for every point; it fails only if out of memory. */
 static enum pp_status for_points(struct pp_annual_work *work,
                                  pp_thread_pool_work *function, struct pp_error *err)
 {
@@ -53,7 +53,8 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     return pp_annual_point_make_spaces(work, err);
 }
 
-/* The worst standard error of a point's annual light over it, by the mean sky. */
+/* Largest standard error of a point's annual light over that light, with the mean
+ * sky. */
 static double worst_error(const struct pp_annual_work *work)
 {
     double worst = 0.0;
@@ -62,7 +63,7 @@ static double worst_error(const struct pp_annual_work *work)
     return worst;
 }
 
-/* Creates the coefficients, with more paths until the error is met. */
+/* Creates the coefficients, with more paths until the error is reached. */
 static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
 {
     const struct pp_annual_options *options = work->options;
@@ -143,7 +144,8 @@ static enum pp_status simulate(struct pp_annual_work *work, struct pp_error *err
     return status;
 }
 
-/* Direct and reflected light of each point by patch, and by the ground's luminance. */
+/* Stores direct and reflected light of each point by patch, and by the ground's
+ * luminance. */
 static enum pp_status keep_coefficients(struct pp_annual_work *work,
                                         struct pp_error *err)
 {

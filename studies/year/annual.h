@@ -1,13 +1,13 @@
 /* annual.h - the daylight of a room in every hour of a year, and its figures.
  *
- * Direct light of sky and sun at a point is in closed form (methods/exact/sky_view.h), all
- * other light is simulated (simulate/year/). With the room's finishes diffuse, as for
- * daylight factors.
+ * Direct light of sky and sun at a point is in closed form (methods/exact/sky_view.h);
+ * all other light is simulated (simulate/year/). The room's finishes are diffuse, as
+ * for daylight factors.
  *
- * Blinds are those of LM-83-12 [LM83]: openings of one wall and one glass are a group; it
- * closes in an hour when more than 2 % of the points have 1000 lx or more of direct sun
- * through it. Closed, its panes are even Lambertian emitters of 20 % of the light that
- * falls on them, times the diffuse transmittance of the pane.
+ * Blinds follow LM-83-12 [LM83]: openings of one wall and one glass are a group; it is
+ * closed in hours when more than 2 % of the points have 1000 lx or more of direct sun
+ * through it. A closed pane is a uniform Lambertian emitter of 20 % of the light that
+ * falls on it, times the diffuse transmittance of the pane.
  */
 #ifndef PP_STUDIES_YEAR_ANNUAL_H
 #define PP_STUDIES_YEAR_ANNUAL_H
@@ -27,16 +27,16 @@ struct pp_annual_options {
     int samples;  /* paths of a point in each randomisation; 0: by error */
     double error; /* largest standard error over a point's annual light; 0: not set */
     bool blinds;
-    bool coefficients; /* keep them in the sheet */
-    bool measure;      /* the error of patches and cells */
-    bool exact_sky;    /* without patches and cells: the slow reference */
+    bool coefficients; /* keep the coefficients in the sheet */
+    bool measure;      /* measure the error of patches and cells */
+    bool exact_sky;    /* without patches and cells: slow, for reference */
     uint64_t seed;
     int threads;
     struct pp_watch watch;
 };
 
-/* The room's points: a grid over its plane (is_grid), or others. *sheet refers to world and
- * receivers; the caller clears it, after a failure too. */
+/* Evaluates the room's points: a grid over its plane (is_grid), or others. *sheet
+ * refers to world and receivers; the caller clears it, after a failure too. */
 enum pp_status pp_annual_of_room(
     struct pp_annual_sheet *sheet, const struct pp_world *world,
     const struct pp_outside_light *light, const struct pp_receiver *receivers,

@@ -1,5 +1,5 @@
-/* annual_direct.c - direct light of sky and sun at the points, and the blinds that the sun
- * closes. */
+/* annual_direct.c - direct light of sky and sun at the points, and the blinds that are
+ * closed because of it. */
 #include "methods/exact/sky_view.h"
 #include "studies/year/annual_work.h"
 

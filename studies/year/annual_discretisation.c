@@ -1,9 +1,9 @@
 /* annual_discretisation.c - the error of patches and cells, on a sample of points and
  * hours.
  *
- * Paths that meet the true sky and sun (plain_year.h) are the reference. They also meet the
- * sky by patches: that difference is of the same paths, so that hardly any noise is in it.
- * The difference between the year's own values and the reference has the noise of both.
+ * Paths evaluated with the true sky and sun (plain_year.h) are the reference. The same
+ * paths are evaluated with the sky by patches: the difference has hardly any noise. The
+ * difference between the year's own values and the reference has the noise of both.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -40,7 +40,7 @@ static void choose(int *list, int count, int all, uint64_t seed)
     }
 }
 
-/* Sums over groups: of one batch's row of hours, at one hour. */
+/* Sum over groups of one batch's light at one hour. */
 static double sum_at(const float *rows, int groups, size_t step, int batch, int hour)
 {
     double sum = 0.0;
@@ -109,8 +109,8 @@ static bool sample_point(void *data, int worker, int p)
 
 /* ---- errors ---- */
 
-/* Sum of a batch's values without batch `left` (-1: of all), over a point's hours from
- * `first` to `end` - 1. */
+/* Sum of the batches' values without batch `left` (-1: of all), over a point's hours
+ * from `first` to `end` - 1. */
 static double light_of_hours(const struct discretisation_work *d, int p, size_t member,
                              int first, int end, int left)
 {
@@ -123,8 +123,8 @@ static double light_of_hours(const struct discretisation_work *d, int p, size_t 
     return sum;
 }
 
-/* Mean over the points of (value - reference)/reference, over all hours; `left` of the value
- * and of the reference: the batch left out. */
+/* Mean over the points of (value - reference)/reference, over all hours; left_...: the
+ * batch left out of each. */
 static double mean_error(const struct discretisation_work *d, size_t value,
                          size_t reference, int left_value, int left_reference)
 {

@@ -1,4 +1,4 @@
-/* annual_plane.c - means and shares of the points. */
+/* annual_plane.c - means over the points, and shares of them. */
 #include "studies/year/annual_plane.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 struct figures_of_points {
     const struct pp_annual_sheet *sheet;
     const double *without; /* of the batch; NULL: of all */
-    size_t step;           /* from point to point */
+    size_t step;           /* numbers from one point to the next */
 };
 
 static double figure_of(const struct figures_of_points *all, int point, int index)
@@ -23,7 +23,8 @@ static double figure_of(const struct figures_of_points *all, int point, int inde
 #define FIGURE(name)                                                                   \
     ((int)(offsetof(struct pp_annual_figures, name) / sizeof(struct pp_annual_value)))
 
-/* Share of the points with a figure of at least `least`; with `above`: of more. */
+/* Share of the points with a figure of at least `least`, or, if `above`, greater than
+ * that. */
 static double share(const struct figures_of_points *all, int index, double least,
                     bool above)
 {
@@ -35,7 +36,7 @@ static double share(const struct figures_of_points *all, int index, double least
     return points > 0 ? (double)count / points : NAN;
 }
 
-/* LM-83: half of the hours or more; rounding of sums of hours aside. */
+/* LM-83: half of the hours or more; with a tolerance for rounding of sums. */
 static const double HALF = 0.5 - 1e-12, SUNLIT_H = 250.0 + 1e-9;
 
 /* The values of pp_annual_plane. */

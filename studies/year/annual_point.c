@@ -1,11 +1,11 @@
-/* annual_point.c - the illuminances of a point in all hours, and its figures with their
+/* annual_point.c - illuminances of a point in all hours, and its figures with their
  * standard errors. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "studies/year/annual_work.h"
 
-/* Numbers of one thread. */
+/* Working memory of one thread. */
 struct pp_annual_space {
     float *sky, *sun;     /* [group][batch][step] */
     float *open, *blinds; /* [batch][step]: all light */
@@ -58,7 +58,8 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
     return enough ? PP_OK : pp_fail_memory(err);
 }
 
-/* All light of each batch, open and with blinds; its parts, the means over batches. */
+/* Adds up all light of each batch, open and with blinds, and its parts, the means over
+ * batches. */
 static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, int x)
 {
     int count = work->year->sky_count, groups = work->groups.count;
@@ -109,7 +110,7 @@ static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, i
         }
 }
 
-/* The mean of all batches but one, from the mean of all. */
+/* Mean of all batches but one, from the mean of all. */
 static void leave_out(float *out, const float *mean, const float *batch, int count)
 {
     for (int t = 0; t < count; t++)
@@ -143,7 +144,7 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
     memcpy(work->sheet->sun_lx + (size_t)x * (size_t)count, values.sun,
            (size_t)count * sizeof *row);
 
-    /* The same without each batch. */
+    /* Figures without each of the batches. */
     double *without = work->without + (size_t)x * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES;
     float *open = space->sky, *blinds = space->sun; /* used up */
     values.open = open;

@@ -1,4 +1,5 @@
-/* annual_work.h - a room's year under way. Inside studies/year/ only. */
+/* annual_work.h - data of a room's year while it is computed. Inside studies/year/
+ * only. */
 #ifndef PP_STUDIES_YEAR_ANNUAL_WORK_H
 #define PP_STUDIES_YEAR_ANNUAL_WORK_H
 
@@ -30,7 +31,7 @@ struct pp_annual_work {
     size_t step;       /* numbers from one row of hours to the next */
     float *direct;     /* [receiver][group][column]: direct light of sky and ground */
     float *direct_sun; /* [receiver][group][sky], lx */
-    unsigned char *closed; /* [group][sky]: are its blinds? */
+    unsigned char *closed; /* [group][sky]: true if the group's blinds are closed */
     float *on_panes;       /* [group][batch][step], lx outside */
     double *without;       /* [receiver][batch][figure]: figures without that batch */
     double *group_light;   /* [receiver][group][1 + batch], lx h */
@@ -38,15 +39,16 @@ struct pp_annual_work {
     enum pp_status *status;         /* by receiver */
 };
 
-/* Direct light of point x: its coefficients and its sun in every hour. (annual_direct.c) */
+/* Computes the direct light of point x: its coefficients and its sun in every hour.
+ * (annual_direct.c) */
 bool pp_annual_direct_see(void *work, int worker, int x);
 
-/* The hours in which blinds are closed, from the direct sun of all points, and the light
+/* Finds the hours with closed blinds, from the direct sun at all points, and the light
  * on the panes. */
 void pp_annual_direct_close_blinds(struct pp_annual_work *work);
 
-/* Space for the hours of one point, for each worker; the hours and figures of point x.
- * (annual_point.c) */
+/* Allocates space for the hours of one point, for each worker; computes hours and
+ * figures of point x. (annual_point.c) */
 enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
                                            struct pp_error *err);
 void pp_annual_point_clear_spaces(struct pp_annual_work *work);

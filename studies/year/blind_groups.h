@@ -1,4 +1,5 @@
-/* blind_groups.h - openings whose blinds close together, and when they do, by LM-83-12. */
+/* blind_groups.h - openings whose blinds close together, and the rule for it, by
+ * LM-83-12. */
 #ifndef PP_STUDIES_YEAR_BLIND_GROUPS_H
 #define PP_STUDIES_YEAR_BLIND_GROUPS_H
 
@@ -7,7 +8,7 @@
 
 enum { PP_BLIND_GROUPS_MOST = 16 };
 
-/* Share of the light on a closed blind that it transmits, all of it diffusely. */
+/* Diffuse transmittance of a closed blind. */
 #define PP_BLIND_GROUPS_TRANSMITTANCE 0.2
 
 struct pp_blind_groups {
@@ -18,15 +19,15 @@ struct pp_blind_groups {
         transmittance[PP_BLIND_GROUPS_MOST]; /* diffuse, of its panes without blinds */
 };
 
-/* Openings of one face with one glass, frame, dirt and curtains are a group; from the 16th
- * on, all others are one. On success the caller clears *groups. */
+/* Openings of one face with the same glass, frame, dirt and curtains are a group; from
+ * the 16th on, all others are one group. On success the caller clears *groups. */
 enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
                                         const struct pp_world *world,
                                         struct pp_error *err);
 void pp_blind_groups_clear(struct pp_blind_groups *groups);
 
-/* Closes the group in an hour with so many of the points in 1000 lx or more of direct sun
- * by it: more than 2 %? */
+/* True if the group is closed in an hour with that number of points in direct sun of
+ * 1000 lx or more through it: if they are more than 2 %. */
 bool pp_blind_groups_closes(int sunlit_points, int points);
 
 #endif

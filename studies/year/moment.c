@@ -24,7 +24,7 @@ static struct pp_vec3 sun_direction(double altitude_rad, double bearing_rad)
     return pp_vec(c * sin(bearing_rad), c * cos(bearing_rad), sin(altitude_rad));
 }
 
-/* The sun of the time at the place. */
+/* Finds the sun at that time and place. */
 static enum pp_status sun_of_time(const struct pp_moment_irradiances *of,
                                   double *zone_h, struct pp_sun *sun,
                                   struct pp_error *err)
@@ -38,7 +38,7 @@ static enum pp_status sun_of_time(const struct pp_moment_irradiances *of,
                        "the room has no location for --when; expected a site with "
                        "latitude and longitude, or perez,DNI,DHI,ALTITUDE,BEARING");
     *zone_h = of->zone_h;
-    if (isnan(*zone_h)) /* 0.0: never -0 */
+    if (isnan(*zone_h)) /* 0.0 avoids -0 */
         *zone_h = 0.0 + round(of->longitude_rad / (15.0 * PP_RAD));
     double n = pp_sun_days_since_2000(of->year, of->date.month, of->date.day,
                                       of->clock_h - *zone_h);

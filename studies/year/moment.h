@@ -1,7 +1,8 @@
-/* moment.h - one moment's sky and sun, and the illuminances of a room's points under them.
+/* moment.h - sky and sun of one moment, and the illuminances of a room's points under
+ * them.
  *
- * It comes from the record of a weather file, or from irradiances: then the sun has the
- * place given, or that of a time at the room's site.
+ * They come from the record of a weather file, or from irradiances: then the position
+ * of the sun is given, or follows from a time at the room's site.
  */
 #ifndef PP_STUDIES_YEAR_MOMENT_H
 #define PP_STUDIES_YEAR_MOMENT_H
@@ -16,27 +17,26 @@ struct pp_moment {
     char words[PP_ANNUAL_WORDS];        /* on sky and sun, without a record */
 };
 
-/* That of the record that holds the time. PP_BAD_INPUT where the hour is dark or not
- * known. year must live as long. */
+/* The moment in a record of the file. PP_BAD_INPUT if the hour is dark or unknown. year
+ * must outlive it. */
 enum pp_status pp_moment_of_weather(struct pp_moment *moment,
                                     const struct pp_weather_year *year,
                                     struct pp_month_day date, double clock_h,
                                     struct pp_error *err);
 
-/* A sky by its irradiances, and its sun. */
+/* A sky given by irradiances, and its sun. */
 struct pp_moment_irradiances {
     double direct_w_m2, diffuse_w_m2;         /* normal, horizontal */
-    double sun_altitude_rad, sun_bearing_rad; /* NAN: by the time and the place */
+    double sun_altitude_rad, sun_bearing_rad; /* NAN: from time and place */
     int year;
     struct pp_month_day date;
     double clock_h,
-        zone_h; /* hours ahead of universal time; NAN: the whole hours of the
-                             * longitude */
+        zone_h; /* hours ahead of universal time; NAN: longitude in whole hours */
     double latitude_rad, longitude_rad; /* NAN: not known */
 };
 
-/* Precipitable water is 2 cm. PP_BAD_INPUT for a sun below the horizon that shines, for a
- * time without a place, and where there is no light. */
+/* Precipitable water is 2 cm. PP_BAD_INPUT for direct light with the sun below the
+ * horizon, for a time without a place, and if there is no light. */
 enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
                                         const struct pp_moment_irradiances *of,
                                         struct pp_error *err);
@@ -47,9 +47,9 @@ enum pp_status pp_moment_light(struct pp_outside_light *light,
                                const struct pp_moment *moment, double north_rad,
                                struct pp_error *err);
 
-/* Fills the sheet of a year that has this hour alone: illuminances are its year_lxh, and
- * sky_lxh, sun_lxh, sun_reflected_lxh its parts. The caller clears *sheet, after a failure
- * too. */
+/* Fills an annual sheet with this hour alone: illuminances are its year_lxh, and
+ * sky_lxh, sun_lxh, sun_reflected_lxh its parts. The caller clears *sheet, after a
+ * failure too. */
 enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light,

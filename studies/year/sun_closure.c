@@ -7,7 +7,8 @@
 
 enum { STEPS = 20, SHIFTS = 2 * STEPS + 1 };
 
-/* Closed: below CLOSES. A shift counts from SHIFT on, and where it halves the difference. */
+/* The balance is closed below CLOSES_W_M2. A shift counts if it is at least SHIFT_H and
+ * halves the difference. */
 static const double CLOSES_W_M2 = 50.0, SHIFT_H = 0.1;
 
 int pp_sun_closure_year(const struct pp_epw *epw)
@@ -19,7 +20,7 @@ int pp_sun_closure_year(const struct pp_epw *epw)
     return year >= 1950 && year <= 2050 ? year : 2001;
 }
 
-/* Sums of squares by shift, for columns as they are and swapped. */
+/* Sums of squares by shift, with the columns as they are, and swapped. */
 struct closure_sums {
     double squares[SHIFTS], swapped;
     int records;

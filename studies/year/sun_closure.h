@@ -1,8 +1,8 @@
-/* sun_closure.h - the time of the sun by which a weather file was made, from its own
- * radiation.
+/* sun_closure.h - the time within a record at which a weather file has its sun, from
+ * its own radiation.
  *
  * In most files global horizontal = direct normal x sin(altitude) + diffuse horizontal
- * holds by construction. The sun is put at the middle of each record plus a shift; the
+ * by construction. The sun is placed at the middle of each record plus a shift. The
  * shift with the least root mean square of the difference, over records with direct
  * light, is that of the file.
  */
@@ -12,11 +12,12 @@
 #include "formats/epw/epw.h"
 
 enum pp_sun_closure_finding {
-    PP_CLOSURE_AT_MIDDLE, /* the sun of the file stands at the middle of its records */
-    PP_CLOSURE_SHIFTED,   /* at another time, by best_h */
+    PP_CLOSURE_AT_MIDDLE, /* the file's sun is at the middle of its records */
+    PP_CLOSURE_SHIFTED,   /* at another time, given by best_h */
     PP_CLOSURE_SEASONAL, /* shifted in one half of the year only: summer time in the data */
-    PP_CLOSURE_SWAPPED, /* closes if direct and diffuse columns change places */
-    PP_CLOSURE_NONE,    /* at no shift: measured data, or damaged ones */
+    PP_CLOSURE_SWAPPED, /* the balance closes if direct and diffuse columns are
+                         * swapped */
+    PP_CLOSURE_NONE,    /* closes at no shift: measured data, or damaged ones */
     PP_CLOSURE_UNKNOWN, /* no records with all three irradiances */
 };
 
@@ -30,8 +31,8 @@ struct pp_sun_closure {
 
 struct pp_sun_closure pp_sun_closure_of_epw(const struct pp_epw *epw);
 
-/* The year of the sun of a record: the year of all records where they have one within
- * 1950 to 2050; else, of a typical year, 2001. */
+/* Year for the sun's positions: that of all records if they have one within 1950 to
+ * 2050; else (a typical year) 2001. */
 int pp_sun_closure_year(const struct pp_epw *epw);
 
 #endif

@@ -1,11 +1,11 @@
 /* weather_year.h - sky and sun of every hour of a weather file.
  *
- * A record's sky and sun are those of its middle, moved by the sun shift
- * (sun_closure.h). Where the sun's centre is below the horizon then although the record
- * has direct light, the sun stands at the mean of its positions above the horizon
- * within the record; direct light of a record without such a position is left out.
- * Records of 29 February are left out unless `leap_day` keeps them. A record whose direct
- * or diffuse irradiance is missing is not known, and belongs to no count of hours.
+ * They are calculated for the middle of a record plus the sun shift (sun_closure.h). If
+ * the sun's centre is below the horizon then, but the record has direct light, the sun
+ * is at the mean of its positions above the horizon within the record; without such a
+ * position the direct light is left out. Records of 29 February are left out unless
+ * `leap_day` keeps them. A record without direct or diffuse irradiance is unknown and
+ * left out of all counts of hours.
  */
 #ifndef PP_STUDIES_YEAR_WEATHER_YEAR_H
 #define PP_STUDIES_YEAR_WEATHER_YEAR_H
@@ -19,18 +19,18 @@ struct pp_weather_hour {
     int weekday;              /* 0 Monday to 6 Sunday, or PP_WEEKDAY_UNKNOWN */
     double start_h, length_h; /* local standard time */
     bool known;
-    bool lit; /* has it a sky or a sun? */
+    bool lit; /* true if it has a sky or a sun */
     int sky;  /* index in skies; -1: dark, or not known */
 };
 
 struct pp_weather_options {
-    double sun_shift_h; /* NAN: by the file's own radiation */
+    double sun_shift_h; /* NAN: from the file's own radiation */
     bool leap_day;
 };
 
 struct pp_weather_year {
-    const struct pp_epw *epw; /* not owned; NULL: skies without a file, and */
-    const char *words;        /* the sentence on them */
+    const struct pp_epw *epw; /* not owned; NULL: skies without a file */
+    const char *words;        /* sentence on skies without a file */
     int count;
     struct pp_weather_hour *hours;
     int sky_count;
@@ -39,14 +39,16 @@ struct pp_weather_year {
     double sun_shift_h; /* in use */
     int sun_year;       /* of all sun positions */
 
-    int leap_records;  /* of 29 February, left out */
+    int leap_records;  /* records of 29 February that were left out */
     int missing;       /* records without direct or diffuse irradiance */
-    int no_dew_point;  /* records with light for which 11 degrees Celsius was taken */
-    int moved_suns;    /* sun at the mean of its part above the horizon */
-    int sunless_beams; /* direct light left out, as the sun is down */
+    int no_dew_point;  /* records with light for which a dew point of 11 degrees Celsius
+                        * was assumed */
+    int moved_suns;    /* records with the sun at the mean of its positions above the
+                        * horizon */
+    int sunless_beams; /* records whose direct light was left out, as the sun is down */
     int no_diffuse;    /* records with direct light alone: a black sky */
-    int positive_b;    /* skies with b above 0, taken as 0 */
-    int brightness, clearness; /* skies beyond the model's limits of these */
+    int positive_b;    /* skies whose coefficient b was above 0 and is set to 0 */
+    int brightness, clearness; /* number of skies beyond the model's limits of each */
 };
 
 /* PP_BAD_INPUT where the file covers less than a year, or has no light. file: its name,
@@ -57,8 +59,8 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
                                       const char *file, struct pp_error *err);
 void pp_weather_year_clear(struct pp_weather_year *year);
 
-/* The sky of one moment of the file, by its date and clock time (h): that of the record
- * in which it lies. PP_BAD_INPUT where there is no such record, or none known. */
+/* The sky of one moment of the file, given by date and clock time (h): of the record
+ * that contains it. PP_BAD_INPUT if there is no such record, or it is unknown. */
 enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
                                       const struct pp_weather_year *year,
                                       struct pp_month_day date, double clock_h,
@@ -73,7 +75,7 @@ struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
 const char *pp_weather_year_notes(char *text, size_t room,
                                   const struct pp_weather_year *year);
 
-/* One of the findings that a user must read, as a sentence; NULL: there is none. */
+/* One of the warnings for the user, as a sentence; NULL: there is none. */
 const char *pp_weather_year_warning(char *text, size_t room,
                                     const struct pp_weather_year *year);
 

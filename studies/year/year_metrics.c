@@ -21,7 +21,7 @@ static int compare_skies(const void *a, const void *b)
     return x->sky - y->sky;
 }
 
-/* Marks the brightest half of the year, and finds the rank of half of that. */
+/* Marks the brightest half of the year, and finds the median's rank in it. */
 static enum pp_status mark_daylight(struct pp_year_clock *clock,
                                     const struct pp_weather_year *year,
                                     struct pp_error *err)
@@ -96,7 +96,7 @@ void pp_year_clock_clear(struct pp_year_clock *clock)
 
 /* ---- a point ---- */
 
-/* The value of that rank, falling, from 0: partial sorting by quickselect. */
+/* Value of that rank in falling order, from 0: quickselect. */
 static float value_of_rank(float *values, int count, int rank)
 {
     int low = 0, high = count - 1;
@@ -215,7 +215,7 @@ double pp_year_metrics_error(const double *without, int count)
         mean += without[i] / count;
     for (int i = 0; i < count; i++)
         squares += (without[i] - mean) * (without[i] - mean);
-    /* Rounding of sums is no spread. */
+    /* Rounding errors of sums do not count as spread. */
     double error = sqrt((count - 1.0) / count * squares);
     return error > 1e-9 * fabs(mean) ? error : 0.0;
 }

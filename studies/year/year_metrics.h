@@ -1,8 +1,8 @@
 /* year_metrics.h - figures of one point from its illuminances in the hours of a year.
  *
- * Occupied hours count whether it is light or not. Useful daylight illuminance after
- * Mardaljevic: below 100, 100 to 300, 300 to 3000 (both included), above 3000 lx. The
- * median is that of EN 17037, method 2: reached in 2190 of the 4380 hours of most diffuse
+ * Occupied hours count in the dark, too. Useful daylight illuminance after Mardaljevic:
+ * below 100, 100 to 300, 300 to 3000 (both included), above 3000 lx. The median is that
+ * of EN 17037, method 2: reached in 2190 of the 4380 hours with the highest diffuse
  * horizontal illuminance. Direct sun counts above 1000 lx [LM83].
  */
 #ifndef PP_STUDIES_YEAR_YEAR_METRICS_H
@@ -12,13 +12,14 @@
 #include "studies/climate/working_hours.h"
 #include "studies/year/weather_year.h"
 
-/* The hours of a year as the figures need them; by sky. */
+/* Hours of a year needed for the figures; arrays by sky. */
 struct pp_year_clock {
     int sky_count;
     double *occupied_h, *length_h;
-    bool *is_daylight;     /* of the 4380 hours */
+    bool *is_daylight;     /* true in the 4380 brightest hours */
     double all_occupied_h; /* dark ones included */
-    int median_rank;       /* of the daylight values, falling; they may be fewer */
+    int median_rank;       /* rank of the median among the daylight values, falling;
+                            * there may be fewer values */
     double diffuse_median_lx;
 };
 
@@ -35,7 +36,7 @@ struct pp_year_values {
     const float *open;                      /* all light, without blinds */
     const float *sky, *sun, *sun_reflected; /* its parts */
     const float *blinds; /* all light, with blinds; NULL: no blinds */
-    float *space;        /* as many numbers, for the median */
+    float *space;        /* scratch of the same size, for the median */
 };
 
 /* Fills the values of *figures, not their standard errors. */
@@ -44,7 +45,7 @@ void pp_year_metrics_of(struct pp_annual_figures *figures,
                         const struct pp_year_clock *clock,
                         const double *illuminances_lx, int illuminance_count);
 
-/* Standard error of a figure from its values with one of `count` batches left out each
+/* Standard error of a figure from its values with each of `count` batches left out
  * (jackknife): sqrt((n - 1)/n sum (x - mean)^2). */
 double pp_year_metrics_error(const double *without, int count);
 

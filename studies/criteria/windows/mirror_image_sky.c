@@ -1,11 +1,12 @@
-/* mirror_image_sky.c - what a new building leaves, beside what the old one's own mirror image
- * at the boundary would leave [BR209] appendix F, recalled, as no text is at hand:
+/* mirror_image_sky.c - light left by a new building, compared with that left by the old
+ * building's mirror image at the boundary ([BR209] appendix F, from memory, no text at
+ * hand):
  *
  *   VSC proposed >= VSC with the mirror image             at each upright window
  *   area that sees sky, proposed >= with the mirror image
  *
- * The appendix has these as targets in place of 27 % and of 0.8 of what was before, where
- * the old building stands close to the boundary, or where nothing stands opposite.
+ * The appendix gives these as targets instead of 27 % and of 0.8 of the former value,
+ * if the old building is close to the boundary, or if there is nothing opposite.
  */
 #include <math.h>
 

@@ -1,15 +1,16 @@
-/* sun_exposure.c - exposure to sunlight as [EN17037] recommends it (table A.6), of a room
+/* sun_exposure.c - exposure to sunlight recommended by [EN17037] (table A.6), of a room
  * of a dwelling, a ward or a nursery's playroom.
  *
  *   minimum 1.5 h, medium 3 h, high 4 h of sun on a day from 1 February to 21 March
  *
- * The day is 21 March. Sun counts that reaches the reference point of any opening: the
- * middle of its width on the inside of its wall, 1.2 m above the floor and 0.3 m above
- * the sill at least (of sloping glass its middle). The standard leaves out the sun below
- * an altitude that it gives by country. Its table was not at hand; Germany's 11 degrees and
- * the Czech Republic's 13 are known from secondary sources. Elsewhere a level is reached if
- * the sun above 20 degrees is enough, and is not if the sun above 5 degrees is not; between
- * these it is undecided, with the altitude at which the verdict turns.
+ * The day is 21 March. The sun counts if it reaches the reference point of any opening:
+ * at the middle of its width on the inside of its wall, 1.2 m above the floor and at
+ * least 0.3 m above the sill (for sloping glass, its centre). The standard leaves out
+ * the sun below an altitude that it gives by country. Its table was not at hand;
+ * Germany's 11 degrees and the Czech Republic's 13 are known from secondary sources.
+ * Elsewhere a level is met if the sun above 20 degrees suffices, and not met if the sun
+ * above 5 degrees does not. Otherwise it is undecided, and the altitude at which the
+ * verdict changes is given.
  */
 #include <math.h>
 #include <string.h>
@@ -21,7 +22,7 @@
 #define ABOVE_FLOOR_M 1.2
 #define ABOVE_SILL_M 0.3
 
-/* Altitudes between which the standard's table is taken to lie. */
+/* Range in which the altitudes of the standard's table are assumed to be. */
 static const double lowest_rad = 5.0 * PP_RAD, highest_rad = 20.0 * PP_RAD;
 
 /* Altitude above which the sun counts in a country; 0: not known. */
@@ -86,7 +87,8 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
     return status;
 }
 
-/* The altitude above which the sun gives the wanted hours, to a hundredth of a degree. */
+/* Finds the altitude above which the sun shines for the required hours, to 0.01
+ * degrees. */
 static enum pp_status find_turn(double *turn_rad, const struct pp_world *world,
                                 double wanted, struct pp_error *err)
 {

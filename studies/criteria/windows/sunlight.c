@@ -1,17 +1,19 @@
-/* sunlight.c - the hours of sun at windows, as [BR209] counts them.
+/* sunlight.c - hours of sun at windows, by [BR209].
  *
  *   S >= 25 %    of the hours of sun in a year on open ground
  *   W >= 5 %     of the same hours, from 21 September to 21 March
  *
- * at the middle of the outside of windows that face within 90 degrees of due south (of
- * due north, south of the equator). With a room before, what is less is no failure if
+ * at the centre of the outside of windows that face within 90 degrees of due south (of
+ * due north, south of the equator). If the former room is given, lower values are no
+ * failure if
  *
  *   S >= 0.8 S before  and  W >= 0.8 W before,  or  S before - S <= 4 %
  *
- * [BR209] counts probable hours: those that the clouds of many years leave. A weather file
- * says how likely the sun is to shine (studies/climate/sunshine.h); without one each hour with
- * the sun above the horizon counts alike: possible hours (methods/exact/sunlit_hours.h), of
- * which winter has a larger share. These are stated and not judged. The sky of the room does not matter.
+ * [BR209] counts probable hours, which are reduced by average cloud. A weather file
+ * gives the probability of sunshine (studies/climate/sunshine.h). Without one each hour
+ * with the sun above the horizon counts: these possible hours
+ * (methods/exact/sunlit_hours.h), with a larger share in winter, are stated and not
+ * judged. The sky of the room does not matter.
  */
 #include <math.h>
 
@@ -36,8 +38,8 @@ static const char other_side[] =
 static const char equator_side[] =
     "it faces more than 90 degrees from due north: not required";
 
-/* Does the opening face the side where the sun is at noon, within 90 degrees? Level glass
- * faces all sides. */
+/* True if the opening faces within 90 degrees of the direction of the noon sun; level
+ * glass faces all sides. */
 static bool faces_noon(const struct pp_world *world, const struct pp_opening *opening)
 {
     const double slack = 1e-9; /* due east and due west count */
@@ -46,7 +48,7 @@ static bool faces_noon(const struct pp_world *world, const struct pp_opening *op
     return (world->latitude_rad < 0.0 ? -south : south) >= -slack;
 }
 
-/* Shares of the open ground's hours in a year. */
+/* Shares of the hours of sun of a year on open ground. */
 static enum pp_status find_shares(struct pp_sunlit_year *shares,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening,

@@ -1,10 +1,10 @@
-/* sunlit_gardens.c - the sun on gardens and other open ground, as [BR209] asks for it.
+/* sunlit_gardens.c - sun on gardens and other open ground, by [BR209].
  *
  *   S >= 1/2                    of the area has two hours of sun or more on 21 March
  *   S >= 1/2  or  S >= 0.8 S before
  *
- * Possible hours over a level horizon (studies/site/garden_sun.h). A building's gardens are
- * judged with one of its rooms.
+ * Possible hours over a level horizon (studies/site/garden_sun.h). A building's gardens
+ * are judged with one of its rooms.
  */
 #include <math.h>
 
@@ -16,7 +16,7 @@
 
 static const char no_place[] = "the room file has no latitude (site)";
 
-/* The same garden before: of the same corners; NULL: there was none. */
+/* The former garden with the same corners; NULL: there was none. */
 static const struct pp_garden *find_before(const struct pp_world *before,
                                            const struct pp_garden *garden)
 {

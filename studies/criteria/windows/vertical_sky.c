@@ -26,7 +26,7 @@
 #define VSC_WANTED 0.27
 #define FORMER_SHARE_WANTED 0.8
 #define FRENCH_FOOT_M 0.2
-#define NO_SKY 1e-6 /* less than this is no sky, and a ratio to it means nothing */
+#define NO_SKY 1e-6 /* with less, a window sees no sky, and has no ratio */
 #define ANGLE_WANTED (25.0 * PP_RAD)
 
 static const char none[] = "the room has no openings";
@@ -93,8 +93,8 @@ static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
 }
 
 /* Share without the overhangs, fins, balconies and shelves of the room's own windows
- * and of other rooms in the same front. They hide sky whatever stands opposite: [BR209]
- * has both values stated, from memory. NAN: there are none. */
+ * and of other rooms in the same front. These hide sky whatever is opposite: [BR209]
+ * requires both values to be stated (from memory). NAN: there are none. */
 static enum pp_status find_unshaded(double *share, const struct pp_world *world,
                                     const struct pp_opening *opening, double french_m,
                                     struct pp_error *err)

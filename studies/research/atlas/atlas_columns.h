@@ -1,17 +1,18 @@
-/* atlas_columns.h - what stands in a row of the atlas, in which order, under which name.
+/* atlas_columns.h - contents, order and names of the columns of an atlas.
  *
- *     room, point              indices from 0; the last row of a room has the point -1 and
- *                              is of the average over its working plane
+ *     room, point              indices from 0; the last row of a room has the point -1
+ *                              and is of the average over its working plane
  *     x, y                     m; empty for the average
- *     features                 room_features.h, under their names there
- *     true.C, se.C             traced component C (sc, erc, irc, df) of the room as it is,
- *                              and its standard error
- *     C.METHOD                 what a method or a pair says: "df.exact+bre"
- *     own.df.METHOD            traced in the world that the method calculates in
- *                              (studies/research/validation/own_world.h), of daylight factors only
+ *     features                 room_features.h, with the names given there
+ *     true.C, se.C             simulated component C (sc, erc, irc, df) of the room as
+ *                              it is, and its standard error
+ *     C.METHOD                 figure of a method or a pair: "df.exact+bre"
+ *     own.df.METHOD            simulated in the world that the method assumes
+ *                              (studies/research/validation/own_world.h), daylight
+ *                              factors only
  *
- * Figures are in per cent of the open sky's horizontal illuminance, with five significant
- * digits; where there is none the field is empty.
+ * Figures are in per cent of the open sky's horizontal illuminance, with five
+ * significant digits; an empty field is a missing figure.
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_COLUMNS_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_COLUMNS_H
@@ -40,18 +41,18 @@ void pp_atlas_columns_clear(struct pp_atlas_columns *columns);
 /* The line of names, with its end. */
 void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *out);
 
-/* Traced values of a row: fractions, NAN where there is none. */
+/* Simulated values of a row: fractions, NAN where there is none. */
 struct pp_atlas_truth {
     double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* the room's */
     double *own; /* one for each of the columns, used for those of daylight factors */
 };
 
-/* Gives the true values for a room's rows: for a point, or for the average if point is
+/* Provides the simulated values of a row: for a point, or for the average if point is
  * -1. */
 typedef void pp_atlas_truth_of(const void *data, int point,
                                struct pp_atlas_truth *truth);
 
-/* All rows of a room that the methods have been asked about. */
+/* Writes all rows of a room, from a report with the figures of all methods. */
 enum pp_status pp_atlas_columns_print_room(const struct pp_atlas_columns *columns,
                                            int room, const struct pp_report *report,
                                            pp_atlas_truth_of *truth_of,

@@ -1,4 +1,4 @@
-/* atlas_design.c - from coordinates to lengths, and from these to a room file. */
+/* atlas_design.c - converts coordinates to lengths, and these to a room file. */
 #include "studies/research/atlas/atlas_design.h"
 
 #include <math.h>
@@ -125,7 +125,7 @@ static void put_shape(struct pp_atlas_layout *room)
     PP_SAY(room, "  </envelope>\n");
     if (room->roof == PP_ATLAS_MONO_PITCH)
         room->lowest[PP_ATLAS_NORTH] = fmin(high, 3.5);
-    else /* as high as a window as wide as half the gable may be */
+    else /* the height of the gable at half of its width */
         room->lowest[PP_ATLAS_SOUTH] = room->lowest[PP_ATLAS_NORTH] =
             0.5 * (room->eaves + high);
 }
@@ -142,7 +142,7 @@ static void put_finishes(struct pp_atlas_layout *room)
 
 /* ---- openings ---- */
 
-/* 1 in rooms of a share of 0.15. */
+/* 1 if u is below 0.15, else a value between the ends of the room's range. */
 static double clean(const struct pp_atlas_layout *room, double u)
 {
     return u < 0.15 ? 1.0 : pp_between_ends(room->ranges->clean, (u - 0.15) / 0.85);
@@ -290,8 +290,8 @@ static bool put_openings(struct pp_atlas_layout *room)
 
 /* ---- points ---- */
 
-/* Puts points to within 0.25 m of the walls, where the ceiling is 0.3 m above the
- * plane. */
+/* Places points to within 0.25 m of the walls, where the ceiling is at least 0.3 m
+ * above the plane. */
 static void put_points(struct pp_atlas_layout *room)
 {
     const double margin = 0.25;

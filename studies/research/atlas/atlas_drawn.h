@@ -1,6 +1,5 @@
-/* atlas_drawn.h - a room of the sweep as it comes from the drawing board: read, and every
- * hand method asked. Nothing of it is traced.
- */
+/* atlas_drawn.h - a room of the sweep as designed, with the figures of every hand
+ * method, and without simulation. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_DRAWN_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_DRAWN_H
 
@@ -22,8 +21,8 @@ struct pp_atlas_drawn {
     struct pp_report report;         /* of all methods */
 };
 
-/* Room `index` of the sweep. To be cleared in any case. A room that makes no sense is
- * PP_BAD_INPUT, which says why; no room of the sweep is. */
+/* Room `index` of the sweep. To be cleared in any case. PP_BAD_INPUT, with the reason,
+ * if the room is invalid, which no room of the sweep is. */
 enum pp_status pp_atlas_drawn_room(struct pp_atlas_drawn *drawn,
                                    const struct pp_atlas_design *design, int index,
                                    const struct pp_atlas_trace *trace,

@@ -1,6 +1,5 @@
-/* atlas_layout.h - a room of the sweep while it is laid out, and the numbers that it takes
- * from the sequence. Inside studies/research/atlas/ only.
- */
+/* atlas_layout.h - a room of the sweep while it is laid out, and the numbers of the
+ * sequence that it uses. Inside studies/research/atlas/ only. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_LAYOUT_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_LAYOUT_H
 
@@ -10,7 +9,7 @@
 #include "studies/research/atlas/atlas_design.h"
 #include "studies/research/atlas/atlas_ranges.h"
 
-/* The groups of coordinates that a room takes, six each; a point takes two of its own. */
+/* Groups of six coordinates each for a room; each point uses two more of its own. */
 enum pp_atlas_group {
     PP_ATLAS_SHAPE,
     PP_ATLAS_FINISHES,
@@ -42,10 +41,10 @@ struct pp_atlas_layout {
     enum pp_atlas_roof roof;
     double width, depth;
     double eaves;  /* height of the walls; of the lowest one under slopes */
-    double slope;  /* rise of the ceiling over a metre */
+    double slope;  /* rise of the ceiling over run */
     double plane;  /* height of the working plane */
     double ground; /* z of the ground outside */
-    double lowest[PP_ATLAS_WALLS]; /* height that a window has in that wall */
+    double lowest[PP_ATLAS_WALLS]; /* height available for a window in that wall */
     double head;                   /* of the highest window in the south wall */
 };
 
@@ -60,7 +59,7 @@ static inline double pp_between(double low, double high, double u)
     return low + (high - low) * u;
 }
 
-/* Evenly in the logarithm. */
+/* Value between low and high, u in 0 to 1, uniform in the logarithm. */
 static inline double pp_scaled(double low, double high, double u)
 {
     return low * pow(high / low, u);
@@ -76,8 +75,8 @@ static inline double pp_scaled_ends(const double ends[2], double u)
     return pp_scaled(ends[0], ends[1], u);
 }
 
-/* Chooses one of several, with these shares of 1; u is left as a number in (0, 1) of its
- * own. */
+/* Chooses an index with these probabilities, which sum to 1; u becomes a new uniform
+ * number in (0, 1). */
 static inline int pp_one_of(const double *shares, int count, double *u)
 {
     int chosen = 0;

@@ -1,12 +1,13 @@
-/* atlas_mapping.c - sorts an atlas's rows into the classes of a map and takes quantiles of
- * each. */
+/* atlas_mapping.c - sorts an atlas's rows into the classes of a map, and finds
+ * quantiles of each. */
 #include "studies/research/atlas/atlas_mapping.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Standard error of the truth, over the truth, up to which a ratio says something. */
+/* Largest relative standard error of a simulated value for which a ratio to it is
+ * used. */
 static const double known_to = 0.1;
 
 const char *const pp_atlas_mapping_names[PP_MAP_KINDS] = {
@@ -17,8 +18,8 @@ const char *const pp_atlas_mapping_names[PP_MAP_KINDS] = {
     [PP_MAP_OBSTRUCTION] = "obstruction",
 };
 
-/* Across each map: its number's column ("" for the share of ERC, which has none), and its
- * classes. */
+/* Horizontal axis of each map: its column ("" for the share of ERC, which is computed),
+ * and its classes. */
 static const struct mapping_side {
     const char *column;
     struct pp_atlas_scale scale;
@@ -59,7 +60,8 @@ struct mapping_columns {
     int sky, outside;
 };
 
-/* The method's column: of that whole name, else of the component that tells most. */
+/* The method's column: with that whole name, else of the first component that it
+ * gives. */
 static int find_method(const struct pp_atlas_table *table, const char *method)
 {
     static const char *const components[] = {"df", "irc", "sc", "erc"};
@@ -78,7 +80,7 @@ static int find_method(const struct pp_atlas_table *table, const char *method)
     return -1;
 }
 
-/* The column of that name, before the component of a column "df.exact+bre". */
+/* The column named `before` plus the component of a column "df.exact+bre". */
 static int find_of_component(const struct pp_atlas_table *table, const char *before,
                              const char *column)
 {
@@ -121,8 +123,8 @@ static enum pp_status find_columns(struct mapping_columns *at,
 
 /* ---- rows into classes ---- */
 
-/* The class of a value, which belongs to the one above where it is on an edge, but on the
- * last; -1: none. */
+/* Class of a value. A value on an edge is in the class above, on the last edge in the
+ * last class; -1: none. */
 static int class_of(const struct pp_atlas_scale *scale, double value)
 {
     if (!(value >= scale->edges[0] && value <= scale->edges[scale->count]))
@@ -184,9 +186,10 @@ static void weigh_room_points(struct mapped_ratio *list, int count,
     }
 }
 
-/* The least of rising ratios with at least that share of the rooms up to it; where just that
- * share is, the mean of it and the next: the median of an even number of rooms is the mean
- * of the middle two. The weights' sum is rounded. */
+/* Weighted quantile of ratios in rising order: the least ratio at which the rooms up to
+ * it have at least that share. If they have exactly that share, the mean of it and the
+ * next, so the median of an even number of rooms is the mean of the middle two. Sums of
+ * weights have rounding errors. */
 static double quantile(const struct mapped_ratio *list, int count, int rooms,
                        double share)
 {

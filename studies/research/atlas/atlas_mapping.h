@@ -5,7 +5,7 @@
 #include "model/results/atlas_map.h"
 #include "studies/research/atlas/atlas_table.h"
 
-/* Quantity that maps are of. */
+/* Quantity by which errors are mapped. */
 enum pp_atlas_mapping_kind {
     PP_MAP_DEPTH,       /* depth of the point, and proportion of the room */
     PP_MAP_ERC,         /* share of the externally reflected in the direct component */
@@ -18,11 +18,12 @@ enum pp_atlas_mapping_kind {
 /* "depth", "erc", "ground", "reflectance", "obstruction". */
 extern const char *const pp_atlas_mapping_names[PP_MAP_KINDS];
 
-/* The map of a method ("exact+bre", of its daylight factor, or of the one component that it
- * gives) or of a column ("erc.exact"): at points, or of averages where the method gives
- * nothing else. A ratio counts where the standard error of the truth is at most a tenth of
- * it; a room's points in a class count together as one. The map refers to the table.
- * PP_BAD_INPUT: the table has no such method, or nothing to map by. */
+/* The map of a method ("exact+bre"; of its daylight factor, or else of the component
+ * that it gives) or of a column ("erc.exact"): at points, or of averages if the method
+ * gives nothing else. A ratio counts if the standard error of the simulated value is
+ * at most a tenth of it; a room's points in a class count together as one. The map
+ * refers to the table. PP_BAD_INPUT: the table has no such method, or no column for
+ * the axes. */
 enum pp_status pp_atlas_mapping_of(struct pp_atlas_map *map,
                                    const struct pp_atlas_table *table,
                                    enum pp_atlas_mapping_kind kind, const char *method,

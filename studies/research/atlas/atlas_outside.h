@@ -7,10 +7,11 @@
 
 #include "studies/research/atlas/atlas_layout.h"
 
-/* The ground and its level, and the sky; sets room->ground. */
+/* Writes the ground and its level, and the sky; sets room->ground. */
 void pp_atlas_outside_site(struct pp_atlas_layout *room);
 
-/* windows: does the room have any in walls? Behind its shape and openings. */
+/* windows: true if the room has windows in walls. To be called after the room's shape
+ * and openings are written. */
 void pp_atlas_outside_put(struct pp_atlas_layout *room, bool windows);
 
 #endif

@@ -1,9 +1,9 @@
-/* atlas_ranges.h - the ranges that the rooms of the sweep are drawn from. Inside
+/* atlas_ranges.h - the ranges from which the rooms of the sweep are drawn. Inside
  * studies/research/atlas/ only.
  *
- * One half of the rooms are ordinary: rooms as architects draw them for offices, schools and
- * homes. The other half go to the ends of all that hand methods are asked about. A range is
- * drawn evenly, or evenly in the logarithm where it says so; shares add up to 1.
+ * One half of the rooms are ordinary: rooms as architects design them for offices,
+ * schools and homes. The other half extends to the limits of the use of hand methods.
+ * Values are uniform in their range, or in its logarithm if stated; shares add up to 1.
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_RANGES_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_RANGES_H

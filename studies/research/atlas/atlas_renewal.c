@@ -1,4 +1,5 @@
-/* atlas_renewal.c - truths out of a table, figures from the methods. */
+/* atlas_renewal.c - combines simulated values from a table with figures of the
+ * methods. */
 #include "studies/research/atlas/atlas_renewal.h"
 
 #include <math.h>
@@ -30,8 +31,9 @@ struct kept {
     const struct pp_report *report;
     const struct pp_own_worlds *worlds; /* not traced */
     const struct pp_atlas_table *table;
-    int row;     /* the room's first */
-    int *own_at; /* where the table has a column's own truth; -1: nowhere */
+    int row;     /* first row of the room */
+    int *own_at; /* column of the table for the simulated value in each method's own
+                  * world; -1: none */
 };
 
 static double value_at(const struct kept *kept, int point, const char *name)
@@ -60,7 +62,7 @@ static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
         truth->own[i] = 0.01 * pp_atlas_table_value(kept->table, row, kept->own_at[i]);
 }
 
-/* True if two columns of the report use the same world. */
+/* True if two columns of the report assume the same world. */
 static bool are_alike(const struct kept *kept, int one, int other)
 {
     const struct pp_column *a =
@@ -74,7 +76,8 @@ static bool are_alike(const struct kept *kept, int one, int other)
     return alike;
 }
 
-/* The table's column of a method's own truth that has a value in this room; -1: none. */
+/* The table's column for a method's own world that has a value in this room; -1:
+ * none. */
 static int own_column(const struct kept *kept, int method)
 {
     char name[PP_ATLAS_NAME];

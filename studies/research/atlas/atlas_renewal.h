@@ -1,8 +1,8 @@
-/* atlas_renewal.h - renews a room of an existing atlas by the methods of today;
+/* atlas_renewal.h - renews a room of an existing atlas with the present methods;
  * simulated values are kept.
  *
- * A method that is new to the file takes the true values of its own world from a method
- * with the same world. */
+ * A method that is new to the file gets the simulated values in its own world from a
+ * method with the same world. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
 
@@ -15,8 +15,8 @@
 enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
                                       struct pp_error *err);
 
-/* The rows of room `index` anew: *rows is the caller's to free. PP_BAD_INPUT where the
- * points of the table are not the room's. */
+/* The new rows of room `index`; the caller frees *rows. PP_BAD_INPUT if the points of
+ * the table are not the room's. */
 enum pp_status pp_atlas_renewal_rows(char **rows, size_t *length,
                                      const struct pp_atlas_columns *columns,
                                      const struct pp_atlas_design *design,

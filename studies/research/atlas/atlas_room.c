@@ -1,4 +1,4 @@
-/* atlas_room.c - a room's worlds are made, traced and read. */
+/* atlas_room.c - makes, simulates and reads a room's worlds. */
 #include "studies/research/atlas/atlas_room.h"
 
 #include <math.h>
@@ -45,7 +45,8 @@ static double own_value(const struct pp_own_worlds *worlds,
     const struct pp_report *of[3];
     for (int c = PP_SC; c <= PP_IRC; c++)
         of[c] = pp_own_world_of(worlds, column, (enum pp_component)c);
-    /* The daylight factor of one world is known better than the sum of its parts. */
+    /* A daylight factor of one world has a smaller error than the sum of its
+     * components. */
     if (of[PP_SC] == of[PP_ERC] && of[PP_ERC] == of[PP_IRC])
         return traced_reading(of[PP_SC], PP_DF, point).value;
     double sum = 0.0;

@@ -1,6 +1,5 @@
-/* atlas_room.h - one room of the atlas worked out: every hand method, the light that each
- * has in mind, and the room as it is.
- */
+/* atlas_room.h - computes one room of the atlas: figures of every hand method, and
+ * simulated values of the room and of the world that each method assumes. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_ROOM_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_ROOM_H
 

@@ -1,10 +1,10 @@
 /* atlas_table.h - a file of the atlas in memory: named columns of numbers.
  *
- * The file is CSV: lines of comments (#), of which "# sky iso, ..." says that the rooms are
- * under the skies of ISO 15469, a line of names, rows of numbers, of which an
- * empty one is NAN. It may be written on while it is read, and has been cut off where it
- * was: a last line without an end is left out, and so are the rows of a last room whose
- * average, the row of point -1, is not there yet.
+ * The file is CSV: comment lines (#), of which "# sky iso, ..." marks rooms under the
+ * skies of ISO 15469, a line of names, and rows of numbers; an empty field is NAN. The
+ * file may still be growing, or have been cut off: a last line without an end is left
+ * out, and so are the rows of a last room that has no average (the row of point -1)
+ * yet.
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_TABLE_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_TABLE_H
@@ -21,7 +21,7 @@ struct pp_atlas_table {
     double *values;  /* row after row */
     int room, point; /* columns with these names */
     bool iso;        /* rooms under the skies of ISO 15469, not the overcast one */
-    char *text;      /* that the names are in */
+    char *text;      /* storage of the names */
 };
 
 /* PP_BAD_INPUT with the message "FILE:LINE: reason". The caller clears *table in any
@@ -33,7 +33,7 @@ void pp_atlas_table_clear(struct pp_atlas_table *table);
 /* The column of that name, or -1. */
 int pp_atlas_table_find(const struct pp_atlas_table *table, const char *name);
 
-/* NAN of column -1. */
+/* Value of a row in a column; NAN for column -1. */
 static inline double pp_atlas_table_value(const struct pp_atlas_table *table, int row,
                                           int column)
 {

@@ -35,7 +35,8 @@ const char *const pp_room_feature_names[PP_ROOM_FEATURES] = {
 
 static const double upright_rad = 75.0 * PP_RAD;
 
-/* Heights above the plane below this share of the room's are taken as that. */
+/* Least height above the plane over the room's height; smaller heights are replaced by
+ * it. */
 static const double height_least = 0.02;
 
 static double glass_m2(const struct pp_opening *opening)

@@ -61,7 +61,7 @@ enum pp_room_feature {
     PP_ROOM_FACING,
     PP_ROOM_OPPOSITE,
     PP_ROOM_ORDINARY,
-    PP_ROOM_OF_POINTS, /* those behind it */
+    PP_ROOM_OF_POINTS, /* the following ones are of a point */
     PP_ROOM_DEPTH = PP_ROOM_OF_POINTS,
     PP_ROOM_SIDE,
     PP_ROOM_VIEW,

@@ -1,5 +1,5 @@
-/* cause_search.c - sets are judged by the sum of their parts, traced where they may be likely,
- * and judged again. */
+/* cause_search.c - evaluates sets by the sum of their parts, simulates those that may
+ * be likely, and evaluates them again. */
 #include "studies/research/compare/cause_search.h"
 
 #include <math.h>
@@ -9,15 +9,15 @@
 #include "model/base/array.h"
 #include "studies/research/compare/set_effects.h"
 
-/* Prior probability that a kind of cause is present; and that a common factor is. Many
- * errors act as a factor: a cause whose pattern is a factor is identified by its size
- * alone, and only if that fits closely. */
+/* Prior probability that a kind of cause is present, and that a common factor is. Many
+ * errors act like a factor, so a factor as cause is recognised only by its value, and
+ * only if the fit is close. */
 static const double AT_WORK = 0.12, FACTOR_AT_WORK = 0.4;
 /* Distances (in logarithms) from the best likelihood. Sets farther behind are not
  * simulated; sets farther behind by white noise are not evaluated with any other. */
 static const double FAR_BEHIND = 4.0, FAR_FROM_LIKELY = 12.0;
-/* Steps in which the deviation of a set that is not simulated from its parts is varied,
- * either way. */
+/* Steps, to either side, by which the deviation of a set from the sum of its parts is
+ * varied, if the set is not simulated. */
 enum { OFF_STEPS = 9 };
 static const double LEAST_PROBABILITY = 0.001;
 static const int nobody[1] = {0};
@@ -25,12 +25,13 @@ static const int nobody[1] = {0};
 struct cause_candidate {
     struct pp_cause_set set;
     double prior;       /* logarithm */
-    double log_density; /* with the prior; by white noise where it is not near */
+    double log_density; /* including the prior; from white noise alone if the set is not
+                         * likely */
     bool is_known;
     double off;   /* best-fitting deviation of its pairs, as for
                    * pp_set_effects_predict */
-    double level; /* fitted value over its range */
-    double width; /* of that level's likelihood; logarithm */
+    double level; /* fitted value, 0 to 1 over its range */
+    double width; /* width of the likelihood around that level; logarithm */
 };
 
 struct cause_search {
@@ -38,7 +39,7 @@ struct cause_search {
     struct pp_set_effects effects;
     struct cause_candidate *candidates;
     int candidate_count, candidate_space;
-    int traced; /* sets of several */
+    int traced; /* number of simulated sets of several causes */
 };
 
 /* The set without common factors; returns how many. */
@@ -168,7 +169,7 @@ static double odds(const struct cause_search *search, int cause)
     return log(at_work / (1.0 - at_work) / alike);
 }
 
-/* The set and all with further causes behind its last. */
+/* Adds the set, and all sets that extend it by causes later in the list. */
 static enum pp_status add_sets(struct cause_search *search,
                                const struct cause_candidate *from, struct pp_error *err)
 {
@@ -219,7 +220,7 @@ static void end(struct cause_search *search)
     free(search->candidates);
 }
 
-/* The likeliest of the sets that are not traced, as far as it matters; NULL: none. */
+/* The most likely set that is not simulated and may matter; NULL: none. */
 static const struct cause_candidate *to_trace(const struct cause_search *search)
 {
     const struct cause_candidate *next = NULL;

@@ -30,7 +30,7 @@
 enum { PP_CAUSE_SEARCH_MOST = 3 };
 
 struct pp_cause_set {
-    int causes[PP_CAUSE_SEARCH_MOST]; /* by their place in the list, ascending */
+    int causes[PP_CAUSE_SEARCH_MOST]; /* indices in the list of causes, ascending */
     int count;
     double value; /* of its fitted cause */
     double probability;
@@ -42,21 +42,22 @@ struct pp_cause_search_question {
     const struct pp_cause *const *causes;
     int cause_count;
 
-    /* Traces the effect of a set without a common factor: effect[i] and variance[i] of a
-     * pp_supposition. value: of its fitted cause. PP_BAD_INPUT: it makes no sense there. */
+    /* Simulates the effect of a set without a common factor: effect[i] and variance[i]
+     * of a pp_supposition. value: of its fitted cause. PP_BAD_INPUT: the set is not
+     * possible there. */
     enum pp_status (*trace)(void *tracer, const int *causes, int count, double value,
                             double *effect, double *variance, struct pp_error *err);
     void *tracer;
-    int traced_most; /* sets of several that are traced, at most */
+    int traced_most; /* most sets of several causes to simulate */
 };
 
 struct pp_cause_search {
     struct pp_cause_set *sets; /* the likeliest first */
     int count;
     double probability[PP_CAUSES_MOST]; /* that a cause is at work */
-    /* Least root mean square (logarithm) that a traced set without the cause leaves. */
+    /* Least root mean square (logarithm) left by a simulated set without the cause. */
     double without[PP_CAUSES_MOST];
-    bool is_cut; /* there were more sets to be traced than traced_most */
+    bool is_cut; /* more sets should have been simulated than traced_most */
 };
 
 /* sets: those with a probability of at least 0.001. */

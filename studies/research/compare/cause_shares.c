@@ -1,10 +1,10 @@
-/* cause_shares.c - sums over the subsets without a member, weighted by how many orders
- * have just these before it: s! (n - s - 1)! / n!. */
+/* cause_shares.c - sums over the subsets without a member, each weighted by the share
+ * of orders in which just these come before it: s! (n - s - 1)! / n!. */
 #include "studies/research/compare/cause_shares.h"
 
 static double weight(int before, int count)
 {
-    double weight = 1.0 / count; /* over the binomial of count - 1 and before */
+    double weight = 1.0 / count; /* divided by binomial(count - 1, before) */
     for (int i = 0; i < before; i++)
         weight *= (i + 1.0) / (count - 1.0 - i);
     return weight;

@@ -1,11 +1,12 @@
-/* causes.c - the list of causes, and where each can be told. */
+/* causes.c - the list of causes, and the conditions under which each can be
+ * detected. */
 #include "studies/research/compare/causes.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-/* Less is not told apart: of a height (m), and of a reflectance. */
+/* Smaller differences are not detected: of a height (m), and of a reflectance. */
 static const double SAME_HEIGHT_M = 0.05, SAME_REFLECTANCE = 0.02;
 
 /* ---- applicability ---- */

@@ -1,8 +1,8 @@
-/* causes.h - what another program may have taken otherwise: the list, each a switch of
- * ours that imitates it (room_variant.h), with its words for people.
+/* causes.h - list of possible differences in another program's input or settings: each
+ * with a switch of ours that imitates it (room_variant.h), and its description.
  *
- * Causes of one kind exclude each other. A common factor has no value of its own: it is
- * whatever fits best; so is the reflectance of the ground. */
+ * Causes of one kind exclude each other. A common factor has no value of its own: the
+ * best-fitting one is used; the same applies to the reflectance of the ground. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
 #define PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
 
@@ -14,7 +14,7 @@ struct pp_cause {
     const char *action; /* action of the other program, as the end of a sentence */
     const char *remedy; /* correction to make there */
     bool is_factor;
-    bool is_alone; /* true if it leaves nothing for other causes */
+    bool is_alone; /* true if no other cause can be present with it */
     /* True if it can be detected there; NULL: anywhere. */
     bool (*applies)(const struct pp_compare_subject *subject);
 };
@@ -35,7 +35,8 @@ const char *pp_causes_missing_at(int index);
 #define PP_CAUSES_VALUE_MOST 0.8
 bool pp_causes_is_fitted(const struct pp_cause *cause);
 
-/* Adds the cause's switch to those that are set; value: of a fitted one. Not of a factor. */
+/* Adds the cause's switch to those that are set. value: of a fitted cause. Not for a
+ * common factor. */
 enum pp_status pp_causes_set_variant(struct pp_room_variant *variant,
                                      const struct pp_cause *cause, double value,
                                      struct pp_error *err);

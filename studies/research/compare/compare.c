@@ -1,5 +1,5 @@
-/* compare.c - simulates our values, and sets of causes as needed; the remainder of the
- * likeliest set, and the effect of each of its causes. */
+/* compare.c - simulates our values, with sets of causes as needed; computes the
+ * remainder of the likeliest set, and the effect of each of its causes. */
 #include "studies/research/compare/compare.h"
 
 #include <math.h>
@@ -17,11 +17,11 @@ static const double SURE = 0.98;
 enum { TRACED_MOST = 40 };
 static const int nobody[1] = {0};
 
-/* Values as a set of causes has them. */
+/* Our values with a set of causes. */
 struct traced_set {
     int causes[PP_CAUSE_SEARCH_MOST], count;
-    double value;          /* of its fitted cause; 0: it has none */
-    enum pp_status status; /* PP_BAD_INPUT: it makes no sense here */
+    double value;          /* of its fitted cause; 0: there is none */
+    enum pp_status status; /* PP_BAD_INPUT: the set is not possible here */
     double *values, *errors;
 };
 
@@ -30,7 +30,7 @@ struct pp_compare {
     struct pp_compare_options options;
     const struct pp_cause *causes[PP_CAUSES_MOST];
     int cause_count;
-    struct traced_set *sets; /* the first: of none */
+    struct traced_set *sets; /* the first: the empty set */
     int set_count;
     struct pp_vec3 *places;
     double dark; /* c */
@@ -57,7 +57,7 @@ static enum pp_status trace_cause_set(struct pp_compare *compare,
     return status;
 }
 
-/* *set: the values of a set without a common factor, good until the next call. */
+/* *set: the values of a set without a common factor, valid until the next call. */
 static enum pp_status set_of(struct pp_compare *compare, const int *causes, int count,
                              double value, const struct traced_set **set,
                              struct pp_error *err)
@@ -149,7 +149,7 @@ static enum pp_status subset_effect(struct pp_compare *compare,
     return status;
 }
 
-/* Noise as stated, with the scatter of our own values; 0: not stated. */
+/* Stated noise, combined with the scatter of our own values; 0: not stated. */
 static double stated_noise(const struct pp_compare *compare, const double *variance)
 {
     double noise = compare->options.noise;

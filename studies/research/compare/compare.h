@@ -1,7 +1,8 @@
-/* compare.h - another program's values beside ours, and where the difference comes from.
+/* compare.h - compares another program's values with ours, and finds the causes of the
+ * difference.
  *
- * Ours are traced once; then any number of other values at the same points can be
- * explained. What causes do is traced when it is first wanted, and kept.
+ * Our values are simulated once; then any number of other values at the same points can
+ * be explained. Effects of causes are simulated when first needed, and kept.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_COMPARE_H
 #define PP_STUDIES_RESEARCH_COMPARE_COMPARE_H
@@ -33,8 +34,9 @@ struct pp_compared {
 
     double gap;               /* mean of theirs over ours, less 1; logarithmic mean */
     double gap_rms;           /* root mean square of the gap, logarithms */
-    double left, left_rms;    /* the same once the likeliest set is taken in */
-    struct pp_left_over over; /* than the other program's noise */
+    double left, left_rms;    /* gap and gap_rms with the likeliest set included */
+    struct pp_left_over over; /* test of the remainder against the other program's
+                               * noise */
     /* Effects of the likeliest set's causes, averaged over orders: the effect of each
      * on the mean (logarithm), and its share of the squares of the gap, whose total is
      * 1. */
@@ -55,23 +57,23 @@ void pp_compare_destroy(struct pp_compare *compare); /* NULL is allowed */
 int pp_compare_causes(const struct pp_compare *compare,
                       const struct pp_cause *const **list);
 
-/* Ours, with their standard errors; the comparison's. */
+/* Our values, with their standard errors; owned by the comparison. */
 const double *pp_compare_ours(const struct pp_compare *compare, const double **errors);
 
-/* theirs: fractions, 0 up, one of them above 0. */
+/* theirs: fractions, 0 or more, at least one above 0. */
 enum pp_status pp_compare_explain(struct pp_compared *compared,
                                   struct pp_compare *compare, const double *theirs,
                                   struct pp_error *err);
 void pp_compare_clear(struct pp_compared *compared);
 
-/* Noise (logarithm) from which nothing is sure beside it; and as much has to be left
- * without a cause that is sure: mistakes that are on no list, of reflectances or
- * dimensions, do as much and decide between sets that are nearer to each other. */
+/* Noise (logarithm) from which no cause is certain. The remainder without a certain
+ * cause must be at least as large: unlisted mistakes of reflectances or dimensions can
+ * be of this size, and so decide between sets that are closer to each other. */
 #define PP_COMPARE_HIDES 0.05
 
-/* Is the cause, by its place in the list, at work for sure? With a probability of 98 %
- * or more, where no more is left than the other program's noise, that is not so large
- * that it may look like anything, and no set without the cause comes near. */
+/* True if the cause (index in the list) is certain: its probability is at least 98 %,
+ * the remainder is explained by the other program's noise, this noise is below
+ * PP_COMPARE_HIDES, and all sets without the cause leave more than that. */
 bool pp_compare_is_sure(const struct pp_compared *compared, int cause);
 
 #endif

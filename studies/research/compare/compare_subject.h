@@ -18,9 +18,9 @@ struct pp_compare_subject {  /* owns nothing */
 /* The room at its receivers. */
 struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room *room);
 
-/* Values at its points as if it were another, fractions, with their standard errors.
- * PP_BAD_INPUT where a switch makes no sense of it, PP_INTERRUPTED where look says
- * stop. */
+/* Our values at its points with a variant's switches, fractions, with their standard
+ * errors. PP_BAD_INPUT if a switch is not possible there, PP_INTERRUPTED if look
+ * returns false. */
 enum pp_status pp_compare_subject_values(double *values, double *errors,
                                          const struct pp_compare_subject *subject,
                                          const struct pp_room_variant *variant,

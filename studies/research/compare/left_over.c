@@ -11,7 +11,8 @@ static const double QUANTILE = 3.0;
 /* Fewest degrees of freedom beyond the smooth part from which noise can be
  * estimated. */
 enum { FREE_LEAST = 6 };
-/* A polynomial that is the sum of others at these points is none more. */
+/* Relative norm below which a polynomial is a linear combination of others at these
+ * points, and is left out. */
 static const double DEPENDENT = 1e-6;
 
 static double dot(const double *a, const double *b, int count)
@@ -39,7 +40,7 @@ static double term_at(int term, struct pp_vec3 at)
     return terms[term];
 }
 
-/* Takes the parts along the first `made` of the basis off `list`. */
+/* Subtracts from `list` its projections on the first `made` vectors of the basis. */
 static void take_off(double *list, const double *basis, int made, int count)
 {
     for (int k = 0; k < made; k++) {
@@ -52,7 +53,7 @@ static void take_off(double *list, const double *basis, int made, int count)
 /* Orthonormal polynomials over the points, at most `most`; returns how many. */
 static int make_basis(double *basis, const struct pp_vec3 *places, int count, int most)
 {
-    double far = farthest(places, count); /* makes coordinates of order of 1 */
+    double far = farthest(places, count); /* scales coordinates to order 1 */
     int made = 0;
     for (int term = 0; term < TERMS && made < most; term++) {
         double *next = &basis[made * count];
@@ -61,7 +62,7 @@ static int make_basis(double *basis, const struct pp_vec3 *places, int count, in
                 term, pp_vec_scale(pp_vec_sub(places[i], places[0]), 1.0 / far));
         double before = sqrt(dot(next, next, count));
         take_off(next, basis, made, count);
-        take_off(next, basis, made, count); /* rounding of the first */
+        take_off(next, basis, made, count); /* again, to reduce rounding errors */
         double length = sqrt(dot(next, next, count));
         for (int i = 0; i < count && length > DEPENDENT * before; i++)
             next[i] /= length;

@@ -1,4 +1,5 @@
-/* likelihood.c - sums the density of (1) over noises; a Cholesky factor for each. */
+/* likelihood.c - sums the density of (1) over noise levels, with a Cholesky factor for
+ * each. */
 #include "studies/research/compare/likelihood.h"
 
 #include <math.h>
@@ -11,8 +12,8 @@ static const double REACH_M[] = {0.0, 0.6, 1.8};  /* l; 0: k is 0 */
 static const double BEFORE[] = {0.5, 0.25, 0.25}; /* their probabilities */
 enum { KINDS = sizeof REACH_M / sizeof REACH_M[0] };
 
-/* Standard deviations of theta: of errors that programs have in common in any case, and
- * of a common factor, small or large. */
+/* Standard deviations of theta: of errors that programs have in common in any case; of
+ * a common factor, small or large. */
 static const double COMMON = 0.005, FACTOR[] = {0.1, 0.7};
 
 static double sigma_at(int i)
@@ -33,8 +34,8 @@ static double log_sum(double a, double b)
     return most + log(exp(a - most) + exp(b - most));
 }
 
-/* Density of (1), theta normal with that standard deviation, whose expected value is
- * *theta: 1' V r / (1' V 1 + 1/s^2). */
+/* Density of (1), with theta normal with that standard deviation. *theta: its expected
+ * value, 1' V r / (1' V 1 + 1/s^2). */
 static double density_of(const struct forms *forms, int count, double deviation,
                          double *theta)
 {
@@ -127,7 +128,7 @@ double pp_likelihood_white(const struct pp_likelihood_data *data,
     return most + log(sum);
 }
 
-/* Sums up over noises i of kinds k. */
+/* Sums the densities over noise levels i and kinds of noise k. */
 static struct pp_likelihood sum_up(double of[KINDS][SIGMAS],
                                    double theta[KINDS][SIGMAS])
 {

@@ -1,18 +1,18 @@
-/* likelihood.h - how well a supposed cause explains a difference of values at points.
+/* likelihood.h - how well an assumed cause explains a difference of values at points.
  *
  * The gap at point i is g_i = f(theirs) - f(ours), f(v) = ln(v + c); a supposition
- * predicts e_i with its own variance s_i^2. What is left is noise:
+ * predicts e_i with variance s_i^2. The remainder is noise:
  *
  *     g = e + theta 1 + n,  n ~ N(0, S + sigma^2 ((1 - k) I + k C))              (1)
  *     C_ij = exp(-(d_ij/l)^2 / 2)
  *
- * sigma is not known: its logarithm is taken as even over ln 0.003 to ln 0.6. Noise of
- * single rays has k = 0; that of an interpolated cache is alike at neighbouring points, k =
- * 0.9 with a reach l of 0.6 or 1.8 m: a half, a quarter and a quarter, beforehand. theta is
- * the logarithm of a common factor, normal about 0: with a standard deviation of 0.005,
- * as both programs err by so much in common anyhow; where a common factor is supposed,
- * of 0.1 or 0.7, one as likely as the other. The likelihood is the density of g by (1),
- * integrated over all of these.
+ * sigma is unknown: its logarithm is uniform from ln 0.003 to ln 0.6. Independent noise
+ * has k = 0; the noise of an interpolated cache is correlated at neighbouring points, k
+ * = 0.9 with a reach l of 0.6 or 1.8 m. Prior probabilities are 1/2, 1/4 and 1/4. theta
+ * is the logarithm of a common factor, normal about 0, with a standard deviation of
+ * 0.005, the size of common errors of the two programs; if a common factor is assumed,
+ * of 0.1 or 0.7, equally likely. The likelihood is the density of g by (1), integrated
+ * over all of these.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_LIKELIHOOD_H
 #define PP_STUDIES_RESEARCH_COMPARE_LIKELIHOOD_H
@@ -29,13 +29,13 @@ struct pp_likelihood_data {
 struct pp_supposition {
     const double *effect;   /* e_i */
     const double *variance; /* s_i^2 */
-    bool has_factor;        /* theta is unknown */
+    bool has_factor;        /* a common factor is assumed */
 };
 
 struct pp_likelihood {
     double log_density;
     double sigma; /* expected */
-    double near;  /* probability that neighbours err alike, 0 to 1 */
+    double near;  /* probability that errors of neighbours are correlated, 0 to 1 */
     double theta; /* expected */
 };
 

@@ -87,7 +87,7 @@ static enum pp_status read_colour(struct pp_room_variant *variant, const char *t
                            text);
 }
 
-/* Reads a type; its sun, if it has one, is the room's. */
+/* Reads a sky type; if it has a sun, that is the room's sun. */
 static enum pp_status read_sky(struct pp_room_variant *variant, const char *text,
                                struct pp_error *err)
 {

@@ -43,18 +43,18 @@ enum pp_room_variant_colour {
 };
 
 struct pp_room_variant {
-    int bounces;        /* -1: without a limit */
+    int bounces;        /* -1: unlimited */
     bool ground_counts; /* among them */
     bool dark;          /* ab=0 */
     enum pp_room_variant_glass glass;
     enum pp_room_variant_colour colour;
     bool one_pane, no_frame, no_dirt, open_ground, nothing_outside;
-    double plane_m, ground; /* NAN: as they are */
-    char sky[16];           /* empty: as it is */
+    double plane_m, ground; /* NAN: unchanged */
+    char sky[16];           /* empty: unchanged */
     double factor;
 };
 
-/* The room as it is. */
+/* The unchanged room. */
 struct pp_room_variant pp_room_variant_nothing(void);
 
 /* Adds the comma-separated switches of `words` to those already set; the name of a

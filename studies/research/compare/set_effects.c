@@ -1,4 +1,4 @@
-/* set_effects.c - effects of sets: simulated, or by the sum of their parts. */
+/* set_effects.c - effects of sets: simulated, or predicted from their parts. */
 #include "studies/research/compare/set_effects.h"
 
 #include <math.h>
@@ -7,23 +7,23 @@
 
 #include "model/base/array.h"
 
-/* The effect of a traced set; those without a common factor only. */
+/* Effect of a simulated set, without a common factor. */
 struct pp_known_set {
     int causes[PP_CAUSE_SEARCH_MOST], count;
     bool makes_sense;
     double *effect, *variance;
-    /* Effects in the middle and at the upper end of a fitted value's range, effect being
-     * at the lower; NULL: none. */
+    /* Effects in the middle and at the upper end of a fitted value's range; `effect` is
+     * that at the lower end. NULL: none. */
     double *middle, *most;
 };
 
 /* Deviation of two effects together from their sum: up to this share of the smaller
- * one, either way, much the same at all points. The second is the further deviation at
- * each point by itself, and that of three from the sum of their pairs. */
+ * one, to either side, about the same at all points. The second is the further
+ * deviation at each single point, and that of three from the sum of their pairs. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
-/* A cause that does less than this (root mean square of logarithms) is not told. */
+/* Least effect (root mean square of logarithms) of a cause that is considered. */
 static const double LEAST_EFFECT = 0.001;
-/* A fitted value is never more certain than by noise of so much. */
+/* Least standard deviation of noise in the uncertainty of a fitted value. */
 static const double LEAST_NOISE = 0.003;
 /* Number of steps of the golden section in the search for a fitted value, and of levels
  * that it can have: about a thousandth. */
@@ -119,8 +119,8 @@ static double smaller(double a, double b)
     return fmin(fabs(a), fabs(b));
 }
 
-/* The excess of a pair over the sum of both, at a point: traced, or by how far it is
- * off. *slack grows by as much as that may be wrong. */
+/* Excess of a pair over the sum of both, at a point: simulated, or assumed. *slack is
+ * increased by the uncertainty. */
 static double together(const struct pp_set_effects *effects,
                        const struct pp_known_set *a, const struct pp_known_set *b,
                        int point, double off, double level, double *slack)
@@ -223,7 +223,7 @@ double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int
         else
             low = high - inner;
     }
-    /* Squares grow by s^2 where the level is off by its standard error. */
+    /* An error of the level by its standard error raises the squares by s^2. */
     double level = fmin(fmax(0.5 * (low + high), step), 1.0 - step);
     double least = pp_set_effects_left(effects, causes, count, has_factor, level);
     double bend =

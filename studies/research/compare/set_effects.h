@@ -1,4 +1,4 @@
-/* set_effects.h - what sets of causes do: traced, or predicted from their parts.
+/* set_effects.h - effects of sets of causes: simulated, or predicted from their parts.
  *
  * All sets here are without common factors. A set is given by its causes, ascending. A
  * fitted value is given by its level, 0 to 1 over its range.
@@ -12,7 +12,7 @@ struct pp_known_set;
 
 struct pp_set_effects {
     const struct pp_cause_search_question *question; /* not owned */
-    struct pp_known_set *known;                      /* the sets that are traced */
+    struct pp_known_set *known;                      /* the simulated sets */
     int known_count;
     double *effect, *variance, *slack; /* the last prediction, one a point */
 };
@@ -22,7 +22,8 @@ enum pp_status pp_set_effects_init(struct pp_set_effects *effects,
                                    struct pp_error *err);
 void pp_set_effects_clear(struct pp_set_effects *effects);
 
-/* Traces a set. PP_OK for one that makes no sense, too, which is then known as such. */
+/* Simulates a set. Also PP_OK for a set that is not possible, which is then known to be
+ * so. */
 enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *causes,
                                     int count, struct pp_error *err);
 
@@ -34,26 +35,27 @@ bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *
                                int count);
 
 /* Fills effect and variance with the effect of the set. If it is not simulated, it is
- * predicted from its parts, with its pairs off from their sums by the share `off` of
- * the greatest deviation, -1 to 1; slack is the uncertainty. False if the set makes no
- * sense. */
+ * predicted from its parts: its pairs deviate from their sums by `off` (-1 to 1) times
+ * the greatest deviation, and slack is the uncertainty. False if the set is not
+ * possible. */
 bool pp_set_effects_predict(struct pp_set_effects *effects, const int *causes,
                             int count, double off, double level);
 
-/* Moves the prediction as near to the gap as it may be wrong. */
+/* Moves the prediction towards the gap, by at most its uncertainty. */
 void pp_set_effects_lean(struct pp_set_effects *effects);
 
-/* Sum of squares of the gap that the set leaves, about the mean if there is a common
+/* Sum of squares of the remaining gap; about its mean if there is a common
  * factor. */
 double pp_set_effects_left(struct pp_set_effects *effects, const int *causes, int count,
                            bool has_factor, double level);
 
-/* The level of least squares; *width: of its likelihood, over the range, at most 1. */
+/* Level with the least squares. *width: of its likelihood, over the range, at most
+ * 1. */
 double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int count,
                           bool has_factor, double *width);
 
-/* Greatest possible deviation of a pair from the sum of both: in proportion to the
- * smaller at each point. 0: it is simulated. */
+/* Greatest possible deviation of a pair's effect from the sum of both: in proportion to
+ * the smaller one at each point. 0: the pair is simulated. */
 double pp_set_effects_unknown(const struct pp_set_effects *effects, const int pair[2],
                               double level);
 

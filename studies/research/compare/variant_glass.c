@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* Transmittance at normal incidence of a pane whose transmissivity t is the share that a
- * passage through it leaves, rho reflected at each face, n = 1.52          [WS98]:
+/* Transmittance at normal incidence of a pane of transmissivity t (the transmitted
+ * share of one passage through it), with rho reflected at each face, n = 1.52 [WS98]:
  * (1 - rho)^2 t / (1 - rho^2 t^2). */
 static double of_transmissivity(double t)
 {
@@ -20,8 +20,8 @@ static struct pp_glass by_normal_alone(struct pp_glass glass)
     return pp_glass_of_normal(1, 1.0 + 1e-9, 0.0, glass.normal);
 }
 
-/* One pane of a stack. If only the transmittance of the stack was known, each pane has
- * its part of the scale. */
+/* One pane of a stack. If only the transmittance of the stack was given, the scale is
+ * shared equally by the panes. */
 static struct pp_glass one_of(struct pp_glass glass)
 {
     struct pp_glass pane = pp_glass_panes(1, glass.n, glass.kl);

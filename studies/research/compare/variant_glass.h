@@ -1,4 +1,4 @@
-/* variant_glass.h - panes as another program may have taken them. */
+/* variant_glass.h - glass as another program may have modelled it. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_GLASS_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_GLASS_H
 

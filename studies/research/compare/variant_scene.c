@@ -1,4 +1,4 @@
-/* variant_scene.c - changes a copy of the scene's materials, and traces it. */
+/* variant_scene.c - changes a copy of the scene's materials, and simulates it. */
 #include "studies/research/compare/variant_scene.h"
 
 #include <math.h>
@@ -34,7 +34,7 @@ static void change(struct pp_material *material, const struct pp_room_variant *v
     }
 }
 
-/* Switch that a scene cannot have; NULL: all can be done. */
+/* Name of a switch that is not possible in a scene; NULL: all are possible. */
 static const char *not_of_scenes(const struct pp_room_variant *variant)
 {
     return variant->sky[0]                                   ? "sky"
@@ -45,7 +45,8 @@ static const char *not_of_scenes(const struct pp_room_variant *variant)
 
 /* ---- its values ---- */
 
-/* Channels as the other program sums them up; of standard errors no less than theirs. */
+/* Combines channels as the other program does. A combined standard error is not
+ * underestimated. */
 static double sum_up(struct pp_rgb light, enum pp_room_variant_colour colour)
 {
     return colour == PP_ROOM_VARIANT_COLOUR_MEAN ? (light.r + light.g + light.b) / 3.0
@@ -66,7 +67,7 @@ static enum pp_status read_sensor_values(double *values, double *errors,
         return pp_fail_memory(err);
     struct pp_room_variant followed = *variant;
     if (followed.bounces >= 0)
-        followed.bounces++; /* the sky is a surface, which the point's own ray finds */
+        followed.bounces++; /* the sky is a surface here: reaching it takes one more */
     enum pp_status status =
         pp_variant_sensors(readings, scene, NULL, points, count,
                            pp_rgb_luminance(horizontal), &followed, tracing, err);

@@ -1,7 +1,8 @@
-/* variant_scene.h - daylight factors of an imported scene as if it were another: traced.
+/* variant_scene.h - simulated daylight factors of a changed imported scene.
  *
  * Reflections, glass, frames and dirt, colours, the points' height and a factor can be
- * switched; its sky, ground and surroundings are shapes among others, and stay.
+ * switched. The scene's sky, ground and surroundings are ordinary shapes of it and do
+ * not change.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_SCENE_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_SCENE_H
@@ -10,9 +11,9 @@
 #include "model/room/world.h"
 #include "studies/research/compare/room_variant.h"
 
-/* Values at the points over what the scene's sky gives the open level ground, fractions,
- * with their standard errors. PP_BAD_INPUT where a switch does not make sense of a
- * scene, or where the sky gives nothing. */
+/* Values at the points over the illuminance of open level ground from the scene's sky,
+ * fractions, with their standard errors. PP_BAD_INPUT if a switch is not possible in a
+ * scene, or if the sky gives no light. */
 enum pp_status pp_variant_scene_values(double *values, double *errors,
                                        const struct pp_scene_description *scene,
                                        const struct pp_receiver *points, int count,

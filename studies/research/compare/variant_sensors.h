@@ -1,4 +1,5 @@
-/* variant_sensors.h - sensors in a scene, their light followed as far as a switch says. */
+/* variant_sensors.h - sensors in a scene, with reflections limited by a variant's
+ * switches. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_SENSORS_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_SENSORS_H
 
@@ -6,7 +7,7 @@
 #include "simulate/transport/sensors.h"
 #include "studies/research/compare/room_variant.h"
 
-#define PP_VARIANT_SLICE_S 0.1 /* between two questions whether to go on */
+#define PP_VARIANT_SLICE_S 0.1 /* seconds between calls of look */
 
 /* readings: `count` of them, one for each point. horizontal: irradiance of the open
  * ground. environment: of a world; NULL: of a description. PP_INTERRUPTED if look
@@ -17,7 +18,7 @@ enum pp_status pp_variant_sensors(
     int count, double horizontal, const struct pp_room_variant *variant,
     const struct pp_variant_tracing *tracing, struct pp_error *err);
 
-/* PP_INTERRUPTED where look says stop; done: 0 to 1. */
+/* PP_INTERRUPTED if look returns false; done: 0 to 1. */
 enum pp_status pp_variant_sensors_go_on(const struct pp_variant_tracing *tracing,
                                         double done, struct pp_error *err);
 

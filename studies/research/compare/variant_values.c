@@ -1,4 +1,4 @@
-/* variant_values.c - changes a copy of the room, and traces it. */
+/* variant_values.c - changes a copy of the room, and simulates it. */
 #include "studies/research/compare/variant_values.h"
 
 #include <math.h>
@@ -39,7 +39,7 @@ static enum pp_status change(struct pp_room *room, const struct pp_study_room *i
     return PP_OK;
 }
 
-/* All that a tracing stands on. */
+/* Everything needed for a simulation. */
 struct varied_room {
     struct pp_world *world;
     struct pp_outside_light light;
@@ -96,7 +96,7 @@ static enum pp_status place_points(struct varied_room *varied,
         receiver->position.z = variant->plane_m;
         const char *fault = pp_position_receiver_fault(
             varied->world, receiver->position, receiver->normal);
-        /* Points under a desk are valid too: they have no light here or in the other
+        /* Points inside a desk are valid too: they get no light here nor in the other
          * program. */
         if (fault && !pp_position_in_fitting(varied->world, receiver->position))
             return pp_fail(err, PP_BAD_INPUT, "plane=%g: the point %g, %g %s",

@@ -11,8 +11,8 @@
 #include "studies/study_room.h"
 
 /* Values at the room's receivers, fractions, with their standard errors: values[i] and
- * errors[i]. PP_BAD_INPUT where a switch does not make sense of this room, PP_INTERRUPTED
- * where look says stop. */
+ * errors[i]. PP_BAD_INPUT if a switch is not possible in this room, PP_INTERRUPTED if
+ * look returns false. */
 enum pp_status pp_variant_values(double *values, double *errors,
                                  const struct pp_study_room *room,
                                  const struct pp_room_variant *variant,

@@ -9,7 +9,8 @@
 #include "methods/method.h"
 #include "methods/view/visible.h"
 
-/* A value of the table; per cent. Words stand in it, as no start has to place them then. */
+/* A value of the table; per cent. Texts are stored in the row: pointers would have to
+ * be relocated at each start. */
 struct figure {
     char scene[16];
     double a, b, sky;
@@ -27,8 +28,8 @@ enum {
     POINTS_MOST = 32, /* of one room */
 };
 
-/* Errors of the other integration, which has three decimals and is coarser where a mask
- * cuts the opening; and those of the printed figures, with two decimals. */
+/* Errors of the independent integration (three decimals, and coarser if a mask cuts the
+ * opening), and of the printed figures (two decimals). */
 static const double CHECK_SHARE = 0.001, MASKED_SHARE = 0.0025, CHECK_LEAST = 0.001e-2;
 static const double PRINTED_SHARE = 0.01, PRINTED_LEAST = 0.02e-2;
 
@@ -75,7 +76,7 @@ static void write_opening(char *text, size_t size, const struct figure *figure)
                  0.0, -6.0, 0.0, -6.0, 0.0, -6.0, a, -6.0, a);
 }
 
-/* The ground is lit as if nothing stood on it. */
+/* The ground is lit as if there were no building on it. */
 static enum pp_status build_room(struct pp_world **world,
                                  struct pp_outside_light *light,
                                  const struct figure *figure, struct pp_error *err)
@@ -121,7 +122,7 @@ static double polynomial_glass(double c)
 }
 
 struct through_glass {
-    const struct pp_sky *sky; /* NULL: the same from everywhere */
+    const struct pp_sky *sky; /* NULL: uniform luminance */
     struct pp_vec3 toward;
 };
 

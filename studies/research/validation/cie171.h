@@ -10,9 +10,9 @@
 #include "studies/research/validation/known_case.h"
 #include "studies/research/validation/known_room.h"
 
-/* Adds up to three cases a value: `exact` against the independent integration that stands
- * beside it, and, where the printed figure is sound, against that; the trace against
- * `exact`, within `std_errors` of its own. how NULL: nothing is traced. */
+/* Adds up to three cases per value: `exact` against the independent integration; if the
+ * printed figure is sound, `exact` against that; and the simulation against `exact`,
+ * within `std_errors` of its standard errors. how NULL: nothing is simulated. */
 enum pp_status pp_cie171(struct pp_known_cases *cases, const struct pp_known_trace *how,
                          double std_errors, struct pp_error *err);
 

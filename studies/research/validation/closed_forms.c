@@ -130,9 +130,9 @@ static enum pp_status check_open_sky(struct pp_known_cases *cases,
     return status;
 }
 
-/* In a closed room whose every surface has exitance 1 and reflectance rho, illuminance
- * is 1 + rho + rho^2 + ... = 1/(1 - rho) everywhere, whatever the room's form: the
- * integrating sphere. */
+/* In a closed room with exitance 1 and reflectance rho everywhere, the illuminance
+ * is 1 + rho + rho^2 + ... = 1/(1 - rho) in a room of any form: the integrating
+ * sphere. */
 static enum pp_status check_closed_cube(struct pp_known_cases *cases,
                                         const struct pp_known_trace *how,
                                         struct pp_error *err)
@@ -163,16 +163,16 @@ static enum pp_status check_closed_cube(struct pp_known_cases *cases,
     return status;
 }
 
-/* Configuration factor of a rectangle a by b, over its distance, parallel to the
- * receiver and with a corner above it. */
+/* Configuration factor of a rectangle parallel to the receiver, with a corner above it;
+ * a, b: its sides over its distance. */
 static double parallel_factor(double a, double b)
 {
     double p = sqrt(1.0 + a * a), q = sqrt(1.0 + b * b);
     return (a / p * atan(b / p) + b / q * atan(a / q)) / (2.0 * PP_PI);
 }
 
-/* The same of one that stands on the receiver's plane, h high and w wide over its
- * distance, with a corner before the receiver. */
+/* Configuration factor of a rectangle that stands on the receiver's plane, with a
+ * corner in front of the receiver; w, h: its width and height over its distance. */
 static double upright_factor(double w, double h)
 {
     double r = sqrt(1.0 + h * h);
@@ -258,8 +258,8 @@ static enum pp_status check_windows(struct pp_known_cases *cases,
     return status;
 }
 
-/* Sky component of the hall's window through glass, traced and by `exact`, which share
- * no way of finding it. */
+/* Sky component of the hall's window through glass, simulated and by `exact`: two
+ * independent ways. */
 static enum pp_status check_traced_and_exact(struct pp_known_cases *cases,
                                              const struct pp_known_trace *how,
                                              struct pp_error *err)

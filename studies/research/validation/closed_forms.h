@@ -1,7 +1,6 @@
-/* closed_forms.h - the program against closed forms and limits: open skies, rectangles,
- * glass, the integrating sphere, configuration factors. Expected values are right to the
- * digits that stand here.
- */
+/* closed_forms.h - cases that compare the program with closed forms and limits: open
+ * skies, rectangles, glass, the integrating sphere, configuration factors. Expected
+ * values are right to the digits printed here. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_CLOSED_FORMS_H
 #define PP_STUDIES_RESEARCH_VALIDATION_CLOSED_FORMS_H
 

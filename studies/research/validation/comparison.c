@@ -30,8 +30,8 @@ static const char *reason(const struct pp_report *report,
  * one per component, beside those of the room. */
 struct own_value {
     int count;
-    const struct pp_column *own[3], *room[3]; /* the same where the world is; NULL: not
-                                               * traced */
+    const struct pp_column *own[3], *room[3]; /* room: the same in the room's world;
+                                               * NULL: not simulated */
 };
 
 static struct own_value own_value_of(const struct pp_report *report,
@@ -47,7 +47,8 @@ static struct own_value own_value_of(const struct pp_report *report,
             list[i] = PP_SC + i;
         of[i] = pp_own_world_of(worlds, column, list[i]);
     }
-    /* The daylight factor of one world is known better than the sum of its parts. */
+    /* A daylight factor of one world has a smaller error than the sum of its
+     * components. */
     if (value.count == 3 && of[0] == of[1] && of[1] == of[2]) {
         value.count = 1;
         list[0] = PP_DF;
@@ -87,7 +88,7 @@ static struct pp_error_parts parts_of(const struct own_value *value, double meth
     return parts;
 }
 
-/* Sums of n parts become their means, with standard errors. */
+/* Turns sums of n parts into means, with standard errors. */
 static void take_mean(struct pp_error_parts *sum, int n)
 {
     sum->assumption /= n;

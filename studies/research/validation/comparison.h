@@ -1,20 +1,20 @@
 /* comparison.h - the differences between hand methods and the simulation, in one room
  * and over several.
  *
- * At the n points i of a room the difference is d_i = method - traced; s_i is the
- * standard error of the traced value:
+ * At the n points i of a room the difference is d_i = method - simulated; s_i is the
+ * standard error of the simulated value:
  *
  *     bias    mean d_i, with the standard error sqrt(sum s_i^2) / n
  *     spread  sqrt(max(0, mean d_i^2 - mean s_i^2)), the root mean square of d_i less
  *             the simulation's noise
  *     worst   the d_i of the largest magnitude
  *
- * Bias and the average's difference are each the sum of two (own_world.h): the
- * assumption's, from the room to the method's own world, and the formula's, from there to
- * the method.
+ * Bias and the average's difference are each the sum of two parts (own_world.h): one
+ * due to the assumption, from the room to the method's own world, and one due to the
+ * formula, from there to the method.
  *
- * Over several rooms differences are divided by the room's mean traced value first, so
- * that dark rooms count as much as bright ones.
+ * Over several rooms differences are first divided by the room's mean simulated value,
+ * so that dark rooms count as much as bright ones.
  */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_COMPARISON_H
 #define PP_STUDIES_RESEARCH_VALIDATION_COMPARISON_H
@@ -25,7 +25,7 @@
 /* The two parts of a difference; NAN: not known. */
 struct pp_error_parts {
     double assumption, assumption_error; /* own - traced, and its standard error */
-    double formula, formula_error;       /* method - own, and its */
+    double formula, formula_error;       /* method - own, and its standard error */
 };
 
 /* Comparison of one column of a report with "traced" of its component; fractions of the
@@ -41,7 +41,8 @@ struct pp_comparison {
     int worst_point;           /* of the report's receivers */
     double average, traced_average, traced_average_error; /* NAN: none */
     bool own_world; /* the method's world is not the room's; else assumption is 0 */
-    struct pp_error_parts of_bias, of_average; /* of average - traced_average */
+    struct pp_error_parts of_bias, of_average; /* of the bias, and of average -
+                                                * traced_average */
 };
 
 /* Compares each column of the report with "traced" of the same component; worlds: the
@@ -73,7 +74,8 @@ struct pp_overall {
     double average_spread; /* root mean square of the same */
     double assumption, formula;                 /* of bias */
     double average_assumption, average_formula; /* of average_bias */
-    bool own_world; /* in some room the method's world is not the room's */
+    bool own_world; /* true if the method's world differs from the room's in some
+                     * room */
     const struct pp_comparison *worst_comparison; /* of the worst point; not owned */
 };
 

@@ -1,4 +1,4 @@
-/* known_case.c - the list of cases, and their correctness. */
+/* known_case.c - the list of cases, and their verdicts. */
 #include "studies/research/validation/known_case.h"
 
 #include <math.h>

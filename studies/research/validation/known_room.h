@@ -11,7 +11,8 @@
 #include "model/results/report.h"
 #include "model/room/world.h"
 
-/* A room whose window, 3 x 1.8 m and 3 m off its point, has been worked by several ways. */
+/* A room whose window, 3 x 1.8 m and 3 m from its point, has been calculated in several
+ * ways. */
 #define PP_KNOWN_HALL                                                                  \
     "<room version='1'><plan width='9' depth='8' height='4'/>"                         \
     "<window wall='south' left='3' sill='1.45' width='3' height='1.8'/>"               \
@@ -42,7 +43,7 @@ enum pp_status pp_known_room_evaluate(struct pp_known_room *room, const char *xm
                                       const char *methods, struct pp_error *err);
 void pp_known_room_clear(struct pp_known_room *room);
 
-/* A component at the first point, and the average; NAN where there is none. */
+/* A component at the first point, and the average; NAN if missing. */
 double pp_known_room_at_point(const struct pp_known_room *room,
                               enum pp_component component, const char *name);
 double pp_known_room_average(const struct pp_known_room *room,

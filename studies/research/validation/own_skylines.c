@@ -1,4 +1,5 @@
-/* own_skylines.c - the angles of the openings gathered by the way that they face. */
+/* own_skylines.c - combines the obstruction angles of openings that face the same
+ * direction. */
 #include "studies/research/validation/own_skylines.h"
 
 #include <math.h>
@@ -8,23 +9,23 @@
 #include "model/light/graded_sky.h"
 #include "model/room/room.h"
 
-/* Reflectance of an obstruction, in the formulae. */
+/* Reflectance of obstructions that the formulae assume. */
 static const double formulas_reflectance = 0.2;
 
-/* Tolerances for equal angles (rad), and for equal directions, whose cosine is 1 less
- * this at least. */
+/* Tolerances for equal angles (rad), and for equal directions (1 less the cosine
+ * between them). */
 static const double same_angle_rad = 1e-6, same_way = 1e-9;
 
 /* A skyline's angle is less than 90 degrees. */
 static const double most_rad = 89.9 * PP_RAD;
 
-/* The openings that face one way. */
+/* The openings that face one direction. */
 struct side {
     struct pp_vec3 outward; /* horizontal, unit */
-    double area_m2, sum;    /* of the openings; of area times angle */
+    double area_m2, sum;    /* total area of the openings; sum of area times angle */
 };
 
-/* The way out of a face, in the horizontal; false: it lies level. */
+/* Outward direction of a face, in the horizontal; false: the face is level. */
 static bool way_out(struct pp_vec3 *outward, const struct pp_polygon *outline)
 {
     struct pp_vec3 n = outline->normal;
@@ -68,8 +69,8 @@ static struct side *side_facing(struct side *sides, int *count, struct pp_vec3 o
     return &sides[(*count)++];
 }
 
-/* The sides of all openings; *covered is false where one that has something before it
- * lies level. */
+/* Groups all openings by direction; *covered is false if a level opening has an
+ * obstruction. */
 static enum pp_status gather_opening_sides(struct side *sides, int *count,
                                            bool *covered, const struct pp_world *world,
                                            const struct pp_world *bare,
@@ -96,7 +97,7 @@ static enum pp_status gather_opening_sides(struct side *sides, int *count,
     return PP_OK;
 }
 
-/* The name of a wall that faces that way; NULL: there is none. */
+/* The name of a wall that faces that direction; NULL: there is none. */
 static const char *wall_towards(const struct pp_world *world, struct pp_vec3 outward)
 {
     for (int i = 0; i < world->face_count; i++) {
@@ -109,7 +110,8 @@ static const char *wall_towards(const struct pp_world *world, struct pp_vec3 out
     return NULL;
 }
 
-/* True if only far skylines of the formulae's reflectance stand outside, at these angles. */
+/* True if the room's obstructions are these skylines: only far ones, with the
+ * formulae's reflectance and these angles. */
 static bool are_the_rooms(const struct pp_own_skylines *skylines,
                           const struct pp_world *world)
 {

@@ -1,5 +1,5 @@
-/* own_world.c - which method has which world, and the worlds made from changed copies of
- * the room. */
+/* own_world.c - finds the world that each method assumes, and makes these worlds from
+ * changed copies of the room. */
 #include "studies/research/validation/own_world.h"
 
 #include <math.h>
@@ -13,11 +13,11 @@
 #include "studies/study_report.h"
 #include "studies/research/validation/own_skylines.h"
 
-/* A world's difference from the room's; its ground is open. */
+/* The way in which a world differs from the room's; its ground is open. */
 struct own_kind {
     double ground_reflectance;
-    bool surroundings; /* the room's own, not skylines */
-    bool real;         /* all of it is the room's own */
+    bool surroundings; /* with the room's own surroundings, not skylines */
+    bool real;         /* identical to the room's world */
 };
 
 struct own_world {
@@ -50,7 +50,7 @@ static const struct pp_method *method_of(const char *name, size_t length,
     return NULL;
 }
 
-/* The method that a column has the component of; NULL: none, it is traced. */
+/* The method that gives a column's component; NULL: none, it is simulated. */
 static const struct pp_method *method_for(const struct pp_own_worlds *worlds,
                                           const struct pp_column *column,
                                           enum pp_component component)
@@ -75,7 +75,8 @@ static struct own_kind kind_of(const struct pp_own_worlds *worlds,
                              .real = method->of_real_room};
 }
 
-/* The index of that world; -1: it is the room's. There is none yet for the count. */
+/* Index of that world; -1: it is the room's. Equal to the count if it is not in the
+ * list yet. */
 static int index_of(const struct pp_own_worlds *worlds, struct own_kind kind,
                     enum pp_component component)
 {

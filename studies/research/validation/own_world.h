@@ -1,24 +1,24 @@
-/* own_world.h - the worlds that hand methods have in mind, where these are not the room's.
+/* own_world.h - the worlds that hand methods assume, if they differ from the room's.
  *
- * A method's error is the sum of two, the assumption's and the formula's:
+ * A method's error is the sum of two, due to its assumption and to its formula:
  *
  *     method - room = (own - room) + (method - own)
  *
- * room is traced in the room as it is, own in the world that the method calculates in:
+ * room is simulated in the room as it is, own in the world that the method assumes:
  *
- *     direct methods       the ground open, lit by the whole sky everywhere; all else as
- *                          the room has it
- *     others               the ground open, of the reflectance that is built into the
- *                          method (pp_method.own_ground), or of the room's; for what
- *                          stands outside, the skylines of own_skylines.h
+ *     direct methods       the ground open, lit by the whole sky everywhere; all else
+ *                          as in the room
+ *     others               the ground open, with the reflectance built into the method
+ *                          (pp_method.own_ground), or else the room's; the skylines of
+ *                          own_skylines.h instead of the surroundings
  *     of_real_room         the room as it is, to which they were fitted
  *     a pair A+B           SC and ERC of A's world, IRC of B's
  *
- * The sky component depends on what stands outside alone, so that a world with another
- * ground has the room's. Worlds that come out alike are one, and one that is the room's
- * is not made. All are traced with one seed, so that light paths that meet nothing of the
- * difference are the same in both, and own - room is less noisy than its standard error,
- * which is that of independent figures.
+ * The sky component depends on the surroundings alone, so a world that differs only in
+ * its ground has the room's. Equal worlds are made once, and none is made if it equals
+ * the room's. All are simulated with one seed: light paths that meet no difference are
+ * the same in both. Thus own - room is less noisy than its standard error, which
+ * assumes independent figures.
  */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_OWN_WORLD_H
 #define PP_STUDIES_RESEARCH_VALIDATION_OWN_WORLD_H
@@ -48,7 +48,7 @@ enum pp_status pp_own_world_trace_one(const struct pp_own_worlds *worlds, int in
                                       bool *by_clock, struct pp_error *err);
 
 /* Simulates all of them. *finished, true at first, becomes false if a watch stopped it;
- * the rest then has no readings. */
+ * the remaining worlds then have no readings. */
 enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
                                   const struct pp_study_options *options,
                                   bool *finished, bool *by_clock, struct pp_error *err);
@@ -57,7 +57,7 @@ enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
 struct pp_report *pp_own_world_report(struct pp_own_worlds *worlds, int index);
 
 /* Report of the world in which a column of the room's report has the component PP_SC,
- * PP_ERC or PP_IRC: with "traced" alone, or the room's own. */
+ * PP_ERC or PP_IRC: a report with "traced" alone, or the room's own. */
 const struct pp_report *pp_own_world_of(const struct pp_own_worlds *worlds,
                                         const struct pp_column *column,
                                         enum pp_component component);

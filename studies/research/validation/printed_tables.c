@@ -11,7 +11,7 @@
 
 /* ---- the BRS simplified daylight table ---- */
 
-/* h/d down, w/d across; per cent. */
+/* Rows by h/d, columns by w/d; per cent. */
 static const double brs[][21] = {
 #include "tables/brs_simplified_table.inc"
 };
@@ -55,8 +55,8 @@ static void write_ratio(char text[16], double ratio)
     snprintf(text, 16, isinf(ratio) ? "endless" : "%g", ratio);
 }
 
-/* The sky component at a metre from a window h high and w wide through clear single
- * glass, its sill and a jamb level with the point. */
+/* Sky component 1 m from a window h high and w wide with clear single glass, whose sill
+ * is level with the point and one jamb straight ahead. */
 static enum pp_status sky_component(double *value, double h, double w,
                                     struct pp_error *err)
 {
@@ -109,12 +109,13 @@ static const double irc[][13] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* The source of our figures keeps within 0.25 % of all cells, which have one decimal. */
+/* The formula from which our figures come agrees with all cells, of one decimal, within
+ * 0.25 %. */
 static const double IRC_LIMIT = 0.0025;
 
-/* The room that the table fits best, 20 x 20 x 10 ft with a window from 3 ft to the
- * ceiling before a skyline of 20 degrees: the share of the floor that its wall has room
- * for, per cent. */
+/* The room that fits the table best, 20 x 20 x 10 ft with a window from 3 ft to the
+ * ceiling before a skyline of 20 degrees. IRC_GLASS_MOST: glass that fits in its wall,
+ * per cent of the floor. */
 static const double FOOT_M = 0.3048, IRC_GLASS_MOST = 35.0;
 
 /* The minimum by `bre-min` in that room. */
@@ -168,8 +169,8 @@ static const double factors[][2] = {
 #include "tables/bre_obstruction_factors.inc"
 };
 
-/* The factors are the overcast sky above the obstruction, plus a tenth of the hidden
- * sky, to 1.3 %: the printed ones are whole numbers, and were rounded on the way. */
+/* The factors are the overcast sky above the obstruction plus a tenth of the hidden
+ * sky, to 1.3 %: the printed ones are whole numbers, rounded in several steps. */
 static void check_obstruction_factors(struct pp_known_cases *cases)
 {
     double open = pp_graded_sky_over_skyline(PP_GRADED_SKY_OVERCAST, 0.0);
@@ -186,8 +187,8 @@ static void check_obstruction_factors(struct pp_known_cases *cases)
 
 /* ---- ISO 15469 ---- */
 
-/* Luminance at 45 degrees, opposite a sun 60 degrees high, over the zenith's: values that
- * other programs document. */
+/* Luminance at 45 degrees, opposite a sun 60 degrees high, over that of the zenith:
+ * values documented by other programs. */
 static enum pp_status check_iso_skies(struct pp_known_cases *cases,
                                       struct pp_error *err)
 {
@@ -214,7 +215,7 @@ static enum pp_status check_iso_skies(struct pp_known_cases *cases,
 
 /* ---- configuration factors of CIE 171 ---- */
 
-/* A parallelogram of exitance `exitance`, black, of four corners of the caller's. */
+/* A black parallelogram with that exitance; the four corners stay the caller's. */
 static struct pp_surface plate(struct pp_vec3 *corners, double exitance)
 {
     struct pp_vec3 a = pp_vec_sub(corners[1], corners[0]),
@@ -236,7 +237,7 @@ struct factor_row {
     double per_cent[8];
 };
 
-/* Checks the light on the points, over the exitance of the one plate that glows. */
+/* Checks the illuminance of the points over the exitance of the only luminous plate. */
 static enum pp_status check_row(struct pp_known_cases *cases, struct pp_surface *plates,
                                 int plate_count, const struct factor_row *row,
                                 const struct pp_known_trace *how, struct pp_error *err)

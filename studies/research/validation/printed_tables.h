@@ -1,7 +1,7 @@
-/* printed_tables.h - published tables cell by cell against what they were made of: the BRS
- * simplified table and clear glass, BRE's obstruction factors and the overcast sky, the
- * least internally reflected component and its formula, skies and configuration factors.
- */
+/* printed_tables.h - compares published tables, cell by cell, with the formulae behind
+ * them: the BRS simplified table with clear glass, BRE's obstruction factors with the
+ * overcast sky, the least internally reflected component with its formula, skies and
+ * configuration factors. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_PRINTED_TABLES_H
 #define PP_STUDIES_RESEARCH_VALIDATION_PRINTED_TABLES_H
 

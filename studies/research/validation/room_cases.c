@@ -1,4 +1,4 @@
-/* room_cases.c - a case a figure, in the order of the report's columns. */
+/* room_cases.c - one case per figure, in the order of the report's columns. */
 #include "studies/research/validation/room_cases.h"
 
 #include <math.h>
@@ -11,16 +11,16 @@
 
 static const double STD_ERRORS = 3.0;
 
-/* Least difference that a trace can tell apart from rounding. */
+/* Least difference that a simulation can distinguish from rounding. */
 static const double ROUNDING = 1e-12;
 
-/* The case that was added last; NULL where memory was out. */
+/* The last case that was added; NULL if memory ran out. */
 static struct pp_known_case *last_of(struct pp_known_cases *cases)
 {
     return cases->whole ? &cases->list[cases->count - 1] : NULL;
 }
 
-/* Greatest relative error of an engine that is no truth. */
+/* Greatest relative error of an engine that is not a reference. */
 static const double CACHE_SHARE = 0.02;
 
 static double known_error(struct pp_reading reading)
@@ -28,7 +28,7 @@ static double known_error(struct pp_reading reading)
     return isfinite(reading.std_error) ? reading.std_error : 0.0;
 }
 
-/* A figure of a hand method, and all that is known of it. */
+/* A figure of a hand method, with its simulated value, band and parts. */
 struct hand_figure {
     double hand;
     struct pp_reading traced;

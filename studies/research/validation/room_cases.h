@@ -7,15 +7,15 @@
 #include "studies/research/validation/known_case.h"
 #include "studies/research/validation/own_world.h"
 
-/* Adds a case for every figure of the report's hand columns, at points and of the average,
- * that has "traced" of its component beside it. The band that the report has beside the
- * figure, widened by three standard errors of what is traced, is its limit: of a figure h
- * with the band from a to b and the standard error s
+/* Adds a case for every figure of the report's hand columns, at points and of the
+ * average, for which the report has a simulated value of the component. The limit is
+ * the figure's band in the report, widened by three standard errors of the simulated
+ * value: for a figure h with the band from a to b and the standard error s
  *
  *     h - b - 3 s  <=  h - traced  <=  h - a + 3 s
  *
- * Where there is no band there is no verdict. The report, whose names and sentences the
- * cases keep, and `file` have to outlive them. */
+ * Without a band there is no verdict. The report, whose names and sentences the cases
+ * keep, and `file` must outlive them. */
 void pp_room_cases_of_methods(struct pp_known_cases *cases, const char *file,
                               const struct pp_report *report,
                               const struct pp_own_worlds *worlds);

@@ -1,5 +1,4 @@
-/* suite.h - suites of answers that are known otherwise, one entry each.
- */
+/* suite.h - suites of cases with independently known results, one entry each. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_SUITE_H
 #define PP_STUDIES_RESEARCH_VALIDATION_SUITE_H
 
@@ -8,11 +7,12 @@
 
 struct pp_suite {
     const char *name, *summary;
-    const char *limits; /* what an answer may be off by, a sentence */
+    const char *limits; /* the limits of its cases, as a sentence */
     /* Share of traced cases that may be outside their limits by chance; 0: none. */
     double chance;
     bool of_rooms; /* of a user's rooms: there is no `run` */
-    long samples;  /* that traced cases want: paths a point in each randomisation */
+    long samples;  /* default for simulated cases: paths a point in each
+                    * randomisation */
     enum pp_status (*run)(struct pp_known_cases *cases,
                           const struct pp_known_trace *how, struct pp_error *err);
 };

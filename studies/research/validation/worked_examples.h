@@ -6,7 +6,7 @@
 
 #include "studies/research/validation/known_case.h"
 
-/* Adds the cases, each right to its last printed digit. */
+/* Adds the cases; each expected value is right to its last printed digit. */
 enum pp_status pp_worked_examples(struct pp_known_cases *cases, struct pp_error *err);
 
 #endif
