@@ -14,7 +14,7 @@ struct atlas_plot {
     struct pp_style style;
     const struct pp_atlas_map *map;
     struct pp_box field;
-    struct pp_axis up; /* of ratios; of maps by one number */
+    struct pp_axis up; /* of ratios; for maps by one number */
 };
 
 /* ---- edges of classes ---- */
@@ -109,7 +109,7 @@ static void draw_frame(struct atlas_plot *plot)
 /* Limits of the scales of ratios; values beyond them are drawn at the edge. */
 static const double least_ratio = 0.01, most_ratio = 100.0;
 
-/* A scale that all quantiles fit on, but for such. */
+/* A scale on which all quantiles fit, except those beyond its limits. */
 static struct pp_axis ratio_axis(const struct atlas_plot *plot)
 {
     double low = 0.8, high = 1.25;
@@ -205,9 +205,9 @@ static void draw_by_one(struct atlas_plot *plot)
 
 /* ---- a map by two numbers ---- */
 
-/* Appearance of a field up to a ratio, and beyond all: grey, or hatching so far apart (mm
- * for A4). The first limits below 1 and above it are those within which a sum on paper is
- * taken for right. */
+/* Appearance of a field up to a ratio, and beyond all: grey level, or distance of
+ * hatching lines (mm for A4). The first limits below 1 and above it are those within
+ * which a hand calculation is considered right. */
 static const struct {
     double up_to, grey, hatch_mm;
     const char *words;
@@ -275,7 +275,7 @@ static void draw_cells(struct atlas_plot *plot)
                       &map->real[u * PP_ATLAS_CLASSES + a]);
 }
 
-/* Samples in a row at the top right, their limits below them. */
+/* Samples in a row at the top right, with their limits below. */
 static void draw_looks(struct atlas_plot *plot)
 {
     const struct pp_style *style = &plot->style;
@@ -301,7 +301,7 @@ static void draw_by_two(struct atlas_plot *plot)
 
 /* ---- the sheet ---- */
 
-/* True if any value lies at the edge of a map by one number. */
+/* True if any value is beyond the scale of a map by one number. */
 static bool is_beyond(const struct pp_atlas_map *map)
 {
     for (int k = 0; k < map->across.count; k++)

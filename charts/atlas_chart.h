@@ -1,8 +1,8 @@
 /* atlas_chart.h - maps of a method's error over the rooms of an atlas.
  *
  * Maps by one number show for each class the median ratio of the method's value to the
- * true one, with whiskers over 90 % of the rooms. Beside it stands the ratio in the
- * method's own world, whose whiskers are the formula's error alone. The vertical scale
+ * simulated one, with whiskers over 90 % of the rooms. Next to it is the ratio in the
+ * method's own world, whose whiskers show the formula's error alone. The vertical scale
  * is logarithmic, since twice and half as much are equal errors.
  *
  * Maps by two numbers have a field for each pair of classes: grey where the method is

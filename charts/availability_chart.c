@@ -49,7 +49,7 @@ static void choose_rows(struct availability_plot *plot)
 }
 
 /* Upper end of the illuminance scale, exceeded in at most 1 of 200 hours of any period.
- * A scale up to the brightest hour would squeeze the rest. */
+ * A scale up to the brightest hour would compress the rest. */
 static double top_lx(const struct pp_availability_sheet *sheet)
 {
     double top = 1000.0;
@@ -124,13 +124,13 @@ static void say_notes(struct availability_plot *plot)
 
 /* ---- curves ---- */
 
-/* A share of the hours, as places on paper. */
+/* Positions on paper (mm) of a share of the hours. */
 static double up_at(const struct availability_plot *plot, double share)
 {
     return pp_axis_at(&plot->up, 100.0 * share);
 }
 
-/* The staircase from no light up to the brightest hour, without the steps that are too
+/* Draws a curve as steps, from no light up to the brightest hour, without steps too
  * small to see. */
 static void draw_curve(struct availability_plot *plot, int index)
 {
@@ -175,8 +175,8 @@ static void clear_box(struct availability_plot *plot, struct pp_box box)
     cairo_fill(plot->cr);
 }
 
-/* Names beside their curves where there is room for all, else in a legend in the upper
- * right corner, which curves that fall leave free. */
+/* Writes names next to their curves if there is space for all, else in a legend in the
+ * upper right corner, which falling curves leave free. */
 static void name_curves(struct availability_plot *plot)
 {
     struct pp_key keys[PP_PERIODS_MOST];
@@ -214,9 +214,9 @@ static void name_curves(struct availability_plot *plot)
 
 /* ---- target illuminances ---- */
 
-/* Draws a line up from the illuminance outside that gives one target inside, its name
- * above the field, and a dot at each curve. *free_from is the x from which names may
- * begin. */
+/* Draws a vertical line at the illuminance outside that gives one target inside, its
+ * name above the field, and a dot at each curve. *free_from: smallest x for the next
+ * name. */
 static void draw_mark(struct availability_plot *plot,
                       const struct pp_availability_row *row, double *free_from)
 {
@@ -337,7 +337,7 @@ static void draw_availability_sheet(struct availability_plot *plot,
         "Share of working hours with at least this diffuse light outside", plot->foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
-    /* The field is never much higher than wide, whatever the sheet. */
+    /* The field is not much higher than wide on any sheet. */
     double left = 10.0 * style->scale, right = 5.0 * style->scale;
     double above = 9.5 * style->scale;
     double below = (has_inside_scale(plot) ? 24.0 : 11.0) * style->scale;

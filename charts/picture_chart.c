@@ -1,7 +1,6 @@
-/* picture_chart.c - lays a picture on a sheet: the raster itself, over it the grid,
- * level lines and marks, beside it the scale of its false colours, below it a bar of
- * metres.
- */
+/* picture_chart.c - places a picture on a sheet: the raster itself; on it the grid,
+ * level lines and marks; beside it the scale of its false colours; below it a bar of
+ * metres. */
 #include "charts/picture_chart.h"
 
 #include <math.h>
@@ -22,13 +21,13 @@ struct picture_drawing {
     const struct pp_style *style;
     const struct pp_picture_sheet *sheet;
     struct pp_box box;       /* of the picture */
-    double mm;               /* to a pixel */
+    double mm;               /* mm per pixel */
     struct pp_labels labels; /* figures keep clear of each other */
 };
 
 static void level_words(char *text, size_t room, double level)
 {
-    /* %g puts from 10000 up as powers of ten. */
+    /* %g prints 10000 and more as powers of ten. */
     snprintf(text, room, level >= 1e4 && level < 1e7 ? "%.0f" : "%.4g", level);
 }
 
@@ -87,7 +86,7 @@ static void path(const struct picture_drawing *drawing, const struct pp_curve *c
         cairo_close_path(drawing->cr);
 }
 
-/* Dark on a light border: seen on any colour. */
+/* Strokes the path dark on a light border: visible on any colour. */
 static void stroke_seen(const struct picture_drawing *drawing, double weight_mm)
 {
     cairo_t *cr = drawing->cr;
@@ -99,7 +98,7 @@ static void stroke_seen(const struct picture_drawing *drawing, double weight_mm)
     cairo_stroke(cr);
 }
 
-/* The figure of a line, on the free place nearest to its middle. */
+/* Writes the figure of a line at the free place nearest to its middle. */
 static void draw_figure(struct picture_drawing *drawing, const struct pp_curve *curve)
 {
     char words[32];
@@ -256,7 +255,8 @@ static void draw_scale(const struct picture_drawing *drawing)
     }
 }
 
-/* A bar of metres below the picture and, of one from above, where north is. */
+/* Draws a bar of metres below the picture and, for a view from above, the north
+ * arrow. */
 static void draw_lengths(const struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;

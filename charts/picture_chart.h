@@ -9,7 +9,7 @@ enum pp_status pp_picture_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_picture_sheet *sheet,
                                      struct pp_error *err);
 
-/* True if a landscape sheet suits it better. */
+/* True if a landscape sheet suits the picture better. */
 bool pp_picture_chart_landscape(const struct pp_picture_sheet *sheet);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "model/pictures/raster.h"
 
-/* A cairo image of the raster; NULL when memory is out or it is too large. */
+/* A cairo image of the raster; NULL: out of memory, or too large. */
 cairo_surface_t *pp_picture_png_surface(const struct pp_raster *raster);
 
 /* The whole file: *length bytes, the caller's to free. */

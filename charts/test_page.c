@@ -109,7 +109,7 @@ static void draw_text_sizes(const struct test_page *sheet, double x, double y)
     pp_lettering_draw(sheet->cr, &sheet->style, &letters, x, y + 1.5, sample);
 }
 
-/* Black to white in steps of 10 %, and the lightest tint of the charts. */
+/* Draws black to white in steps of 10 %, and the lightest tint of the charts. */
 static void draw_greys(const struct test_page *sheet, double y)
 {
     enum { STEPS = 12 };

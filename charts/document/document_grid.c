@@ -31,7 +31,7 @@ static double word_width(const struct pp_document_grid *grid, struct pp_letterin
     return widest;
 }
 
-/* Headings may be broken where they are wider than this (mm, for A4). */
+/* Headings wider than this may be broken into lines (mm, for A4). */
 static const double heading_mm = 24.0;
 
 static double heading_width(const struct pp_document_grid *grid, const char *heading)
@@ -56,12 +56,12 @@ static double natural_width(const struct pp_document_grid *grid, int column)
         width =
             fmax(width, text_width(grid, bad ? strong : cell, row->cells[column].text));
     }
-    return width + 0.1; /* so that no rounding breaks it */
+    return width + 0.1; /* so that rounding breaks no line */
 }
 
 /* Distributes the width among columns of words. Each gets its own width or, if there is
- * not enough, at most an equal share of the remainder after narrower ones. Spare width
- * is distributed in proportion. */
+ * not enough, at most an equal share of the width that narrower columns leave. Spare
+ * width is distributed in proportion. */
 static void share_words(struct pp_document_grid *grid, const double *natural,
                         double left)
 {
@@ -136,8 +136,8 @@ static void draw_rule(const struct pp_document_grid *grid, double y, double weig
     cairo_stroke(grid->cr);
 }
 
-/* Puts words in a box whose left edge is x, at one of its sides; returns their
- * height. */
+/* Places words in a box whose left edge is x, aligned to one of its sides; returns
+ * their height. */
 static double put_grid_words(const struct pp_document_grid *grid,
                              struct pp_lettering set, double x, double y, double width,
                              const char *words, bool drawn)
@@ -213,7 +213,7 @@ static double put_cells(const struct pp_document_grid *grid,
     return height;
 }
 
-/* A group's title, with some space above it, or a remark. */
+/* Places a group's title, with some space above it, or a remark. */
 static double put_across(const struct pp_document_grid *grid,
                          const struct pp_document_row *row, double y, bool drawn)
 {

@@ -1,5 +1,5 @@
-/* document_grid.h - a table of a document on paper: how wide its columns are, and its rows one
- * by one. Inside charts/document/ only. */
+/* document_grid.h - a table of a document on paper: the widths of its columns, and its
+ * rows one by one. Inside charts/document/ only. */
 #ifndef PP_CHARTS_DOCUMENT_DOCUMENT_GRID_H
 #define PP_CHARTS_DOCUMENT_DOCUMENT_GRID_H
 
@@ -13,13 +13,13 @@ struct pp_document_grid {
     const struct pp_style *style;
     const struct pp_document_table *table;
     int column_count;
-    double x, width, gap;           /* gap: between columns (mm) */
-    double widths[PP_GRID_COLUMNS]; /* of the columns, without it */
+    double x, width, gap;           /* all in mm; gap: between columns */
+    double widths[PP_GRID_COLUMNS]; /* of the columns, without gaps */
 };
 
-/* Lays the table out from x on, `width` wide (mm). Columns of numbers and labels get
- * the width they need; words are broken into lines in the rest. Columns are equally
- * wide on all sheets. */
+/* Sets the column widths of a table from x on, `width` wide (mm). Columns of numbers
+ * and labels get the width they need; words are broken into lines in the rest. Columns
+ * have the same widths on all sheets. */
 struct pp_document_grid pp_document_grid_lay(cairo_t *cr, const struct pp_style *style,
                                              const struct pp_document_table *table,
                                              double x, double width);
@@ -30,7 +30,7 @@ double pp_document_grid_head(const struct pp_document_grid *grid, double y, bool
 double pp_document_grid_row(const struct pp_document_grid *grid, int row, double y,
                             bool drawn);
 
-/* The height that has to be left on a sheet for a row to be put there: a group's title and
+/* Height that must be free on a sheet for a row to be placed there: a group's title and
  * its remarks stay with the first row of the group. */
 double pp_document_grid_unit(const struct pp_document_grid *grid, int row);
 

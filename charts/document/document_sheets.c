@@ -1,5 +1,5 @@
-/* document_sheets.c - see document_sheets.h. The document is gone through twice: once to count
- * the sheets, and once to draw them. */
+/* document_sheets.c - see document_sheets.h. The document is processed twice: once to
+ * count the sheets, and once to draw them. */
 #include "charts/document/document_sheets.h"
 
 #include <math.h>
@@ -14,13 +14,13 @@
  * chart, since the text is read. */
 static const double type_of_mm = 240.0;
 
-/* Left, right and top of sheets; at their foot, with its line (mm). */
+/* Left, right and top margin of sheets; bottom margin with the foot line (mm). */
 static const double margin_mm = 16.0, foot_mm = 18.0;
 
-/* A chapter begins a new sheet where less of one is left than this. */
+/* Share of a sheet: if less is left, a chapter begins a new sheet. */
 static const double chapter_share = 0.6;
 
-/* Lines of a text of people's: a name, a command line. */
+/* Most lines of a user's text: a name, a command line. */
 enum { LINES_MOST = 12 };
 
 struct sheet_setter {
@@ -31,11 +31,11 @@ struct sheet_setter {
     const char *name;
     struct pp_canvas *const *pictures;
     struct pp_box body;
-    double y;         /* where the next block goes */
+    double y;         /* y of the next block, mm */
     int sheet, count; /* sheet: from 1; count: 0 before they are known */
     int *chapters;    /* sheet on which each begins, of all headings of level 2 */
     int chapter;      /* the next of them */
-    bool drawn;       /* else they are only counted */
+    bool drawn;       /* false: sheets are only counted */
     enum pp_status status;
     struct pp_error *err;
 };
@@ -89,7 +89,7 @@ static double left_on_sheet(const struct sheet_setter *setter)
     return setter->body.y + setter->body.height - setter->y;
 }
 
-/* A new sheet, unless that height is left on this one. */
+/* Begins a new sheet, unless that height is left on this one. */
 static void need(struct sheet_setter *setter, double height)
 {
     if (height > left_on_sheet(setter) && !at_top(setter))
@@ -103,7 +103,7 @@ static double gap(const struct sheet_setter *setter, double mm)
     return at_top(setter) ? 0.0 : mm * setter->style.scale;
 }
 
-/* Words from the body's left edge and `in` on; their height. */
+/* Places words `in` from the body's left edge; returns their height. */
 static double put_sheet_words(struct sheet_setter *setter, struct pp_lettering set,
                               double in, double y, const char *words, bool drawn)
 {
@@ -130,7 +130,7 @@ static struct pp_lettering paragraph_set(enum pp_tone tone)
                                  .grey = back ? PP_GREY_TEXT : PP_INK};
 }
 
-/* Inset round the words of a verdict. */
+/* Inset of the words of a verdict in its box. */
 static double inset(const struct sheet_setter *setter, enum pp_tone tone)
 {
     return tone == PP_TONE_VERDICT ? 2.5 * setter->style.scale : 0.0;
@@ -145,7 +145,7 @@ static double paragraph_height(struct sheet_setter *setter,
                              false);
 }
 
-/* A picture's own margin is not counted: nothing is in it. */
+/* Margin of a picture, not counted in its height, as it is empty. */
 static double picture_margin(const struct pp_canvas *picture)
 {
     return pp_page_style(picture).margin;
@@ -221,7 +221,7 @@ static void put_heading(struct sheet_setter *setter, int index)
                  + 1.0 * setter->style.scale;
 }
 
-/* A verdict stands in a box with a bar before it. */
+/* Draws the box of a verdict, with a bar at its left. */
 static void draw_box(struct sheet_setter *setter, double height)
 {
     cairo_t *cr = setter->cr;

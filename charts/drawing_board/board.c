@@ -9,7 +9,7 @@
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
 
-/* Most windows whose sums are written out. */
+/* Most windows whose sums are listed. */
 enum { SUMS_MOST = 8 };
 
 /* Share of white in shapes that hide the sky. */
@@ -118,7 +118,8 @@ static void write_count(char *text, size_t room, double count)
     snprintf(text, room, count == rint(count) ? "%.0f" : "%.1f", count);
 }
 
-/* Sum counted over all pieces like piece `first`, if that is the first such one. */
+/* Sum over all pieces of the same kind as piece `first`, if it is the first of that
+ * kind; else 0. */
 static double like(const struct pp_board_window *window, int first)
 {
     const struct pp_board_piece *pieces = window->pieces;

@@ -35,21 +35,22 @@ void pp_board_tints(cairo_t *cr, const struct pp_style *style,
 void pp_board_outline(cairo_t *cr, const struct pp_style *style,
                       const struct pp_board_map *map, const struct pp_region *region);
 
-/* Samples of both tints with their words, from x, y on; nothing is drawn unless
+/* Draws samples of both tints with their words, from x, y on; only measures unless
  * `drawn`. Returns the box. */
 struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
                                  double y, bool hidden_too, bool drawn);
 
-/* Begins the words above a panel: the wall or ceiling, and its glass. */
+/* Begins the text above a panel: the wall or ceiling, and its glass. */
 void pp_board_panel_words(char *words, size_t room, const struct pp_board_face *face,
                           bool glazed);
 
-/* The sums below a diagram: each of the first few windows' with letter and line, the
- * number of the others, and the sum of all. */
+/* The sums below a diagram: for each of the first few windows with its letter and line,
+ * then the number of the others, and the sum of all. */
 struct pp_board_sums {
     const char *unit; /* "squares" */
-    bool upright;     /* of a wall's outside: the sum is the vertical sky component */
-    double worth;     /* of one, a fraction of Eh */
+    bool upright;     /* for the outside of a wall: the sum is the vertical sky
+                       * component */
+    double worth;     /* value of one unit, a fraction of Eh */
     bool any_hidden;
     double sky, external;
     int windows;
@@ -60,7 +61,7 @@ struct pp_board_sums {
 void pp_board_sums_add(struct pp_board_sums *sums,
                        const struct pp_board_window *windows, int count);
 
-/* Draws them from x, y on, if `drawn`; returns the height. */
+/* Draws the sums from x, y on, if `drawn`; returns their height. */
 double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_board_sums *sums, double x, double y,
                           double width, bool drawn);

@@ -1,5 +1,5 @@
-/* brs_table_chart.c - rules and figures of the table, numbered crosses where it is read,
- * the readings and their sum below. */
+/* brs_table_chart.c - rules and figures of the table, numbered crosses at the places
+ * read, the readings and their sum below. */
 #include "charts/drawing_board/brs_table_chart.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "charts/sheet/labels.h"
 #include "model/base/text.h"
 
-/* Readings that are numbered and listed; a window takes four, and as many for each
+/* Most readings that are numbered and listed; a window has four, and four more for each
  * obstruction. */
 enum { READINGS_MOST = 36, LIST_COLUMNS = 2, TEXT_BYTES = 4096 };
 
@@ -18,15 +18,15 @@ struct table_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_brs_sheet *sheet;
-    struct pp_box box; /* of the table, its heads included */
-    double cell[2];    /* of a figure, across and down */
-    double corner[2];  /* of the first figure's cell */
+    struct pp_box box; /* of the table, with its heads */
+    double cell[2];    /* width and height of a figure's cell */
+    double corner[2];  /* upper left corner of the first figure's cell */
     struct pp_labels *labels;
 };
 
 /* ---- the table ---- */
 
-/* The middle of a cell, by its place. */
+/* Centre of the cell in a column and row, which may be fractions. */
 static double middle_x(const struct table_drawing *drawing, double column)
 {
     return drawing->corner[0] + (column + 0.5) * drawing->cell[0];
@@ -43,7 +43,8 @@ static void put_table_words(const struct table_drawing *drawing, double x, doubl
     struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .bold = bold, .across = 0.5, .down = 0.5};
     struct pp_style style = drawing->style;
-    /* Figures of four places fit their cell on small paper too. */
+    /* Limits the type size, so that figures of four digits fit their cells on small
+     * paper too. */
     style.text[PP_TEXT_SMALL] =
         fmin(style.text[PP_TEXT_SMALL],
              fmin(0.36 * drawing->cell[0], 0.62 * drawing->cell[1]));
@@ -81,7 +82,8 @@ static void draw_figures(const struct table_drawing *drawing)
     }
 }
 
-/* A rule under the heads and one beside them, and a thin one at every fifth row. */
+/* Draws a rule under the heads and one beside them, and a thin one at every fifth
+ * row. */
 static void draw_rules(const struct table_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
@@ -119,7 +121,7 @@ static void name_heads(const struct table_drawing *drawing)
 
 /* ---- readings ---- */
 
-/* A cross at the place, and the cells between which it is read in tint. */
+/* Tints the cells between which a reading is interpolated. */
 static void tint_cells(const struct table_drawing *drawing,
                        const struct pp_brs_reading *reading)
 {
@@ -148,7 +150,7 @@ static void mark(const struct table_drawing *drawing,
     cairo_stroke(drawing->cr);
 }
 
-/* Readings at one place share the number of the first. */
+/* True if no earlier reading is at the same place: later ones share its number. */
 static bool is_first_there(const struct pp_brs_sheet *sheet, int index)
 {
     const struct pp_brs_reading *reading = &sheet->readings[index];
@@ -172,8 +174,8 @@ static int brs_column_number(const struct pp_brs_sheet *sheet, int index)
     return number;
 }
 
-/* A place for a number beside the cross, as near as can be where nothing stands; above it
- * where there is none. */
+/* Position for a number beside the cross, as near as possible without covering
+ * anything; above the cross if there is none. */
 static struct pp_box find_place(const struct table_drawing *drawing, double x, double y,
                                 struct pp_box size)
 {
@@ -201,7 +203,7 @@ static void put_number(const struct table_drawing *drawing,
     snprintf(words, sizeof words, "%d", number);
     struct pp_box size =
         pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y, words);
-    /* Digits have nothing below the line. */
+    /* Digits have no descenders. */
     double below = 0.22 * size.height;
     size.height -= below;
     struct pp_box box = find_place(drawing, x, y, size);
@@ -214,7 +216,7 @@ static int listed(const struct pp_brs_sheet *sheet)
     return sheet->reading_count < READINGS_MOST ? sheet->reading_count : READINGS_MOST;
 }
 
-/* The figures round a reading are not to be covered. */
+/* Reserves the figures round a reading, so that no number covers them. */
 static void note_figures(const struct table_drawing *drawing,
                          const struct pp_brs_reading *reading)
 {
@@ -285,7 +287,8 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
                 100.0 * sheet->sky_component, 100.0 * sheet->external);
 }
 
-/* Readings in columns, then the sums; drawn only if `drawn`. Returns the height. */
+/* Draws the readings in columns, then the sums; only measures unless `drawn`. Returns
+ * the height. */
 static double draw_readings(const struct table_drawing *drawing, struct pp_box room,
                             bool drawn)
 {
@@ -354,8 +357,8 @@ static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,
                  sheet->point.x, sheet->point.y, sheet->point.z);
 }
 
-/* The table takes the box: heads of a row and a column more than there are figures, and a
- * line for the heads' name. */
+/* Fits the table into the box: one row and one column more than there are figures, for
+ * the heads, and a line for the heads' name. */
 static void lay_table(struct table_drawing *drawing, struct pp_box box)
 {
     double name = 1.0, heads = 1.0;

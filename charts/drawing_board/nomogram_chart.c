@@ -39,8 +39,8 @@ static double y_of(const struct pp_nomogram_curve_frame *drawing, double y)
     return pp_nomogram_curve_y(drawing, y);
 }
 
-/* Numbers of the first stem stand left of it, all others right; readings on the other
- * side. */
+/* Side of a stem with its numbers: left (-1) of the first stem, right (1) of all
+ * others. Readings are on the other side. */
 static double stem_label_side(int stem)
 {
     return stem == 0 ? -1.0 : 1.0;
@@ -76,14 +76,15 @@ static void write_numbers(const struct pp_nomogram_curve_frame *drawing, int ste
             continue;
         char words[32];
         snprintf(words, sizeof words, "%.4g", scale->marks[i].number);
-        /* A room's lines end at the figures. */
+        /* On a room's sheet the figures have a white ground, which interrupts its
+         * lines. */
         (drawing->sheet->blank ? pp_lettering_draw : pp_lettering_draw_on_white)(
             drawing->cr, &drawing->style, &set, x, y_of(drawing, scale->marks[i].y),
             words);
     }
 }
 
-/* The y of the ends of a stem: where its values end, or its marks. */
+/* Heights (y) of the ends of a stem: of its values, or of its marks. */
 static void ends_of(const struct pp_nomogram_curve_frame *drawing, int stem,
                     double ends[2])
 {
@@ -153,7 +154,7 @@ static void draw_edges(const struct pp_nomogram_curve_frame *drawing)
     cairo_set_dash(drawing->cr, NULL, 0, 0.0);
 }
 
-/* A reading's words, and where they would best stand. */
+/* Text of a reading, and its preferred height. */
 struct note {
     double wanted, y;
     char words[48];
@@ -165,7 +166,7 @@ static int by_height(const void *a, const void *b)
     return (difference > 0.0) - (difference < 0.0);
 }
 
-/* Moves notes, in order down the sheet, apart to at least `gap`. */
+/* Moves notes, in order down the sheet, until they are at least `gap` apart. */
 static void spread(struct note *notes, int count, double gap)
 {
     qsort(notes, (size_t)count, sizeof *notes, by_height);
@@ -181,7 +182,7 @@ static void spread(struct note *notes, int count, double gap)
 
 enum { NOTED_MOST = 12 };
 
-/* True if the stem is set or read for a window. */
+/* True if a window's line uses the stem, as input or as result. */
 static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
                       const struct pp_nomogram_window *window, int stem)
 {
@@ -195,7 +196,8 @@ static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
     return false;
 }
 
-/* Side on which a reading keeps off the line that leaves the stem: up, -1, or down. */
+/* Direction in which a reading avoids the line that leaves the stem: up (-1) or
+ * down. */
 static double off_line(const struct pp_nomogram_curve_frame *drawing,
                        const struct pp_nomogram_window *window, int stem)
 {
@@ -245,7 +247,7 @@ static bool narrow(const struct pp_nomogram_curve_frame *drawing, int stem)
                         + 5.5 * drawing->style.text[PP_TEXT_BODY];
 }
 
-/* Would a reading at this height cover figures of the next stem? */
+/* True if a reading at this height would cover figures of the next stem. */
 static bool covers_figures(const struct pp_nomogram_curve_frame *drawing, int stem,
                            double width, double y)
 {
@@ -264,7 +266,7 @@ static bool covers_figures(const struct pp_nomogram_curve_frame *drawing, int st
     return false;
 }
 
-/* The height near `y`, further up or down the way it is off the line, at which a lone
+/* Height nearest to `wanted`, in the direction away from the line, at which a single
  * reading covers nothing. */
 static double clear_height(const struct pp_nomogram_curve_frame *drawing, int stem,
                            double wanted, double y, double width)

@@ -1,5 +1,5 @@
-/* nomogram_chart.h - a nomogram to lay a straight-edge on, blank or with the lines and
- * readings of a room.
+/* nomogram_chart.h - a nomogram to use with a straight-edge, blank or with the lines
+ * and readings of a room.
  *
  * It has no fixed scale: alignments stay valid however the sheet is enlarged, even
  * differently in width and height.
@@ -10,8 +10,8 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/nomogram_sheet.h"
 
-/* Height of the scales on such a sheet, if its notes leave them room: 200 mm on upright
- * A4. */
+/* Height of the scales on such a sheet, if its notes leave enough space: 200 mm on
+ * upright A4. */
 double pp_nomogram_chart_height_mm(const struct pp_canvas *canvas);
 
 /* Least spacing of marks, and of numbered marks, on the sheet. */

@@ -16,7 +16,7 @@ double pp_nomogram_curve_y(const struct pp_nomogram_curve_frame *frame, double y
     return frame->bottom - y * frame->height;
 }
 
-/* The unit vector square to the curve at a mark that points up the sheet. */
+/* Unit normal to the curve at a mark, pointing up the sheet. */
 static void find_normal(double normal[2], const struct pp_nomogram_curve_frame *frame,
                         int index)
 {
@@ -53,7 +53,7 @@ static void draw_mark(const struct pp_nomogram_curve_frame *frame, int index)
                       y + away * normal[1], words);
 }
 
-/* The letter at the end of the large figures. */
+/* Writes the curve's letter at the end of the large figures. */
 static void write_curve_head(const struct pp_nomogram_curve_frame *frame)
 {
     const struct pp_nomogram_scale *curve = &frame->sheet->curve;

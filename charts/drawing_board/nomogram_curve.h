@@ -19,10 +19,11 @@ struct pp_nomogram_curve_frame {
 double pp_nomogram_curve_x(const struct pp_nomogram_curve_frame *frame, double x);
 double pp_nomogram_curve_y(const struct pp_nomogram_curve_frame *frame, double y);
 
-/* The curve with its marks and figures; nothing where the sheet has none. */
+/* Draws the curve with its marks and figures, if the sheet has one. */
 void pp_nomogram_curve_draw(const struct pp_nomogram_curve_frame *frame);
 
-/* The straight-edges through the curve, of all windows: "d" by the depth, "s" sideways. */
+/* Draws the straight-edges through the curve for all windows: "d" by the depth, "s"
+ * sideways. */
 void pp_nomogram_curve_edges(const struct pp_nomogram_curve_frame *frame);
 
 #endif

@@ -121,7 +121,7 @@ static void say_position_letters(char *text, size_t room)
                 "Add several windows.\n");
 }
 
-/* The formulae that are worked out on paper, in the units of print. */
+/* The formulae to be calculated on paper, in the printed units. */
 static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet *sheet)
 {
     for (int i = 0; sheet->formulae[i]; i++) {

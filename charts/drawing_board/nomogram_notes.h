@@ -21,8 +21,8 @@ void pp_nomogram_notes_instructions(char *text, size_t room,
 void pp_nomogram_notes_foot(char *text, size_t room,
                             const struct pp_nomogram_sheet *sheet);
 
-/* A window's reading on a stem, "1.34", with the window's number before it where it is
- * one of several and does not hold for the room as a whole; briefly: that number
+/* A window's reading on a stem, "1.34", preceded by the window's number if there are
+ * several windows and the reading is not for the whole room. briefly: that number
  * alone. */
 void pp_nomogram_notes_value(char *text, size_t room,
                              const struct pp_nomogram_sheet *sheet, int window,

@@ -1,6 +1,5 @@
-/* pepper_pot_chart.c - the sheet of a pepper-pot diagram: its viewing distance, its panels
- * side by side, the sum and rulers below them, its words.
- */
+/* pepper_pot_chart.c - the sheet of a pepper-pot diagram: viewing distance, panels side
+ * by side, the sum and rulers below them, and the text. */
 #include "charts/drawing_board/pepper_pot_chart.h"
 
 #include <math.h>
@@ -15,7 +14,7 @@
 
 enum { RULERS_MOST = 6 };
 
-/* Distances for which a metre is drawn: the windows' own, or some usual ones. */
+/* Distances for which a metre is drawn: the windows' own, or some common ones. */
 static int ruler_distances(const struct pp_pepper_pot_sheet *sheet, double *distances)
 {
     static const double usual[RULERS_MOST] = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0};
@@ -40,7 +39,7 @@ static double ruler_pitch(const struct pp_style *style)
     return 1.35 * style->text[PP_TEXT_SMALL];
 }
 
-/* Draws metres as they look in planes at several distances. */
+/* Draws the apparent length of a metre in planes at several distances. */
 static void draw_metres(const struct pp_pepper_pot_drawing *drawing, double x, double y,
                         double width)
 {
@@ -99,7 +98,7 @@ static void viewing_words(const struct pp_pepper_pot_drawing *drawing, char *wor
     }
 }
 
-/* Draws all rulers into `room`, only if `drawn`; returns their height. */
+/* Draws all rulers into `room`; only measures unless `drawn`. Returns their height. */
 static double draw_rulers(const struct pp_pepper_pot_drawing *drawing,
                           struct pp_box room, bool drawn)
 {
@@ -132,7 +131,8 @@ static double draw_rulers(const struct pp_pepper_pot_drawing *drawing,
 
 /* ---- the sheet ---- */
 
-/* The tints' keys and the sum; drawn only if `drawn`. Returns their height. */
+/* Draws the tints' keys and the sum; only measures unless `drawn`. Returns their
+ * height. */
 static double draw_sums(const struct pp_pepper_pot_drawing *drawing, struct pp_box room,
                         bool drawn)
 {
@@ -188,14 +188,14 @@ static void pepper_pot_titles(const struct pp_pepper_pot_drawing *drawing, char 
              sheet->point.x, sheet->point.y, sheet->point.z, plane, sky);
 }
 
-/* Dots worth less stand closer together, and need a larger drawing. */
+/* Dots of less value are closer together, and need a larger drawing. */
 static double default_viewing(const struct pp_pepper_pot_sheet *sheet)
 {
     return sheet->worth < 0.0005 ? 60.0 : 30.0;
 }
 
-/* The largest usual viewing distance, up to the default, at which all windows are
- * within frames of that size. */
+/* Largest common viewing distance, up to the default, at which all windows fit into
+ * frames of that size. */
 static double choose_viewing(const struct pp_pepper_pot_sheet *sheet, double width,
                              double height)
 {

@@ -7,7 +7,7 @@
 #include "model/results/board_sheets.h"
 
 /* viewing_mm: from the eye to the drawing, 5 to 200. 0: 30, or 60 for dots worth less
- * than 0.05 %; less where the windows would not stay on the sheet. */
+ * than 0.05 %; less if the windows would not fit on the sheet. */
 enum pp_status pp_pepper_pot_chart_draw(struct pp_canvas *canvas,
                                         const struct pp_pepper_pot_sheet *sheet,
                                         double viewing_mm, struct pp_error *err);

@@ -7,8 +7,8 @@
 #include "charts/drawing_board/board.h"
 #include "charts/sheet/page.h"
 
-/* Dots on a square of one viewing distance, where dots are densest, for a worth of 0.1 %
- * a dot. */
+/* Dots on a square whose side is the viewing distance, where dots are densest, if one
+ * is worth 0.1 %. */
 static const double densest = 90.0;
 
 /* One panel on paper. */
@@ -28,7 +28,7 @@ struct pp_bounds2 pp_pepper_pot_plot_extent(const struct pp_pepper_pot_panel *pa
     for (int w = 0; w < panel->count; w++)
         pp_board_sheets_window_extent(&panel->windows[w], extent.low, extent.high);
     if (panel->any_slope)
-        extent.low[1] = fmin(extent.low[1] - 0.2, -1.0); /* dots all round */
+        extent.low[1] = fmin(extent.low[1] - 0.2, -1.0); /* space for dots all round */
     else
         extent.low[1] = fmax(extent.low[1], -0.3);
     return extent;
@@ -43,7 +43,7 @@ static void draw_outlines(const struct pp_pepper_pot_drawing *drawing,
                              &plot->panel->windows[w].pieces[p].outline);
 }
 
-/* Each window's letter, beside the upper left corner of the part that is seen. */
+/* Writes each window's letter, beside the upper left corner of its visible part. */
 static void draw_letters(const struct pp_pepper_pot_drawing *drawing,
                          const struct pepper_pot_plot *plot)
 {
@@ -89,7 +89,7 @@ static void draw_dots(const struct pp_pepper_pot_drawing *drawing,
     }
 }
 
-/* The least step of the scales at which labels have room. */
+/* Least step of the scales at which labels do not overlap. */
 static double scale_step(const struct pp_pepper_pot_drawing *drawing)
 {
     static const double steps[] = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0};
@@ -150,7 +150,7 @@ static void panel_words(char *words, size_t room,
                 100.0 * panel->whole);
 }
 
-/* Room for scales and words around a panel's frame: left, top, right, bottom (mm). */
+/* Space for scales and words around a panel's frame: left, top, right, bottom (mm). */
 struct pepper_pot_margins {
     double left, top, right, bottom;
 };

@@ -1,7 +1,8 @@
 /* pepper_pot_plot.h - one panel of a pepper-pot diagram on paper.
  *
- * The eye stands at the viewing distance v (mm) before the paper, at the height of the
- * horizon. A length of l metres in an upright plane d metres away is drawn with
+ * The eye is at the viewing distance v (mm) in front of the paper, at the height of the
+ * horizon. A length of l metres in an upright plane at a distance of d metres is drawn
+ * with
  *
  *     v l / d                                                        (mm)
  */
@@ -20,11 +21,11 @@ struct pp_pepper_pot_drawing {
     double viewing; /* distance from the eye to the paper, mm */
 };
 
-/* The extent of a panel's windows and the point straight ahead, by the distance of their
- * plane; of what lies below the horizon only the uppermost part. */
+/* Extent of a panel's windows and the point straight ahead, over the distance of their
+ * plane; below the horizon only the uppermost part. */
 struct pp_bounds2 pp_pepper_pot_plot_extent(const struct pp_pepper_pot_panel *panel);
 
-/* The panel's frame in a room that holds its scales and words too. */
+/* Frame of the panel in a space that also holds its scales and words. */
 struct pp_box pp_pepper_pot_plot_frame(const struct pp_pepper_pot_drawing *drawing,
                                        struct pp_box room);
 

@@ -11,7 +11,7 @@
 #include "charts/drawing_board/protractor_disc.h"
 #include "charts/drawing_board/protractor_worked.h"
 
-/* The least height of title, notes and ruler. */
+/* Least height of title, notes and ruler together. */
 static double taken_mm(const struct pp_style *style)
 {
     return 50.0 * style->scale;
@@ -84,7 +84,7 @@ static double write_line(cairo_t *cr, const struct pp_style *style,
     return y + pp_lettering_draw(cr, style, &set, x, y, words).height;
 }
 
-/* The protractor's name, on the disc itself, which may be cut out. */
+/* Writes the protractor's name on the disc itself, which may be cut out. */
 static void write_name(cairo_t *cr, const struct pp_style *style,
                        const struct pp_protractor_disc *disc)
 {

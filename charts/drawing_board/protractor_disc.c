@@ -10,7 +10,7 @@
 #include "charts/sheet/lettering.h"
 #include "model/geometry/vec.h"
 
-/* The innermost semicircle, as a share of the outermost. */
+/* Radius of the innermost semicircle, over that of the outermost. */
 static const double innermost = 0.24;
 
 double pp_protractor_disc_border(const struct pp_style *style)
@@ -33,7 +33,7 @@ void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double an
 void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,
                              double distance, double xy[2])
 {
-    /* Right of the normal for whoever looks out: clockwise on paper. */
+    /* Seen from inside, right of the normal: clockwise on paper. */
     double c = cos(angle_rad), s = sin(angle_rad);
     xy[0] = disc->x + distance * (c * disc->plan[0] - s * disc->plan[1]);
     xy[1] = disc->y + distance * (s * disc->plan[0] + c * disc->plan[1]);
@@ -80,8 +80,8 @@ static void arc(cairo_t *cr, const struct pp_protractor_disc *disc,
         cairo_arc_negative(cr, disc->x, disc->y, distance, first, last);
 }
 
-/* Writes words whose feet point to the centre; on a plan they point away from it where
- * they would otherwise be upside down. */
+/* Writes words whose baseline faces the centre; on a plan it faces outwards if they
+ * would otherwise be upside down. */
 static void write_round(cairo_t *cr, const struct pp_style *style,
                         const struct pp_protractor_disc *disc, place_function *place,
                         double angle, double distance, double grey, const char *words)
@@ -99,7 +99,7 @@ static void write_round(cairo_t *cr, const struct pp_style *style,
     pp_lettering_draw(cr, style, &set, xy[0], xy[1], words);
 }
 
-/* Degrees on the rim, `low` to `high`; labels say how far from 0. */
+/* Degrees on the rim, from `low` to `high`; labels give the angle from 0. */
 static void draw_rim(cairo_t *cr, const struct pp_style *style,
                      const struct pp_protractor_disc *disc, place_function *place,
                      int low, int high, int first_label)
@@ -164,7 +164,7 @@ void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
         arc(cr, &other, pp_protractor_disc_section, disc->radius, 0.0, PP_PI / 2.0);
         cairo_stroke(cr);
     }
-    /* The base and the zenith. */
+    /* Draws the base and the zenith. */
     double at = pp_protractor_disc_arc(style, disc->radius);
     pp_style_line(cr, style->thin, disc->grey);
     radial(cr, disc, pp_protractor_disc_section, 0.0, 0.0, disc->radius);
@@ -223,7 +223,8 @@ static void write_factors(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-/* Altitudes along the normal, where the room between semicircles allows. */
+/* Writes altitudes along the normal, where the space between semicircles is
+ * sufficient. */
 static void write_averages(cairo_t *cr, const struct pp_style *style,
                            const struct pp_protractor_disc *disc)
 {

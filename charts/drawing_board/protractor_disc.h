@@ -14,11 +14,12 @@
 
 struct pp_protractor_disc {
     const struct pp_protractor_scale *scale;
-    double x, y;    /* the centre, mm on paper */
-    double radius;  /* of the rim */
-    double grey;    /* of its lines and figures */
+    double x, y;    /* the centre; mm on paper */
+    double radius;  /* of the rim, mm */
+    double grey;    /* grey level of lines and figures: 0 black to 1 white */
     bool to_right;  /* true: the section looks to the right; false: to the left */
-    double plan[2]; /* unit, on paper: the normal on the plan, out of the room */
+    double plan[2]; /* direction of the normal on the plan, out of the room; unit vector
+                     * on paper */
 };
 
 /* Width of the figures outside the rim, mm. */
@@ -34,7 +35,7 @@ void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double an
 void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,
                              double distance, double xy[2]);
 
-/* The section's half, from 0 to the scale's end; `both`: a scale that ends at the
+/* Draws the section's half, from 0 to the scale's end; `both`: a scale that ends at the
  * zenith is drawn to the left and to the right. */
 void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_protractor_disc *disc, bool both);

@@ -7,21 +7,21 @@
 
 #include "model/results/protractor_sheet.h"
 
-/* Most sums on one sheet; further sums go on further sheets. */
+/* Most sums on one sheet; the rest is on further sheets. */
 enum { PP_PROTRACTOR_SUMS_MOST = 6 };
 
 struct pp_protractor_sums {
-    int first, all; /* of the readings, which are numbered from 0 */
+    int first, all; /* range of the readings, numbered from 0 */
     bool last;      /* the sheet with the result */
 };
 
-/* The readings that the sheet has, a line each, numbered where there are more; then, on the
+/* The readings of the sheet, a line each, numbered if there are several; then, on the
  * last sheet, the result. */
 void pp_protractor_sums_say(char *text, size_t room,
                             const struct pp_protractor_sheet *sheet,
                             const struct pp_protractor_sums *sums);
 
-/* A reading as careful readers take it: to a hundredth of a per cent. */
+/* Writes a reading with the precision of careful readers: to 0.01 %. */
 void pp_protractor_sums_percent(char *text, size_t room, double fraction);
 
 #endif

@@ -15,7 +15,7 @@
 
 enum { SIGHTS_MOST = 12 };
 
-/* The protractor stands back behind the sight lines. */
+/* Grey level of the protractor, lighter than the sight lines. */
 static const double disc_grey = 0.42;
 
 double pp_protractor_worked_radius_mm(const struct pp_canvas *canvas)
@@ -30,7 +30,7 @@ double pp_protractor_worked_radius_mm(const struct pp_canvas *canvas)
 /* A line from the centre at an angle, with its reading. */
 struct sight_line {
     double angle_rad;
-    double reach; /* to the edge, mm */
+    double reach; /* length to the edge, mm */
     char words[48];
 };
 
@@ -44,10 +44,10 @@ struct protractor_drawing {
     struct pp_style style;
     const struct pp_protractor_sheet *sheet;
     double radius;
-    double least_scale; /* section and plan have one scale: 1 to that or smaller */
+    double least_scale; /* section and plan have the same scale, 1 to this or smaller */
 };
 
-/* Adds a sight line in order of angle; one that exists is not added twice. */
+/* Adds a sight line in order of angle, unless it exists already. */
 static void note(struct sight_lines *sights, struct sight_line sight)
 {
     int at = 0;
@@ -65,8 +65,8 @@ static void note(struct sight_lines *sights, struct sight_line sight)
 typedef void place_function(const struct pp_protractor_disc *disc, double angle_rad,
                             double distance, double xy[2]);
 
-/* The words of a sight line, behind the edge that it leads to where that is near, else
- * at the rim; further out where other words stand. */
+/* Writes the words of a sight line beyond its edge if that is near, else at the rim;
+ * farther out if other words are there. */
 static struct pp_box write_sight(const struct protractor_drawing *drawing,
                                  const struct pp_protractor_disc *disc,
                                  place_function *place, const struct sight_line *sight,
@@ -145,8 +145,8 @@ static void note_edges(struct sight_lines *sights,
     }
 }
 
-/* If scale is not NULL nothing is drawn; only the largest scale of the section is
- * calculated. */
+/* If scale is not NULL nothing is drawn, and only the largest possible scale of the
+ * section is calculated. */
 static enum pp_status draw_section(const struct protractor_drawing *drawing,
                                    struct pp_box box, double *height, double *scale,
                                    struct pp_error *err)
@@ -173,7 +173,8 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
     double edge = drawing->radius + pp_protractor_disc_border(style);
     double words = 26.0 * style->scale, s = pp_section_cut_s(&cut, sheet->point);
 
-    /* Allows for the scale, then for the protractor beside the room and above it. */
+    /* Leaves space for the scale bar, then for the protractor beside the room and above
+     * it. */
     bool overhead = sheet->read.list[0].edge_rad[1] > 1.0;
     double left = 0.0, right = 0.0, top = (overhead ? 10.0 : 3.0) * style->scale;
     for (int round = 0; round < 4; round++) {
@@ -249,7 +250,8 @@ static double caption_mm(const struct pp_style *style)
     return 3.6 * style->text[PP_TEXT_SMALL];
 }
 
-/* The opening ahead, as a line across the sight lines to its jambs. */
+/* Draws the opening straight ahead, as a line that crosses the sight lines to its
+ * jambs. */
 static void draw_turned_down(const struct protractor_drawing *drawing,
                              struct pp_box box)
 {
@@ -264,7 +266,7 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
         jamb[k] = slant * tan(reading->jamb_rad[k]);
         widest = fmax(widest, fabs(jamb[k]));
     }
-    /* Words stand 20 mm about the line. */
+    /* Words extend 20 mm about the line. */
     double words = 20.0 * style->scale;
     least = fmin((box.height - caption_mm(style) - 0.5 * words) / slant,
                  (box.width / 2.0 - 1.6 * words) / widest);
@@ -299,8 +301,8 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
                   text);
 }
 
-/* The space that the half disc and its words need outside the room: `low` to the left
- * and below, `high` to the right and above. */
+/* Adds the space that the half disc and its words need outside the room: `low` to the
+ * left and below, `high` to the right and above. */
 static void make_room_for_disc(const struct protractor_drawing *drawing,
                                const struct pp_room_plan *plan, double low[2],
                                double high[2])
@@ -370,8 +372,8 @@ static void draw_lower(const struct protractor_drawing *drawing, struct pp_box b
         draw_worked_plan(drawing, box, NULL);
 }
 
-/* The scale that both section and plan have room for, so that a distance in one is the same
- * in the other. A plan that is turned down has its own. */
+/* Finds the largest scale at which both section and plan fit, so that distances are
+ * equal in both. A plan that is turned down has its own scale. */
 static enum pp_status find_scale(struct protractor_drawing *drawing,
                                  struct pp_box upper, struct pp_box lower,
                                  struct pp_error *err)
@@ -398,7 +400,7 @@ static void say_subtitle(char *text, size_t room,
         sheet->point.z, sheet->opening->label);
 }
 
-/* A sheet with the readings that `sheet` has, of all that `sums` tells of. */
+/* Draws one sheet, with those of all readings that `sums` selects. */
 static enum pp_status draw_one(struct pp_canvas *canvas,
                                const struct pp_protractor_sheet *sheet,
                                const struct pp_protractor_sums *sums,

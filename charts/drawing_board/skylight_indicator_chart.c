@@ -107,7 +107,7 @@ static double mark_size(const struct indicator_drawing *drawing)
     return fmin(0.8 * drawing->style.scale, 0.075 * drawing->map.mm);
 }
 
-/* A cross; one that does not count is grey. */
+/* Draws a cross; grey if its mark does not count. */
 static void draw_cross(const struct indicator_drawing *drawing, double x, double y,
                        bool counted)
 {
@@ -209,7 +209,7 @@ static void indicator_titles(const struct pp_skylight_indicator_sheet *sheet,
                  sheet->label, sheet->middle.x, sheet->middle.y, sheet->middle.z, sky);
 }
 
-/* The sum, and the scales; drawn only if `drawn`. Returns their height. */
+/* Draws the sum and the scales; only measures unless `drawn`. Returns their height. */
 static double draw_words(const struct indicator_drawing *drawing, struct pp_box room,
                          bool drawn)
 {
@@ -237,7 +237,7 @@ static double draw_words(const struct indicator_drawing *drawing, struct pp_box 
     return height;
 }
 
-/* The largest round length of a unit at which half a disc of that reach fits. */
+/* Largest round length of a unit at which half a disc of that reach (in units) fits. */
 static double choose_unit(double reach, double width, double height)
 {
     double most = fmin(0.5 * width, height) / reach;

@@ -48,7 +48,8 @@ static void say_waldram_foot(char *foot, size_t room,
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 
-/* Keys and sum below the panels; drawn only if `drawn`. Returns their height. */
+/* Draws keys and sum below the panels; only measures unless `drawn`. Returns their
+ * height. */
 static double draw_below(const struct pp_waldram_drawing *drawing, double x, double y,
                          double width, bool drawn)
 {
@@ -119,7 +120,7 @@ static void waldram_titles(const struct pp_waldram_sheet *sheet, char *title,
              sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 
-/* The number of columns of panels at which the smallest square is largest. */
+/* Number of columns of panels with which the smallest square is largest. */
 static int choose_columns(const struct pp_waldram_drawing *drawing, struct pp_box body,
                           double gap)
 {

@@ -22,7 +22,7 @@ enum { ACROSS_DASH = 1 };
 struct waldram_plot {
     const struct pp_waldram_panel *panel;
     struct pp_board_map map;
-    int first; /* number of its first window */
+    int first; /* index of its first window */
 };
 
 static double at_x(const struct waldram_plot *plot, double x)
@@ -113,7 +113,8 @@ static void draw_droop_lines(const struct pp_waldram_drawing *drawing,
     cairo_set_dash(drawing->cr, NULL, 0, 0.0);
 }
 
-/* Altitudes of the lines of edges parallel to the window, where they have room. */
+/* Writes altitudes at the lines of edges parallel to the window, where there is
+ * space. */
 static void label_droop_lines(const struct pp_waldram_drawing *drawing,
                               const struct waldram_plot *plot)
 {
@@ -139,7 +140,7 @@ static void label_droop_lines(const struct pp_waldram_drawing *drawing,
 /* --- scales --------------------------------------------------------------------------
  */
 
-/* Altitudes in the order in which they get their labels where they have room. */
+/* Altitudes in the order in which they are labelled, if there is space. */
 static const int altitudes[] = {0, 90, 50, 30, 70, 40, 60, 20, 80, 10};
 
 static double label_height(const struct pp_waldram_drawing *drawing)
@@ -222,8 +223,8 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
     double last = -INFINITY, width = 1.25 * label_width(drawing);
     for (int degree = -end; degree <= end; degree += step) {
         double x = azimuth_place(plot, degree);
-        /* Glass makes the scale crowd towards its ends; the labels of the ends are
-         * kept. */
+        /* Through glass the scale is compressed towards its ends; the labels of the
+         * ends are kept. */
         bool crowds = abs(degree) != end
                       && (fabs(x - azimuth_place(plot, end)) < width || x - last < width
                           || fabs(x - azimuth_place(plot, -end)) < width);
@@ -242,7 +243,8 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
 /* --- windows -------------------------------------------------------------------------
  */
 
-/* Figures of part squares: of sky in the upper part, of obstruction in the lower. */
+/* Writes the tenths of part squares: of sky in the upper part, of obstruction in the
+ * lower. */
 static void draw_tenths(const struct pp_waldram_drawing *drawing,
                         const struct waldram_plot *plot,
                         const struct pp_board_piece *piece)
@@ -265,7 +267,7 @@ static void draw_tenths(const struct pp_waldram_drawing *drawing,
     }
 }
 
-/* The window's letter, in the middle of the part that is seen, or above that part. */
+/* Writes the window's letter in the middle of its visible part, or above it. */
 static void draw_letter(const struct pp_waldram_drawing *drawing,
                         const struct waldram_plot *plot,
                         const struct pp_board_window *window, int index)
@@ -279,7 +281,7 @@ static void draw_letter(const struct pp_waldram_drawing *drawing,
         .size = PP_TEXT_HEAD, .bold = true, .across = 0.5, .down = 0.5};
     double y = at_y(plot, 0.5 * (low[1] + high[1]));
     if ((high[1] - low[1]) * plot->map.mm < 1.8 * drawing->style.text[PP_TEXT_HEAD]) {
-        set.down = 1.0; /* the part is too low for a letter: above */
+        set.down = 1.0; /* the visible part is too low for a letter */
         y = at_y(plot, high[1]) - 0.4 * drawing->style.scale;
     }
     pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set,
@@ -287,7 +289,7 @@ static void draw_letter(const struct pp_waldram_drawing *drawing,
                                pp_board_letter(index));
 }
 
-/* All windows, tinted or outlined. */
+/* Draws all windows, tinted or outlined. */
 static void draw_pieces(const struct pp_waldram_drawing *drawing,
                         const struct waldram_plot *plot, bool tints)
 {
@@ -314,8 +316,8 @@ static void draw_windows(const struct pp_waldram_drawing *drawing,
     cairo_rectangle(drawing->cr, frame.x, frame.y, frame.width, frame.height);
     cairo_clip(drawing->cr);
     draw_pieces(drawing, plot, tints);
-    /* A window that leaves a diagram of all azimuths on one side comes in on the
-     * other. */
+    /* A window that crosses one end of a diagram of all azimuths continues at the other
+     * end. */
     for (int side = -1; side <= 1 && panel->high > HALF_COLUMNS; side += 2) {
         struct waldram_plot turned = *plot;
         turned.map.x0 += side * (panel->high - panel->low) * plot->map.mm;
@@ -325,7 +327,7 @@ static void draw_windows(const struct pp_waldram_drawing *drawing,
         draw_pieces(drawing, &turned, tints);
         cairo_restore(drawing->cr);
     }
-    /* The one window of an upright receiver is all of the diagram. */
+    /* The single window of an upright receiver covers the whole diagram. */
     for (int w = 0; w < panel->count && !tints && !drawing->sheet->upright; w++)
         draw_letter(drawing, plot, &panel->windows[w], plot->first + w);
     cairo_restore(drawing->cr);
@@ -334,7 +336,7 @@ static void draw_windows(const struct pp_waldram_drawing *drawing,
 /* --- the panel in its part of the sheet ----------------------------------------------
  */
 
-/* The words above a panel: its wall, glass, number of squares and their worth. */
+/* Text above a panel: its wall, glass, number of squares and their value. */
 static void panel_words(char *words, size_t room, const struct pp_waldram_sheet *sheet,
                         const struct pp_waldram_panel *panel)
 {
@@ -346,7 +348,7 @@ static void panel_words(char *words, size_t room, const struct pp_waldram_sheet 
                 100.0 * panel->whole);
 }
 
-/* Room for scales and words around a panel's frame, mm. */
+/* Space for scales and words around a panel's frame, mm. */
 struct waldram_margins {
     double side, head, foot;
 };

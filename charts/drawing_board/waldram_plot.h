@@ -14,12 +14,12 @@ struct pp_waldram_drawing {
     const struct pp_waldram_sheet *sheet;
 };
 
-/* The pen of droop lines of edges parallel to the window, or perpendicular to it. */
+/* Line style of droop lines of edges parallel to the window, or perpendicular to it. */
 struct pp_curve_style pp_waldram_plot_droop_style(const struct pp_style *style,
                                                   bool across);
 
-/* The largest side of a square (mm) at which a panel with its scales and words fits into
- * a room of that size. */
+/* Largest side of a square (mm) at which a panel with its scales and words fits into a
+ * space of that size. */
 double pp_waldram_plot_square(const struct pp_waldram_drawing *drawing,
                               const struct pp_waldram_panel *panel, double width,
                               double height);

@@ -54,13 +54,13 @@ static void trace_panel(const struct net_drawing *drawing,
     cairo_close_path(drawing->cr);
 }
 
-/* Is it a door or a dado in the panel's face? */
+/* True if it is a door or a dado in the panel's face. */
 static bool covers(const struct pp_surface *surface, const struct pp_net_panel *panel)
 {
     return surface->role == PP_COVER && surface->owner == panel->face;
 }
 
-/* An edge is cut, or folded: then it is drawn once, by the panel that comes first. */
+/* Draws an edge to be cut, or to be folded: then once, by the first of its panels. */
 static void draw_edge(const struct net_drawing *drawing,
                       const struct pp_net_panel *panel, int edge, bool first)
 {
@@ -92,14 +92,14 @@ static void draw_edge(const struct net_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* An opening in a panel's face; labels keep off it. */
+/* Traces an opening in a panel's face, and reserves its place against labels. */
 static void trace_opening(const struct net_drawing *drawing,
                           const struct pp_net_panel *panel,
                           const struct pp_polygon *outline)
 {
     cairo_t *cr = drawing->cr;
     cairo_new_path(cr);
-    /* Also goes back to the first corner, so that labels avoid the last side too. */
+    /* Returns to the first corner, so that labels avoid the last side too. */
     for (int k = 0; k <= outline->count; k++) {
         double xy[2], paper[2], before[2];
         pp_net_panels_point(&drawing->net.panels, panel,
@@ -147,8 +147,8 @@ static void draw_cover(const struct net_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* Doors and dados are painted, and openings cut out; in a face of several parts each has
- * its share. */
+/* Draws painted doors and dados, and openings to cut out; a panel that is a part of a
+ * face has its part of them. */
 static void draw_in_face(const struct net_drawing *drawing,
                          const struct pp_net_panel *panel)
 {
@@ -181,13 +181,13 @@ static const char *role_of(enum pp_role role)
     return role == PP_FLOOR ? "Floor" : role == PP_CEILING ? "Ceiling" : "Wall";
 }
 
-/* Subject of words: a panel, or a door or a dado in it. */
+/* The area that words describe: a panel, or a door or a dado in it. */
 struct painted {
     const struct pp_net_panel *panel;
-    const struct pp_surface *surface; /* the panel's face, or its cover */
+    const struct pp_surface *surface; /* the panel's face, or the door or dado */
 };
 
-/* Name and paint in two lines, in one, or paint alone. */
+/* Forms of a label: name and paint in two lines, in one, or paint alone. */
 enum { WORDINGS = 3 };
 
 static void painted_name(char *words, size_t room, const struct painted *painted,
@@ -211,7 +211,7 @@ static void painted_name(char *words, size_t room, const struct painted *painted
         snprintf(words, room, "paint %.2f", surface->front);
 }
 
-/* Does a place of the panel have this paint? A point of the face's plane by the panel's own
+/* True if a place of the panel has this paint; the point is given in the panel's own
  * coordinates. */
 static bool is_painted_so(const struct net_drawing *drawing,
                           const struct painted *painted, const double own[2])
@@ -256,7 +256,7 @@ static struct pp_bounds2 painted_extent(const struct net_drawing *drawing,
     return extent;
 }
 
-/* Writes a wording where it covers no line, nearest to the middle; false: nowhere. */
+/* Writes a label nearest to the middle where it covers no line; false: nowhere. */
 static bool write_words(const struct net_drawing *drawing,
                         const struct painted *painted, const char *words)
 {
@@ -309,7 +309,8 @@ static void write_names(const struct net_drawing *drawing,
             write_name(drawing, &(struct painted){panel, &world->surfaces[i]});
 }
 
-/* Beside its middle, inside the panel; with an asterisk where there is no tab. */
+/* Writes an edge's number beside its middle, inside the panel; with an asterisk if the
+ * edge has no tab. */
 static void number_edge(const struct net_drawing *drawing,
                         const struct pp_net_panel *panel, int edge)
 {
@@ -377,7 +378,7 @@ static void say_net_foot(char *foot, size_t room, const struct pp_model_net *mod
 
 /* ---- sheets ---- */
 
-/* Titles, notes, a ruler; sets the area that is left. */
+/* Draws titles, notes and a ruler; sets the free area. */
 static void draw_page(struct net_drawing *drawing, int sheet)
 {
     char subtitle[128], foot[1536] = "";
@@ -434,7 +435,7 @@ static enum pp_status draw_sheets(struct net_drawing *drawing, struct pp_error *
     return status;
 }
 
-/* The area that draw_page leaves. */
+/* The free area that draw_page would set. */
 static struct pp_box measure_area(const struct net_drawing *drawing)
 {
     char foot[1536] = "";

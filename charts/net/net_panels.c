@@ -9,7 +9,7 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Ends nearer than this are one, mm on the model. */
+/* Distance (mm on the model) below which ends are the same. */
 static const double SAME_MM = 1e-3;
 
 /* ---- from the room to a panel ---- */
@@ -68,7 +68,7 @@ static enum pp_status add_panel(struct pp_net_panels *panels,
     return PP_OK;
 }
 
-/* The part of a face in one cell. */
+/* Adds the part of a face in one cell. */
 static enum pp_status add_cell(struct pp_net_panels *panels, struct pp_net_panel *like,
                                struct pp_clipper *clipper, const struct pp_region *face,
                                const double low[2], const double high[2],
@@ -93,7 +93,7 @@ static enum pp_status add_cell(struct pp_net_panels *panels, struct pp_net_panel
     return status;
 }
 
-/* Cells of equal size, as few as keep within the limit. */
+/* Adds cells of equal size, as few as possible within the limit. */
 static enum pp_status add_cells(struct pp_net_panels *panels, struct pp_net_panel *like,
                                 const double (*own)[2], int count,
                                 const struct pp_bounds2 *extent, const int cells[2],
@@ -205,7 +205,7 @@ static bool same_ends(const struct pp_net_panels *panels, const struct pp_net_pa
                   < same;
 }
 
-/* Edges that meet, directly or by others, share a number. */
+/* Gives edges that meet, directly or through others, the same number. */
 static void number_edges(struct pp_net_panels *panels)
 {
     for (int p = 0; p < panels->count; p++)

@@ -57,7 +57,7 @@ static double (*corners_of(struct unfolding *unfolding,
     return xy;
 }
 
-/* True if a figure overlaps a panel of the piece, other than one. */
+/* True if a polygon overlaps a panel of the piece, except panel `other`. */
 static bool hits_panel(struct unfolding *unfolding, int piece, const double (*xy)[2],
                        int count, int other_than)
 {
@@ -117,7 +117,7 @@ static void lay_beside(const struct pp_net_panel *placed, int edge,
     panel->shift[1] = b[1] - panel->turn[1] * c[0] - panel->turn[0] * c[1];
 }
 
-/* Hangs the neighbour at an edge on, where it lies free and fits. */
+/* Connects the neighbour at an edge, if it fits and overlaps nothing. */
 static bool hang(struct unfolding *unfolding, int index, int edge)
 {
     struct pp_net_panels *panels = &unfolding->net->panels;
@@ -127,7 +127,7 @@ static bool hang(struct unfolding *unfolding, int index, int edge)
         return false;
     struct pp_net_panel *panel = &panels->list[joint->panel];
     if (panel->face == placed->face)
-        return false; /* parts that were cut lie flat */
+        return false; /* parts cut from one face are not connected */
     int piece = placed->piece;
     lay_beside(placed, edge, panel, joint->edge);
     double(*xy)[2] = corners_of(unfolding, panel);
@@ -144,7 +144,7 @@ static bool hang(struct unfolding *unfolding, int index, int edge)
     return false;
 }
 
-/* A piece that begins with a panel, upright or, where it only fits so, turned by a
+/* Starts a piece with a panel, upright or, if it fits only so, turned by a
  * quarter. */
 static void grow_piece(struct unfolding *unfolding, int first)
 {
@@ -214,7 +214,7 @@ static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
     return !hit && unfolding->status == PP_OK;
 }
 
-/* True if another edge of that number has a tab already. */
+/* True if another edge of that number already has a tab. */
 static bool is_served(const struct pp_net_panels *panels, int number, int other_than)
 {
     for (int i = 0; i < panels->count; i++)
@@ -225,8 +225,7 @@ static bool is_served(const struct pp_net_panels *panels, int number, int other_
     return false;
 }
 
-/* Puts a tab on one side of each glued edge: on walls in preference to floors, which
- * come last. */
+/* Adds a tab to one side of each glued edge: walls first, floors last. */
 static void put_tabs(struct unfolding *unfolding)
 {
     struct pp_net_panels *panels = &unfolding->net->panels;
@@ -310,7 +309,7 @@ static void lay_on_sheets(struct pp_net *net, const double area[2])
     net->sheet_count = sheet + 1;
 }
 
-/* The first panel of that role that is in no piece; -1: none. */
+/* Next panel of that role that is in no piece; -1: none. */
 static int first_of(const struct pp_net_panels *panels, const struct pp_world *world,
                     enum pp_role role)
 {

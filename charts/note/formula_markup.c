@@ -1,4 +1,5 @@
-/* formula_markup.c - a name is letters, Latin or Greek, with subscripts behind it. */
+/* formula_markup.c - a name consists of Latin or Greek letters, followed by
+ * subscripts. */
 #include "charts/note/formula_markup.h"
 
 #include <ctype.h>
@@ -21,7 +22,7 @@ void pp_formula_markup_words(char *markup, size_t room, const char *words)
             pp_text_append(markup, room, "%c", *words);
 }
 
-/* Bytes of the letter at text, of the Latin or the Greek alphabet; 0: it is none. */
+/* Number of bytes of the Latin or Greek letter at text; 0: it is none. */
 static int letter_length(const char *text)
 {
     unsigned char first = (unsigned char)text[0];
@@ -48,7 +49,7 @@ static void begin_small(char *markup, size_t room, double rise_mm)
                    (int)lrint(1024.0 * rise_mm));
 }
 
-/* The subscripts behind a name, with commas between; returns their bytes. */
+/* Adds the subscripts after a name, separated by commas; returns their bytes. */
 static int add_subscripts(char *markup, size_t room, const char *text, double size_mm)
 {
     int at = 1;
@@ -61,7 +62,7 @@ static int add_subscripts(char *markup, size_t room, const char *text, double si
     return at;
 }
 
-/* "^2"; returns its bytes. */
+/* Adds a power, "^2"; returns its bytes. */
 static int add_power(char *markup, size_t room, const char *text, double size_mm)
 {
     int digits = text[0] == '^' ? (int)strspn(text + 1, "0123456789.") : 0;
@@ -72,7 +73,7 @@ static int add_power(char *markup, size_t room, const char *text, double size_mm
     return 1 + digits;
 }
 
-/* A byte that belongs to no name or power; a star is a times. */
+/* Adds a byte that belongs to no name or power; * becomes a multiplication sign. */
 static void add_sign(char *markup, size_t room, char sign)
 {
     char words[2] = {sign, '\0'};

@@ -5,11 +5,11 @@
 
 #include <stddef.h>
 
-/* Adds the formula, as step_text.h writes it in UTF-8, to `markup` of `room` bytes, for
+/* Adds the formula, in the UTF-8 form of step_text.h, to `markup` of `room` bytes, for
  * type of that size. */
 void pp_formula_markup(char *markup, size_t room, const char *formula, double size_mm);
 
-/* Adds words as they are. */
+/* Adds words without markup. */
 void pp_formula_markup_words(char *markup, size_t room, const char *words);
 
 #endif

@@ -1,5 +1,5 @@
-/* note_chart.c - a column of lines, which breaks between steps, and a margin of drawings;
- * as many sheets as the lines take. */
+/* note_chart.c - a column of lines, which breaks between steps, and a margin with
+ * drawings; as many sheets as needed. */
 #include "charts/note/note_chart.h"
 
 #include <math.h>
@@ -20,17 +20,17 @@ struct note_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_note_chart *note;
-    struct pp_box lines, margin; /* of this sheet */
-    double y, margin_y;          /* where the next of each goes */
+    struct pp_box lines, margin; /* areas of this sheet */
+    double y, margin_y;          /* heights of the next line and drawing */
     int sheet;                   /* from 1 */
-    bool shown[OPENINGS_MOST];   /* which openings have been drawn */
+    bool shown[OPENINGS_MOST];   /* true for openings already drawn */
     enum pp_status status;
     struct pp_error *err;
 };
 
 /* ---- sheets ---- */
 
-/* Title, and the columns of lines and drawings below it. */
+/* Draws the title, and sets the columns of lines and drawings below it. */
 static void begin_sheet(struct note_drawing *drawing)
 {
     const struct pp_report *report = drawing->note->report;
@@ -57,7 +57,7 @@ static void begin_sheet(struct note_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* A new sheet, unless that height is left on this one. */
+/* Begins a new sheet, unless that height is left on this one. */
 static void need(struct note_drawing *drawing, double height)
 {
     double left = drawing->lines.y + drawing->lines.height - drawing->y;
@@ -81,11 +81,11 @@ static void need(struct note_drawing *drawing, double height)
 /* Layout of a line. */
 struct note_line {
     struct pp_lettering set;
-    double in; /* from the column's left edge, */
-    double to; /* and how much is left free at its right */
+    double in; /* indent from the column's left edge */
+    double to; /* width left free at its right */
 };
 
-/* Words at the current height, not moving on; returns their height. */
+/* Places words at the current height without advancing; returns their height. */
 static double put_note_words(struct note_drawing *drawing, struct note_line line,
                              const char *words, bool drawn)
 {
@@ -110,13 +110,13 @@ static double step_in(const struct note_drawing *drawing)
     return 3.0 * drawing->style.scale;
 }
 
-/* Room for values, at the right of the column. */
+/* Width of the values at the right of the column. */
 static double value_width(const struct note_drawing *drawing)
 {
     return 20.0 * drawing->style.scale;
 }
 
-/* A figure at the right edge of the column. */
+/* Places a figure at the right edge of the column. */
 static void put_figure(struct note_drawing *drawing, const char *figure, bool bold)
 {
     const struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = bold, .across = 1.0};
@@ -124,8 +124,8 @@ static void put_figure(struct note_drawing *drawing, const char *figure, bool bo
                       drawing->lines.x + drawing->lines.width, drawing->y, figure);
 }
 
-/* Formula, inserted values, and the result with its name; or the symbol and name of a
- * figure that was read. Returns the height. */
+/* Places a step: formula, inserted values, and the result with its name; or, for a
+ * figure that was read, its symbol and name. Returns the height. */
 static double put_step(struct note_drawing *drawing, const struct pp_steps *steps,
                        int index, bool drawn)
 {
@@ -193,7 +193,7 @@ static void put_heading(struct note_drawing *drawing, const char *words, double 
         put_note_words(drawing, line, words, true) + 0.5 * drawing->style.scale;
 }
 
-/* The opening's wall in the margin, once, where there is room beside its lines. */
+/* Draws the opening's wall in the margin, once, if there is space beside its lines. */
 static void show_opening(struct note_drawing *drawing, int line)
 {
     const struct pp_report *report = drawing->note->report;
@@ -295,7 +295,7 @@ static void put_given(struct note_drawing *drawing)
     put_paragraph(drawing, line, words);
 }
 
-/* Each column's value, or why it has none. */
+/* Places each column's value, or the reason why it has none. */
 static void put_results(struct note_drawing *drawing)
 {
     static const char *const names[PP_COMPONENT_COUNT] = {

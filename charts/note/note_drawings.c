@@ -8,7 +8,7 @@
 #include "charts/room/room_plan.h"
 #include "charts/room/room_section.h"
 
-/* Below a drawing, from its left edge; returns the height. */
+/* Draws the caption below a drawing, from its left edge; returns the height. */
 static double caption(cairo_t *cr, const struct pp_style *style, struct pp_box box,
                       double y, const char *words, bool drawn)
 {
@@ -84,7 +84,7 @@ enum pp_status pp_note_drawings_room(double *height, cairo_t *cr,
     return PP_OK;
 }
 
-/* The opening itself, filled. */
+/* Fills the opening. */
 static void tint_opening(cairo_t *cr, const struct pp_room_elevation *elevation,
                          const struct pp_opening *opening)
 {

@@ -1,5 +1,5 @@
-/* note_drawings.h - the drawings in a note's margin: plan and section of the room with the
- * point, and the wall of an opening beside the lines that are about it. */
+/* note_drawings.h - the drawings in a note's margin: plan and section of the room with
+ * the point, and the wall of an opening beside the lines about that opening. */
 #ifndef PP_CHARTS_NOTE_NOTE_DRAWINGS_H
 #define PP_CHARTS_NOTE_NOTE_DRAWINGS_H
 
@@ -7,15 +7,15 @@
 #include "charts/sheet/lettering.h"
 #include "model/results/report.h"
 
-/* Plan and section below each other from the box's top on, to scale; returns the height
- * that they take. PP_BAD_INPUT where the point is on no section. */
+/* Draws plan and section below each other, from the top of the box, to scale; *height:
+ * of both. PP_BAD_INPUT if the point is on no section. */
 enum pp_status pp_note_drawings_room(double *height, cairo_t *cr,
                                      const struct pp_style *style,
                                      const struct pp_report *report, struct pp_box box,
                                      struct pp_error *err);
 
-/* The wall with the opening, tinted, seen from inside, as wide as the box; returns the
- * height that it takes, whether `drawn` or not. */
+/* Draws the wall with the opening, tinted, seen from inside, as wide as the box;
+ * returns its height; only measures unless `drawn`. */
 double pp_note_drawings_opening(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_report *report, int opening,
                                 struct pp_box box, bool drawn);

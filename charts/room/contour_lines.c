@@ -1,6 +1,5 @@
 /* contour_lines.c - draws a level line with a gap for its figure where the line is
- * straight and nothing else stands.
- */
+ * straight and the place is free. */
 #include "charts/room/contour_lines.h"
 
 #include <math.h>
@@ -19,11 +18,11 @@ void pp_contour_lines_path(cairo_t *cr, const struct pp_room_plan *plan,
         cairo_close_path(cr);
 }
 
-/* A curve on paper (mm); of a closed one, the first point comes again at the end. */
+/* A curve on paper (mm); if closed, the first point is repeated at the end. */
 struct track {
     int count;
     double (*xy)[2];
-    double *length; /* up to each point */
+    double *length; /* length of the track up to each point */
 };
 
 /* A place on a track, and its direction. */
@@ -31,7 +30,7 @@ struct station {
     double x, y, dx, dy;
 };
 
-/* False: memory is out. To be cleared in either case. */
+/* False: out of memory. The caller clears *track in either case. */
 static bool lay_track(struct track *track, const struct pp_room_plan *plan,
                       const struct pp_curve *curve)
 {
@@ -89,9 +88,9 @@ static void path_between(cairo_t *cr, const struct track *track, double from, do
     cairo_line_to(cr, last.x, last.y);
 }
 
-/* The middle and direction of the chord that ends `width` apart on the track, half of it
- * on either side of `at`; *excess is the share of the track's length between the ends by
- * which the chord is shorter, 0 on a straight line. */
+/* Midpoint and direction of the chord between the points half of `width` before and
+ * after `at` on the track. *excess: relative amount by which the track between them is
+ * longer than the chord, 0 on a straight line. */
 static struct station chord_at(const struct track *track, double at, double width,
                                double *excess)
 {
@@ -103,8 +102,8 @@ static struct station chord_at(const struct track *track, double at, double widt
                             (after.x - before.x) / chord, (after.y - before.y) / chord};
 }
 
-/* Does a label at this station, turned along the line, cover nothing that is noted of
- * others than the owner? */
+/* True if a label at this station, turned along the line, covers no place of other
+ * owners. */
 static bool is_clear(const struct pp_labels *labels, int owner, struct station at,
                      double width, double height)
 {
@@ -123,9 +122,9 @@ static bool is_clear(const struct pp_labels *labels, int owner, struct station a
     return true;
 }
 
-/* The length along the track at which a label stands best: clear of all others, on a
+/* Best place for a label, as a length along the track: clear of all others, on a
  * straight piece (an excess under 0.2), near the middle. Negative: there is none. The
- * weights are chosen by trial. */
+ * weights were chosen by trial. */
 static double best_place(const struct track *track, const struct pp_labels *labels,
                          int owner, double width, double height)
 {

@@ -22,10 +22,10 @@ struct exercise_drawing {
     struct pp_report report; /* of the one point */
     struct pp_room_elevation elevations[ELEVATIONS_MOST];
     int elevation_count;
-    double scale; /* of section and plan, and of elevations that are not of a diagram */
+    double scale; /* of section and plan, and of elevations not drawn for a diagram */
 };
 
-/* Walls with openings that the point is before, in order of their first openings. */
+/* Walls with openings that face the point, in order of their first openings. */
 static void find_elevations(struct exercise_drawing *drawing)
 {
     const struct pp_world *world = drawing->exercise->world;
@@ -105,7 +105,7 @@ static struct pp_room_plan fitted_plan(const struct exercise_drawing *drawing,
     return plan;
 }
 
-/* The scale at which all elevations fit beside each other, each 1 m = mm_per_m. */
+/* Largest scale at which all elevations fit side by side; 1 m = mm_per_m. */
 static double elevations_scale(const struct exercise_drawing *drawing,
                                struct pp_box box)
 {
@@ -120,8 +120,8 @@ static double elevations_scale(const struct exercise_drawing *drawing,
     return pp_room_plan_usual_scale(1000.0 / most);
 }
 
-/* One scale for section and plan, and for elevations unless a diagram sets their
- * scale. */
+/* Chooses one scale for section and plan, and for elevations unless a diagram sets
+ * their scale. */
 static void choose_scale(struct exercise_drawing *drawing, struct pp_box section,
                          struct pp_box plan, struct pp_box elevations)
 {
@@ -182,7 +182,7 @@ static void draw_elevations(struct exercise_drawing *drawing, struct pp_box box)
     }
 }
 
-/* Words, and a line to write on. */
+/* Draws words, and lines to write on. */
 static void draw_answers(const struct exercise_drawing *drawing, struct pp_box box)
 {
     const struct pp_style *style = &drawing->style;
@@ -234,7 +234,8 @@ static enum pp_status draw_body(struct exercise_drawing *drawing, struct pp_box 
         return pp_fail(err, PP_BAD_INPUT,
                        "the elevations do not fit on the sheet at the diagram's scale; "
                        "expected a larger --paper or a shorter --viewing-distance");
-    /* The section's caption is 90 mm wide; on a narrow sheet the plan goes below. */
+    /* The section's caption is 90 mm wide; on a narrow sheet the plan is below the
+     * section. */
     bool narrow = 0.6 * body.width < (90.0 + 14.0) * drawing->style.scale;
     struct pp_box section = {body.x, body.y, body.width, 0.5 * above - gap};
     struct pp_box plan = {body.x, body.y + 0.5 * above, body.width, 0.5 * above};

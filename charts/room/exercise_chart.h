@@ -14,11 +14,11 @@ struct pp_exercise {
     const char *tool; /* "the pepper-pot diagram" */
     const char *unit; /* unit of counts: "dots \u00d7 0.1 %"; NULL: no counts */
     double
-        viewing_mm; /* elevations are drawn so large that the diagram fits on them, seen
-                        * from that distance; 0: all drawings have one scale */
+        viewing_mm; /* viewing distance of a diagram to be laid on the elevations, which
+                     * sets their size; 0: all drawings have one scale */
 };
 
-/* PP_BAD_INPUT where the room has no opening before the point. */
+/* PP_BAD_INPUT if no opening of the room faces the point. */
 enum pp_status pp_exercise_chart_draw(struct pp_canvas *canvas,
                                       const struct pp_exercise *exercise,
                                       struct pp_error *err);

@@ -13,14 +13,15 @@
 /* Curves of style.c: a full line now, a dashed one before. */
 enum { LINE_NOW = 0, LINE_BEFORE = 2 };
 
-/* Less than this is the tolerance of lines, and no loss or gain to draw: m2. */
+/* Areas below this (m2) are within the tolerance of lines, and are not drawn as loss or
+ * gain. */
 static const double no_area_m2 = 0.005;
 
 struct lit_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_lit_area_chart *chart;
-    struct pp_world legal; /* the world with the area's plane, for the plan */
+    struct pp_world legal; /* the world with the area's plane, for drawing the plan */
     struct pp_room_plan plan;
     struct pp_key keys[6];
     int key_count;

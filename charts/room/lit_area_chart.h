@@ -11,7 +11,7 @@ struct pp_lit_area_chart {
     const struct pp_world *world;
     enum pp_lit_line line;
     const struct pp_lit_area *now;
-    const struct pp_lit_area *before; /* NULL: nothing to compare with */
+    const struct pp_lit_area *before; /* NULL: no comparison */
 };
 
 enum pp_status pp_lit_area_chart_draw(struct pp_canvas *canvas,

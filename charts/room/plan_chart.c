@@ -63,7 +63,7 @@ static void draw_no_sky_line(struct plan_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* The places where a sampled figure is within one standard error of a level. */
+/* Tints the places where a sampled figure is within one standard error of a level. */
 static void draw_bands(struct plan_drawing *drawing)
 {
     const struct pp_curve_list *bands = &drawing->chart->plan->bands;
@@ -81,14 +81,15 @@ static void draw_bands(struct plan_drawing *drawing)
     }
 }
 
-/* The lines of 2 and 5 %, by which rooms are judged, are heavier. */
+/* Weight of a level's line: the lines of 2 and 5 %, which are used in assessment, are
+ * heavier. */
 static double weight_of(const struct pp_style *style, double level)
 {
     bool heavy = fabs(level - 0.02) < 1e-9 || fabs(level - 0.05) < 1e-9;
     return heavy ? style->medium : style->thin;
 }
 
-/* Puts a level's figure beside a line if none of its lines is long enough. */
+/* Writes a level's figure beside a line if none of the level's lines is long enough. */
 static void label_beside(struct plan_drawing *drawing, int owner, const char *words)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL};
@@ -108,7 +109,7 @@ static void draw_contours(struct plan_drawing *drawing)
 {
     const struct pp_curve_list *curves = &drawing->chart->plan->contours;
 
-    /* Every line is noted before any is labelled, so that figures keep off all. */
+    /* Notes every line before any is labelled, so that figures avoid all of them. */
     for (int i = 0; i < curves->count; i++) {
         pp_contour_lines_path(drawing->cr, &drawing->plan, &curves->list[i]);
         pp_labels_note_path(drawing->labels, drawing->cr, i);
@@ -173,7 +174,7 @@ static void add_key(struct plan_drawing *drawing, enum pp_legend_kind kind, int 
     snprintf(key->words, sizeof key->words, "%s", words);
 }
 
-/* Traced figures are not "by" a method. */
+/* True if the figures are simulated: then they are not "by" a method. */
 static bool is_traced(const struct pp_daylight_plan *plan)
 {
     return strcmp(plan->name, "traced") == 0;
@@ -217,7 +218,7 @@ static void gather_keys(struct plan_drawing *drawing)
     }
 }
 
-/* Writes a share; one that is almost nothing is called nothing. */
+/* Writes a share; shares below 0.01 % as none. */
 static void say_percent(char *text, size_t room, double fraction)
 {
     if (fraction < 1e-4)
@@ -270,8 +271,7 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-/* Blanks fittings that pass through the plane: they have no daylight factor, and so no
- * colour. */
+/* Blanks fittings that pass through the plane: no daylight factor, no colour. */
 static void blank_fittings(const struct plan_drawing *drawing)
 {
     const struct pp_world *world = drawing->chart->world;
@@ -289,7 +289,7 @@ static void blank_fittings(const struct plan_drawing *drawing)
     }
 }
 
-/* Clipped to the plane. */
+/* Draws everything on the plane, clipped to it. */
 static void draw_plane(struct plan_drawing *drawing)
 {
     const struct pp_plan_chart *chart = drawing->chart;

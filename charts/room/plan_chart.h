@@ -16,7 +16,7 @@
 /* Fill between the contours. */
 enum pp_plan_fill {
     PP_FILL_NONE,
-    PP_FILL_COLOUR, /* from dark blue to yellow, which stays in order in grey */
+    PP_FILL_COLOUR, /* from dark blue to yellow, in the same order in grey */
     PP_FILL_GREY,   /* for printing in black: darker is less light */
 };
 

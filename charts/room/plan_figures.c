@@ -1,5 +1,5 @@
-/* plan_figures.c - puts the figures of points where they hide nothing, and sums the plane up
- * in words. */
+/* plan_figures.c - places the figures of points where they cover nothing, and describes
+ * the plane as a whole in words. */
 #include "charts/room/plan_figures.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ static bool is_on_plane(const struct pp_world *world,
            && fabs(receiver->position.z - world->working_plane_m) < 1e-6;
 }
 
-/* The first box about a mark that hides nothing; false: there is none. */
+/* The first box next to a mark that covers nothing; false: there is none. */
 static bool find_box(struct pp_box *box, const struct pp_labels *labels,
                      struct pp_box size, double x, double y, double off)
 {

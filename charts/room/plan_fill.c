@@ -1,5 +1,5 @@
-/* plan_fill.c - the scale of colours, and areas painted from the lightest to the darkest
- * light. */
+/* plan_fill.c - the scale of colours, and areas painted from the lowest to the highest
+ * level. */
 #include "charts/room/plan_fill.h"
 
 #include <math.h>
@@ -7,7 +7,8 @@
 
 #include "charts/room/contour_lines.h"
 
-/* Even steps of the logarithm from lowest to highest; between them linear. */
+/* Colours at equal steps of the logarithm from lowest to highest, interpolated
+ * linearly. */
 enum { STEPS = 7 };
 static const double colours[STEPS][3] = {
     {0.50, 0.55, 0.83}, {0.46, 0.69, 0.88}, {0.50, 0.82, 0.83}, {0.62, 0.89, 0.66},
@@ -15,8 +16,8 @@ static const double colours[STEPS][3] = {
 static const double lowest = 2e-3, highest = 0.15;
 static const double darkest_grey = 0.55;
 
-/* The colour of a daylight factor. Few greys can be told apart: they go by the area's
- * number among `count`. */
+/* Sets the colour of a daylight factor. Few greys can be distinguished: they depend on
+ * the area's number among `count`. */
 static void set_colour(cairo_t *cr, enum pp_plan_fill fill, double factor, int area,
                        int count)
 {
@@ -34,7 +35,7 @@ static void set_colour(cairo_t *cr, enum pp_plan_fill fill, double factor, int a
     cairo_set_source_rgb(cr, rgb[0], rgb[1], rgb[2]);
 }
 
-/* The levels of the contours, each once, ascending; how many. */
+/* Levels of the contours, each once, ascending; returns their number. */
 enum { LEVELS_MOST = 64 };
 
 static int levels_of(double levels[LEVELS_MOST],

@@ -5,11 +5,11 @@
 
 #include "charts/sheet/legend.h"
 
-/* Height of this many keys (mm). */
+/* Height of the strip with this many keys (mm). */
 double pp_plan_strip_height(const struct pp_style *style, int key_count);
 
-/* Draws it into the box, of pp_plan_strip_height. scale: 50 for 1:50; north_rad: the bearing
- * of up on paper, NAN: no arrow. */
+/* Draws the strip into the box, which is pp_plan_strip_height high. scale: 50 for 1:50;
+ * north_rad: the bearing of up on paper, NAN: no arrow. */
 void pp_plan_strip_draw(cairo_t *cr, const struct pp_style *style, struct pp_box strip,
                         double scale, double north_rad, const struct pp_key *keys,
                         int key_count);

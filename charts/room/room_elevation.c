@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-/* A place of the wall's plane from the foot of the eye's perpendicular. */
+/* Coordinates of a place in the wall's plane, from the foot of the perpendicular from
+ * the eye. */
 static void elevation_xy(const struct pp_room_elevation *elevation,
                          struct pp_vec3 point, double xy[2])
 {

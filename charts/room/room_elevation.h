@@ -1,6 +1,6 @@
-/* room_elevation.h - a wall with its openings as seen at right angles from inside, to a
+/* room_elevation.h - a wall with its openings seen at right angles from inside, to a
  * true scale, with the horizon of an eye and the foot of its perpendicular. Perspective
- * diagrams are laid on it. */
+ * diagrams can be laid on it. */
 #ifndef PP_CHARTS_ROOM_ROOM_ELEVATION_H
 #define PP_CHARTS_ROOM_ROOM_ELEVATION_H
 
@@ -12,12 +12,12 @@
 struct pp_room_elevation {
     const struct pp_world *world;
     const struct pp_opening
-        *first; /* of the openings in the face: its axes are theirs */
+        *first; /* the first opening in the face, whose axes are used */
     struct pp_vec3 eye;
     double distance_m;        /* from the eye to the wall */
     struct pp_bounds2 extent; /* of the face and the foot */
 
-    /* Set by the caller: the scale, and where the foot stands on paper. */
+    /* Set by the caller: the scale, and the position of the foot on paper. */
     double mm_per_m, x, y;
 };
 

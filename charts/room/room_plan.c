@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Sills higher than this above the working plane (m) are above the heads of seated
+/* Sills higher than this above the working plane (m) are above the eyes of seated
  * users: such windows are dashed, like everything above a plan's cut. */
 #define HIGH_SILL_M 1.0
 
@@ -15,8 +15,8 @@ static double wall_weight(const struct pp_style *style)
     return 1.3 * style->thick;
 }
 
-/* Extent of reveals and facades beyond the walls (m); of facades beyond the room half a
- * metre is drawn. */
+/* Extent of reveals and facades beyond the walls (m); facades beyond the room are drawn
+ * for half a metre. */
 static double farthest_out(const struct pp_world *world)
 {
     double farthest = 0.0;
@@ -40,7 +40,7 @@ double pp_room_plan_border(const struct pp_room_plan *plan,
 double pp_room_plan_usual_scale(double least)
 {
     static const struct {
-        double step, from; /* the least power of ten that the step is usual of */
+        double step, from; /* common from this power of ten on */
     } steps[] = {{1.0, 1}, {1.25, 100}, {2.0, 1}, {2.5, 10},
                  {5.0, 1}, {7.5, 10},   {10.0, 1}};
     double power = pow(10.0, floor(log10(fmax(least, 1.0))));
@@ -62,8 +62,8 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
     if (world->plane.count == 0)
         plan->extent = (struct pp_bounds2){{0.0, 0.0}, {1.0, 1.0}};
 
-    /* Walls and reveals need more of the sheet the larger the scale: the room by itself
-     * first, then the next scales. */
+    /* Walls and reveals need more space at larger scales: starts with the scale for the
+     * room alone, then reduces it. */
     plan->scale = fmax(plan->least_scale, 1.0);
     for (int i = 0; i < 100; i++) {
         plan->scale = pp_room_plan_usual_scale(plan->scale * (i ? 1.001 : 1.0));
@@ -119,8 +119,8 @@ static void draw_walls(cairo_t *cr, const struct pp_style *style,
     cairo_restore(cr);
 }
 
-/* The outer faces of the walls that have a facade at the height of the cut, as far as
- * they are within the border. */
+/* Draws the outer faces of the walls that have a facade at the height of the cut,
+ * within the border. */
 static void draw_facades(cairo_t *cr, const struct pp_style *style,
                          const struct pp_room_plan *plan)
 {
@@ -172,7 +172,7 @@ static void ends_of(const struct pp_room_plan *plan, const struct pp_polygon *ou
     out[1] = outline->normal.y / level;
 }
 
-/* A piece of a wall from its inner face outwards. */
+/* Traces a piece of a wall from its inner face outwards. */
 static void trace_in_wall(cairo_t *cr, double ends[2][2], const double out[2],
                           double depth)
 {
@@ -193,9 +193,9 @@ static void trace_jambs(cairo_t *cr, double ends[2][2], const double out[2],
     }
 }
 
-/* The wall is opened, its faces go on as thin lines, the glass is a line where it
- * stands: half way through the wall's line, or at the reveal's outer end; the opening
- * reaches out to the facade. */
+/* Draws a window: the wall's line is interrupted, its faces continue as thin lines, and
+ * the glass is a line at its place, half way through the wall's line or at the reveal's
+ * outer end. The opening extends to the facade. */
 static void draw_window(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_opening *opening)
@@ -229,7 +229,8 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* The wall is opened as far as a facade; the closed leaf stands at the inner face. */
+/* Draws a door: the wall's line is interrupted up to the facade; the closed leaf is at
+ * the inner face. */
 static void draw_door(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_plan *plan, const struct pp_surface *door)
 {
@@ -251,8 +252,8 @@ static void draw_door(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* Rooflights and sloping glass, over the cut: dashed. Upright glass over the plane's middle,
- * a clerestory's, is one line from above, which is dashed once. */
+/* Draws rooflights and sloping glass, which are above the cut: dashed. Upright glass
+ * over the plane's middle, as in a clerestory, is a single dashed line from above. */
 static void draw_overhead(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
                           const struct pp_opening *opening)
@@ -276,7 +277,8 @@ static void draw_overhead(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* The line in which the working plane cuts a surface that stands free in the room. */
+/* Draws the line in which the working plane cuts a free-standing surface in the
+ * room. */
 static void draw_inside(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_polygon *outline)
@@ -299,8 +301,8 @@ static void draw_inside(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* Is the opening in a wall that stands on the plane's edge, and not in a roof or in a monitor
- * over the plane's middle? */
+/* True if the opening is in a wall at the plane's edge, not in a roof or in a monitor
+ * over the plane's middle. */
 static bool is_in_wall(const struct pp_world *world, const struct pp_opening *opening)
 {
     struct pp_vec3 corner = opening->inner.vertices[0];
@@ -358,7 +360,7 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,
                                      double mm_per_m, double x, double y)
 {
-    /* The longest of 1, 2, 5 times a power of ten that is under 60 mm. */
+    /* Largest of 1, 2, 5 times a power of ten that is below 60 mm on paper. */
     double most = 60.0 * style->scale / mm_per_m;
     double power = pow(10.0, floor(log10(most)));
     double metres = most >= 5.0 * power   ? 5.0 * power

@@ -1,8 +1,8 @@
 /* room_plan.h - the room seen from above and cut at its working plane, to a true scale.
  *
- * True y runs up on paper. Walls have no thickness in the model: on paper they have the
- * weight of a line, outside their inside face; windows are drawn in it as architects
- * do.
+ * True y runs up on paper. Walls have no thickness in the model: on paper they are a
+ * thick line outside their inside face, in which windows are drawn as in architects'
+ * plans.
  */
 #ifndef PP_CHARTS_ROOM_ROOM_PLAN_H
 #define PP_CHARTS_ROOM_ROOM_PLAN_H
@@ -16,18 +16,19 @@ struct pp_room_plan {
     const struct pp_world *world;
     struct pp_bounds2 extent; /* of the plane, m */
     double scale;             /* 50 for 1:50 */
-    double least_scale;       /* set by the caller: not larger than that; 0: any */
+    double least_scale;       /* set by the caller: scale is 1 to this or smaller; 0:
+                               * any */
     double mm_per_m;
-    double x, y; /* on paper, of the extent's low x and y */
+    double x, y; /* of the extent's low x and y, on paper */
 };
 
-/* Measures the room and chooses the largest usual scale at which it fits into the
- * width and height, its walls and reveals included; `style` gives their weight. */
+/* Measures the room and chooses the largest common scale at which it fits into the
+ * width and height, with its walls and reveals; `style` gives their line weights. */
 void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
                       const struct pp_style *style, double width_mm, double height_mm);
 
-/* The usual scale (1:20, 25, 50, 75, 100, 125, 200, 250, 500, 750 ... as on scale rules)
- * that is the largest not over 1:least. */
+/* Largest common scale (1:20, 25, 50, 75, 100, 125, 200, 250, 500, 750 ... as on scale
+ * rules) not larger than 1:least. */
 double pp_room_plan_usual_scale(double least);
 
 /* Extent of walls and reveals beyond the plane on each side, mm. */
@@ -41,12 +42,12 @@ double pp_room_plan_y(const struct pp_room_plan *plan, double y);
 /* Adds the outline of the working plane to the path. */
 void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan);
 
-/* Walls, openings, and surfaces that stand free in the room. */
+/* Draws walls, openings, and free-standing surfaces in the room. */
 void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan);
 
-/* Has the plan openings above the cut, drawn dashed? Surfaces that stand in the room and
- * are cut? */
+/* True if the plan has openings above the cut, drawn dashed; true if free-standing
+ * surfaces in the room are cut. */
 bool pp_room_plan_has_overhead(const struct pp_world *world);
 bool pp_room_plan_has_inside(const struct pp_world *world);
 

@@ -1,4 +1,5 @@
-/* room_section.c - scale of a section; cut faces, openings, working plane, sights. */
+/* room_section.c - scale of a section; cut faces, openings, working plane, lines of
+ * sight. */
 #include "charts/room/room_section.h"
 #include "charts/room/room_elevation.h"
 
@@ -139,7 +140,8 @@ static bool is_cut(const struct pp_section_cut *cut, int opening)
     return false;
 }
 
-/* Glass beside the section that is seen edge-on: a dashed gap in the line of its face. */
+/* Draws glass beside the section that is seen edge-on: a dashed gap in the line of its
+ * face. */
 static void draw_edge_on(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
@@ -164,8 +166,8 @@ static bool is_beyond_ends(const struct pp_section_cut *cut,
     return s < -PP_TOUCH_M || s > cut->length_m + PP_TOUCH_M;
 }
 
-/* Openings that the section plane does not cut, in elevation behind it. Returns how
- * many. */
+/* Draws the openings that the section plane does not cut, in elevation behind it.
+ * Returns their number. */
 static int draw_openings_behind(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
@@ -199,8 +201,8 @@ static bool is_behind(const struct pp_section_cut *cut,
            > (middle.x - cut->origin[0]) * cut->along[1];
 }
 
-/* Doors and dados in elevation behind the section: a thin line round each and lines
- * aslant over it. */
+/* Draws doors and dados in elevation behind the section: a thin outline with diagonal
+ * lines. */
 static void draw_covers_behind(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
@@ -222,7 +224,7 @@ static void draw_covers_behind(const struct section_drawing *drawing)
     }
 }
 
-/* Glass as two thin lines; the sides of a reveal out to it. */
+/* Draws glass as two thin lines, and the sides of a reveal out to it. */
 static void draw_openings_cut(const struct section_drawing *drawing)
 {
     const struct pp_section_cut *cut = drawing->section->cut;
@@ -259,7 +261,7 @@ static void draw_openings_cut(const struct section_drawing *drawing)
     }
 }
 
-/* Distance on paper (mm) of a facade outside a cut face; 0: the face has none. */
+/* Distance on paper (mm) from a cut face to its facade; 0: the face has none. */
 static double facade_mm(const struct section_drawing *drawing, int face)
 {
     const struct pp_world *world = drawing->section->world;
@@ -269,8 +271,8 @@ static double facade_mm(const struct section_drawing *drawing, int face)
     return 0.0;
 }
 
-/* Traces the band between two lines level with the ends of a cut, from and to mm beside
- * it. */
+/* Traces the band between two lines level with the ends of a cut, at distances `from`
+ * and `to` (mm) beside it. */
 static void trace_beside(const struct section_drawing *drawing,
                          const struct pp_cut *cut, double from, double to)
 {
@@ -284,8 +286,8 @@ static void trace_beside(const struct section_drawing *drawing,
     cairo_close_path(drawing->cr);
 }
 
-/* A door is a leaf in its wall's line, and the facade before it is open; a dado is a thin
- * line before the wall's. */
+/* Draws a door as a leaf in its wall's line, with the facade open in front of it; a
+ * dado as a thin line in front of the wall's. */
 static void draw_cover_cut(const struct section_drawing *drawing,
                            const struct pp_cut *cut)
 {
@@ -355,7 +357,7 @@ static void draw_ground(const struct section_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* The line below an overhang, dashed: sky is seen under it. */
+/* Draws the line below an overhang, dashed: sky is visible under it. */
 static void draw_overhang(const struct section_drawing *drawing, bool near,
                           const struct pp_section_sight *sight)
 {
@@ -393,7 +395,7 @@ static void draw_sight(const struct section_drawing *drawing, bool near)
     double out = near ? -1.0 : 1.0;
     double x = at_s(drawing, sight.s), y = at_z(drawing, sight.z);
     double reach = (near ? section->left_mm : section->right_mm) - 1.0;
-    /* Extends as high as the strip and the top of the section allow. */
+    /* The line is extended as far as the strip and the top of the section allow. */
     double top = fmax(y - section->y + 0.8 * section->head_mm, 1.0);
     double run = fmin(reach, top / tan(sight.angle_rad));
     run =
@@ -455,7 +457,7 @@ static void write_caption(const struct section_drawing *drawing, int behind)
                    behind ? " Dashed: openings outside the section." : "");
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
     double left = section->x, right = at_s(drawing, section->cut->length_m);
-    /* A caption wider than the room begins before it if need be. */
+    /* A caption wider than the room begins to the left of the room if necessary. */
     set.width = fmax(right - left, 90.0 * drawing->style->scale);
     if (section->most_x > 0.0)
         left = fmin(left,

@@ -1,6 +1,5 @@
-/* room_section.h - the room cut upright, drawn to scale: floor, walls, openings,
- * working plane with its receivers, obstructions outside.
- */
+/* room_section.h - vertical section of the room, drawn to scale: floor, walls,
+ * openings, working plane with its receivers, obstructions outside. */
 #ifndef PP_CHARTS_ROOM_ROOM_SECTION_H
 #define PP_CHARTS_ROOM_ROOM_SECTION_H
 
@@ -12,19 +11,20 @@ struct pp_room_section {
     const struct pp_world *world;
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* its receivers are marked */
-    double least_scale;             /* not larger than 1 to that; 0: any */
-    bool no_sights;                 /* leave out the obstructions' angles, */
-    bool no_caption;                /* or the caption, which is 90 mm wide at least */
+    double least_scale;             /* scale is 1 to this or smaller; 0: any */
+    bool no_sights;                 /* leave out the obstructions' angles */
+    bool no_caption;                /* leave out the caption, which is at least 90 mm
+                                     * wide */
 
     /* Scale, set by pp_room_section_fit. */
     double mm_per_m;  /* a usual scale: 1:20, 1:25, 1:50, 1:75 ... */
-    double height_mm; /* of the drawing, its caption included */
+    double height_mm; /* of the drawing with its caption */
 
-    /* Set by the caller: x of the near wall's inside face, y of the top, and space for
+    /* Set by the caller: x of the near wall's inside face, y of the top, and widths for
      * obstructions outside the near and the far wall. */
     double x, y, left_mm, right_mm;
-    double head_mm; /* and above it */
-    double most_x;  /* the caption ends before it; 0: where it likes */
+    double head_mm; /* height for obstructions above the room */
+    double most_x;  /* right end of the caption; 0: unlimited */
 };
 
 /* True if the window at the near or far end is obstructed. */

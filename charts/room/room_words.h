@@ -14,7 +14,7 @@ void pp_room_words_size(char *text, size_t room, const struct pp_world *world);
 void pp_room_words_opening(char *text, size_t room, const struct pp_world *world,
                            int opening);
 
-/* Skylines and blocks, which may be off the drawings. */
+/* Skylines and blocks, which may be outside the drawings. */
 void pp_room_words_outside(char *text, size_t room, const struct pp_world *world);
 
 #endif

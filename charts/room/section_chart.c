@@ -14,8 +14,8 @@
 #include "charts/room/section_names.h"
 #include "charts/room/section_series.h"
 
-/* Values that span more than this are drawn on a logarithmic scale, or the low ones lie on
- * the axis. */
+/* Ratio of values above which a logarithmic scale is used: on a linear one the low
+ * values would be on the axis. */
 #define WIDE_RANGE 30.0
 
 /* Value in per cent, plus this many standard errors. */
@@ -46,8 +46,8 @@ static void range_of(const struct pp_section_plot *plot, double *low, double *hi
 
 /* ---- a smooth curve: the monotone piecewise cubic of Fritsch and Butland [FB84] ----
  *
- * Between two points stands the cubic that has the slope m of each end. With the widths
- * h0, h1 and slopes d0, d1 of the chords before and behind a point,
+ * Between two points the curve is the cubic that has the slope m at each end. With the
+ * widths h0, h1 and slopes d0, d1 of the chords before and after a point,
  *
  *     m = 1 / (w / d0 + (1 - w) / d1)          d0 d1 > 0, else 0
  *     w = (h0 + 2 h1) / (3 (h0 + h1))
@@ -55,8 +55,8 @@ static void range_of(const struct pp_section_plot *plot, double *low, double *hi
  * At the first and last point m is the slope of the only chord.
  */
 
-/* Slope at point i: the weighted harmonic mean of the chords' on either side, 0 at a
- * turn; at the ends the chord's own. */
+/* Slope at point i: weighted harmonic mean of the slopes of both chords, 0 at an
+ * extremum; at the ends the slope of the only chord. */
 static double smooth_slope_at(const double (*xy)[2], int count, int i)
 {
     int left = i > 0 ? i - 1 : 0, right = i + 1 < count ? i : count - 2;
@@ -69,9 +69,9 @@ static double smooth_slope_at(const double (*xy)[2], int count, int i)
     return 1.0 / (w0 / d0 + w1 / d1);
 }
 
-/* Adds to the path the cubics through the points: monotone wherever the points are, smooth
- * elsewhere. The x of the points must ascend strictly; count is 1 or more, of one only the
- * point is moved to. */
+/* Adds to the path the cubics through the points: monotone wherever the points are,
+ * smooth elsewhere. The x of the points must be strictly ascending; count is 1 or more,
+ * and with 1 the path only moves to the point. */
 static void smooth_path(cairo_t *cr, const double (*xy)[2], int count)
 {
     cairo_move_to(cr, xy[0][0], xy[0][1]);
@@ -303,8 +303,8 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     if (plot->legend.columns)
         body.height -= plot->legend.height + 4.0 * plot->style.scale;
 
-    /* The section takes the height of its scale; the curves stand above it at the same
-     * horizontal scale. */
+    /* The section has the height that its scale requires; the curves are above it at
+     * the same horizontal scale. */
     struct pp_style *style = &plot->style;
     struct pp_room_section section = {
         .world = world, .cut = &plot->cut, .report = chart->report};
@@ -323,7 +323,7 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     pp_room_section_fit(&section, style, body.width - left - right,
                         0.5 * (body.height - between));
     double width = plot->cut.length_m * section.mm_per_m;
-    /* Width that the scale leaves free goes to obstructions. */
+    /* Spare width is used for obstructions. */
     double spare = fmax(body.width - left - right - width, 0.0);
     if (pp_room_section_has_outside(&section, true))
         left += spare;
@@ -334,8 +334,8 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     high = fmin(high, fmax(1.2 * width, 85.0 * style->scale));
     plot->field = (struct pp_box){body.x + left, body.y + title, width, high};
 
-    /* A narrow room leaves a strip beside the curves for the legend; in a wide one it
-     * is in the curves' upper right corner. */
+    /* A narrow room leaves a strip beside the curves for the legend; in a wide room the
+     * legend is in the curves' upper right corner. */
     double beside = body.x + body.width - (plot->field.x + width) - 5.0 * style->scale;
     struct pp_box aside = {plot->field.x + width + 5.0 * style->scale, plot->field.y,
                            beside, 0};

@@ -8,7 +8,7 @@
 
 #include "model/base/array.h"
 
-/* Receivers may be off their line by this much (m): they are read from decimal
+/* Largest distance of receivers from their line (m): their coordinates are decimal
  * numbers. */
 #define OFF_LINE_M 1e-3
 
@@ -81,7 +81,7 @@ static enum pp_status find_line(struct pp_section_cut *cut,
     if (reach > OFF_LINE_M) {
         cut->along[0] = (receivers[far].position.x - first.x) / reach;
         cut->along[1] = (receivers[far].position.y - first.y) / reach;
-        /* The line's own order runs from the point that its first is nearer to. */
+        /* The direction is chosen so that the first receiver is nearer to the start. */
         double most = 0.0;
         for (int i = 0; i < count; i++)
             most = fmin(most, pp_section_cut_s(cut, receivers[i].position));
@@ -163,7 +163,7 @@ static bool cut_polygon(struct pp_section_cut *cut, const struct pp_polygon *out
     return good;
 }
 
-/* Takes the openings that were cut out of the cuts of their faces. */
+/* Removes the cut openings from the cuts of their faces. */
 static bool open_faces(struct pp_section_cut *cut, const struct pp_world *world)
 {
     for (int o = 0; o < cut->count; o++) {
@@ -174,7 +174,8 @@ static bool open_faces(struct pp_section_cut *cut, const struct pp_world *world)
             struct pp_cut face = cut->list[f];
             if (face.kind != PP_CUT_FACE || face.of != world->openings[hole.of].face)
                 continue;
-            /* Shares along the face's cut; both run the same way. */
+            /* Ends of the opening as shares of the face's cut; both have the same
+             * direction. */
             double ds = face.s[1] - face.s[0], dz = face.z[1] - face.z[0];
             double square = ds * ds + dz * dz, share[2];
             for (int k = 0; k < 2 && square > 0.0; k++)
@@ -226,7 +227,7 @@ static bool has_opening(const struct pp_world *world, int face)
     return false;
 }
 
-/* The walls that the line runs into on either side of the receivers. */
+/* Finds the walls that the line meets on either side of the receivers. */
 static void find_ends(const struct pp_section_cut *cut, double first, double last,
                       double ends[2], int faces[2])
 {

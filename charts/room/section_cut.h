@@ -1,7 +1,8 @@
-/* section_cut.h - the line that receivers lie on, and the room cut upright along it.
+/* section_cut.h - the line on which receivers lie, and the vertical section of the room
+ * along it.
  *
- * In the section a place has s, metres along the line from the inside face of the wall
- * that distances are counted from, and z, height.
+ * Coordinates of a place in the section: s, metres along the line from the inside face
+ * of the wall from which distances are counted, and z, height.
  */
 #ifndef PP_CHARTS_ROOM_SECTION_CUT_H
 #define PP_CHARTS_ROOM_SECTION_CUT_H
@@ -9,17 +10,17 @@
 #include "model/room/world.h"
 
 enum pp_cut_kind {
-    PP_CUT_FACE,    /* of the envelope, openings taken out */
+    PP_CUT_FACE,    /* of the envelope, without openings */
     PP_CUT_OPENING, /* in the face's plane */
     PP_CUT_GLASS,   /* at the reveal's outer end */
-    PP_CUT_COVER,   /* a door or a dado before a face */
+    PP_CUT_COVER,   /* a door or a dado in front of a face */
     PP_CUT_INSIDE,  /* a free-standing surface in the room */
     PP_CUT_OUTSIDE, /* a block, a facade or a free-standing surface outside */
 };
 
 struct pp_cut {
     enum pp_cut_kind kind;
-    int of; /* surface or opening */
+    int of; /* index of the surface or opening */
     double s[2], z[2];
 };
 
@@ -29,13 +30,13 @@ struct pp_section_cut {
     struct pp_cut *list;
     int count;
     double length_m;              /* of the room along the line: s of the far wall */
-    int near_face, far_face;      /* walls at s = 0 and length; -1: none met */
+    int near_face, far_face;      /* walls at s = 0 and length_m; -1: none */
     bool near_window, far_window; /* true if they contain an opening */
 };
 
 /* Cuts the world along its receivers, which must lie on a horizontal straight line;
- * through a single one the cut is square to the nearest opening. PP_BAD_INPUT where they
- * lie otherwise or where there is none; then there is nothing to clear. */
+ * with a single one the cut is square to the nearest opening. PP_BAD_INPUT if they do
+ * not, or if there is none; then there is nothing to clear. */
 enum pp_status pp_section_cut_init(struct pp_section_cut *cut,
                                    const struct pp_world *world,
                                    const struct pp_receiver *receivers, int count,

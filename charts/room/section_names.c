@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* The name of a series. A curve's has a sample of its line with it, since curves may lie
- * on each other; points and level lines have words only. */
+/* Draws the name of a series. A curve's name has a sample of its line, since curves may
+ * coincide; points and level lines have words only. */
 static struct pp_box draw_name(struct pp_section_plot *plot,
                                const struct pp_series *series, double x, double y,
                                bool drawn)

@@ -4,15 +4,15 @@
 
 #include "charts/room/section_plot.h"
 
-/* Names next to the curves where there is room for all, else in a legend in a free
- * corner of the field, or at `aside` where that lies beside the field. */
+/* Draws names next to the curves if there is space for all, else a legend in a free
+ * corner of the field, or at `aside` if that lies beside the field. */
 void pp_section_names_draw(struct pp_section_plot *plot, struct pp_box aside);
 
-/* Sets plot->legend: the legend below the section that more than PP_KEYS_INSIDE names
- * need, in columns that fit into `width`. */
+/* Sets plan and size of plot->legend, the legend below the section for more than
+ * PP_KEYS_INSIDE names, in columns that fit into `width`. */
 void pp_section_names_fit_legend(struct pp_section_plot *plot, double width);
 
-/* A legend of `count` names from number `first` on, on white. */
+/* Draws a legend of `count` names from number `first` on, on a white ground. */
 void pp_section_names_draw_keys(struct pp_section_plot *plot, int first, int count,
                                 double x, double y, double width);
 

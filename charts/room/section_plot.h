@@ -17,7 +17,7 @@ struct pp_series {
     struct pp_key key;
 };
 
-/* More names than PP_KEYS_INSIDE go to a legend below the section, which has at most
+/* More names than PP_KEYS_INSIDE are in a legend below the section, with at most
  * PP_KEYS_MOST in a column. */
 enum { PP_KEYS_INSIDE = 6, PP_KEYS_MOST = 64 };
 
@@ -33,7 +33,7 @@ struct pp_section_plot {
     struct pp_section_cut cut;
     struct pp_axis across, up;
     struct pp_box field; /* of the curves */
-    int *order;          /* receivers by their distance */
+    int *order;          /* receivers in order of distance */
     double *distance;    /* of each receiver */
     struct pp_series *series;
     int series_count, curve_count;

@@ -29,7 +29,7 @@ static int values_in(const struct pp_report *report, const struct pp_column *col
     return count;
 }
 
-/* A column without all its values is accounted for at the foot. */
+/* Adds a note at the foot for a column that lacks values. */
 static void account(struct pp_section_plot *plot, const struct pp_column *column,
                     int count, const char *why)
 {
@@ -81,7 +81,8 @@ static bool has_samples(const struct pp_report *report)
 
 void pp_section_series_choose(struct pp_section_plot *plot)
 {
-    /* Full lines are for simulated values. Where there are some, hand figures are dashed. */
+    /* Full lines are used for simulated values; if there are any, hand figures are
+     * dashed. */
     int lines = has_samples(plot->report) ? 1 : 0, sampled = 0;
     for (int i = 0; i < plot->report->column_count; i++) {
         const struct pp_column *column = &plot->report->columns[i];

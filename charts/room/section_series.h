@@ -1,13 +1,13 @@
-/* section_series.h - which columns of a report are drawn on a section chart. */
+/* section_series.h - choice of a report's columns for a section chart. */
 #ifndef PP_CHARTS_ROOM_SECTION_SERIES_H
 #define PP_CHARTS_ROOM_SECTION_SERIES_H
 
 #include "charts/room/section_plot.h"
 
-/* The columns of daylight factors that have a value, into plot->series, which has room
- * for all. Sampled columns are points with error bars, the others lines; more than four
- * lines get markers too. A column without all its values is accounted for in
- * plot->foot. */
+/* Stores the columns of daylight factors that have a value in plot->series, which has
+ * space for all. Sampled columns are points with error bars, the others lines; if there
+ * are more than four lines they have markers too. A column that lacks values gets a
+ * note in plot->foot. */
 void pp_section_series_choose(struct pp_section_plot *plot);
 
 #endif

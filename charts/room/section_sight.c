@@ -31,13 +31,13 @@ static bool middle_of_openings(const struct pp_section_cut *section,
     return high > low;
 }
 
-/* Is the cut an obstruction that stands outside, not a facade? */
+/* True if the cut is an obstruction outside, other than a facade. */
 static bool stands_outside(const struct pp_cut *cut, const struct pp_world *world)
 {
     return cut->kind == PP_CUT_OUTSIDE && world->surfaces[cut->of].role != PP_FACADE;
 }
 
-/* Is the sky seen from the sight's place at that angle? */
+/* True if the sky is visible from the sight's place at that angle. */
 static bool sees_sky(const struct pp_section_cut *section, const struct pp_world *world,
                      const struct pp_section_sight *sight, double out, double angle_rad)
 {
@@ -65,8 +65,8 @@ static bool sees_sky(const struct pp_section_cut *section, const struct pp_world
 /* Steps in which the section is searched for sky: a quarter of a degree. */
 enum { SIGHT_STEPS = 360 };
 
-/* Sets both ends of the highest part in which sky is seen; the lower stays 0 and the upper
- * pi/2 where nothing ends it. False: no sky is seen. */
+/* Sets both ends of the highest part in which sky is visible; the lower one stays 0 and
+ * the upper pi/2 if nothing limits it. False: no sky is visible. */
 static bool find_sky(struct pp_section_sight *sight,
                      const struct pp_section_cut *section, const struct pp_world *world,
                      double out)

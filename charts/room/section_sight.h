@@ -9,16 +9,16 @@
 /* Line of sight from the middle of the window, in the plane of the section. */
 struct pp_section_sight {
     double angle_rad;    /* above the horizontal; 0: nothing obstructs */
-    double overhang_rad; /* upper end of the sky seen, at an overhang; pi/2: none */
+    double overhang_rad; /* upper end of the visible sky, at an overhang; pi/2: none */
     double s, z;         /* the window's middle */
     double distance_m;
     bool skyline;
 };
 
 /* The line of sight out of the window at the near or far end, to the head of a cut
- * obstruction or a skyline: the lower end of the highest part of the section in which sky
- * is seen. What an overhang hides is above overhang_rad. Where no sky is seen the line is
- * the steepest to any obstruction in sight. */
+ * obstruction or a skyline: the lower end of the highest part of the section in which
+ * sky is visible. The part hidden by an overhang is above overhang_rad. If no sky is
+ * visible, the line is the steepest to any visible obstruction. */
 struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section,
                                             const struct pp_world *world, bool near);
 

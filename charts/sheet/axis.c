@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The round step (1, 2 or 5 times a power of ten) that is at least `least`. */
+/* The round step (1, 2 or 5 times a power of ten), `least` or the next larger one. */
 static double round_step(double least)
 {
     double power = pow(10.0, floor(log10(least)));
@@ -40,7 +40,8 @@ struct pp_axis pp_axis_log(double low, double high, double from, double to,
     struct pp_axis axis = {.from = from, .to = to, .logarithmic = true, .decimals = -1};
     static const double steps[] = {1.0, 2.0, 5.0};
 
-    /* All of 1, 2, 5 where 2 to 5 decades leave room for them, else powers of ten. */
+    /* All of 1, 2, 5 for 2 to 5 decades if there is space for them, else powers of
+     * ten. */
     double decades = log10(high / low);
     bool fine = fabs(to - from) / fmax(decades, 0.3) * 0.30 >= apart_mm;
     int first = (int)floor(log10(low) + 1e-9) - 1, last = (int)ceil(log10(high)) + 1;

@@ -40,7 +40,7 @@ static bool add_string(struct pp_bytes *bytes, const char *string)
     return pp_bytes_add(bytes, string, strlen(string));
 }
 
-/* Characters that XML 1.0 can't hold are left out. */
+/* Appends a string with XML escapes; leaves out characters that XML 1.0 cannot hold. */
 static bool add_escaped(struct pp_bytes *bytes, const char *string)
 {
     bool good = true;
@@ -65,20 +65,20 @@ static bool add_escaped(struct pp_bytes *bytes, const char *string)
 
 /* ---- SVG ---- */
 
-/* A piece of the file, not ended by a zero. */
+/* A piece of the file, not terminated by a zero. */
 struct svg_span {
     const char *start;
     size_t length;
 };
 
-/* The ids in order of appearance: an id's number is its place in the list. */
+/* Ids in order of appearance: the number of an id is its index in the list. */
 struct ids {
     char prefix[16];
     struct svg_span *list;
     int count, room;
 };
 
-/* The number of an id; -1: memory is out. */
+/* Number of an id; -1: out of memory. */
 static int id_number(struct ids *ids, struct svg_span id)
 {
     for (int i = 0; i < ids->count; i++)
@@ -146,9 +146,9 @@ static bool add_renamed(struct pp_bytes *svg, struct svg_span body, struct ids *
     return pp_bytes_add(svg, at, (size_t)(end - at));
 }
 
-/* cairo's own size in mm (cairo_svg_surface_set_document_unit) would make its coordinates
- * millimetres, too: it rounds them to 1/256 and outlines of letters to 1/64, so that labels
- * would be measured and placed otherwise than in PDF and PNG. */
+/* The size is not set by cairo_svg_surface_set_document_unit: coordinates would then be
+ * millimetres, which cairo rounds to 1/256 and outlines of letters to 1/64, so labels
+ * would have other sizes and places than in PDF and PNG. */
 static bool add_head(struct pp_bytes *svg, const char *prefix, double width_mm,
                      double height_mm, const char *title, const char *description)
 {
@@ -172,7 +172,7 @@ bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
                        double width_mm, double height_mm, const char *title,
                        const char *description)
 {
-    /* The drawing follows cairo's own <svg ...>. */
+    /* The drawing follows cairo's own <svg ...> element. */
     const char *start = (const char *)cairo->list, *end = start + cairo->count;
     const char *root = memmem(start, cairo->count, "<svg", 4);
     root = root ? memchr(root, '>', (size_t)(end - root)) : 0;

@@ -18,10 +18,11 @@
 #define MM_PER_INCH 25.4
 #define POINTS_PER_MM (72.0 / MM_PER_INCH)
 
-/* The dates of every PDF, so that one drawing is one file. */
+/* Date of every PDF, so that equal drawings are equal files. */
 #define FIXED_DATE "2000-01-01T00:00:00Z"
 
-/* A PNG of more bytes of pixels than the first is drawn in bands of some of the second. */
+/* A PNG whose pixels need more bytes than the first is drawn in bands of about the
+ * second. */
 enum { WHOLE_BYTES_MOST = 128 << 20, BAND_BYTES = 32 << 20 };
 
 enum { OUTLINE_LEVELS = 3 };
@@ -32,20 +33,21 @@ struct pp_canvas {
     char imprint[160];
     double width_mm, height_mm, dpi;
     int width_px, height_px; /* of PNG */
-    bool in_bands;           /* the surface is a recording */
+    bool in_bands;           /* index of the last outline entry of each level; [0]: the
+                              * root */
     cairo_surface_t *surface;
     cairo_t *cr;
     int page; /* from 1 */
     int outlines[OUTLINE_LEVELS
                  + 1];    /* the last line of each level of the contents; [0]:
-                                       * the root */
-    struct pp_bytes raw;  /* as cairo writes it */
-    struct pp_bytes file; /* as the caller gets it */
+                           * the root */
+    struct pp_bytes raw;  /* output of cairo */
+    struct pp_bytes file; /* the finished file */
     bool finished;
     bool lacks_memory; /* a part of the drawing is missing */
 };
 
-/* The context's own data: the address of its canvas's lacks_memory. */
+/* Key of the context's user data: the address of its canvas's lacks_memory. */
 static const cairo_user_data_key_t memory_key;
 
 static enum pp_status fail_cairo(struct pp_error *err, cairo_status_t status)
@@ -78,7 +80,7 @@ static void paper_size(const struct pp_sheet *sheet, double *width_mm,
     *height_mm = upright[sheet->paper][sheet->landscape ? 0 : 1];
 }
 
-/* Pango ends the process where it finds no font at all; so look first. */
+/* True if there are fonts: without any, Pango would end the process. */
 static bool has_fonts(void)
 {
     PangoFontFamily **families;
@@ -125,7 +127,7 @@ static cairo_status_t write_picture(struct pp_canvas *canvas)
                                 canvas->height_px, rows > 1 ? rows : 1, dots_per_mm);
 }
 
-/* The surface of a file. */
+/* Creates the surface of a file. */
 static void open_file(struct pp_canvas *canvas, double width_pt, double height_pt)
 {
     switch (canvas->sheet.format) {
@@ -286,8 +288,8 @@ void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *titl
     g_free(valid);
 }
 
-/* cairo (1.16) rasterises some drawings if the matrix between the two canvases is more
- * than a shift by whole units. */
+/* cairo (1.16) rasterises some drawings unless the matrix between the two canvases is a
+ * shift by whole units. */
 void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
                      double x_mm, double y_mm)
 {

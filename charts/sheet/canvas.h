@@ -1,16 +1,16 @@
 /* canvas.h - a sheet of paper to draw on, at true scale, as PDF, SVG or PNG.
  *
- * One unit of the cairo context is one millimetre on paper, y runs down from the upper
- * left corner. The same drawing gives the same bytes: PDF dates are fixed, SVG ids are
+ * One unit of the cairo context is one millimetre on paper; y runs down from the upper
+ * left corner. Equal drawings give equal bytes: PDF dates are fixed, SVG ids are
  * numbered in order, text is laid out unhinted.
  *
  *   PDF  text is text; title, subject and creator are set
  *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix of its own made
- *        from its title and drawing, so that several can stand in one page
- *   PNG  white ground, or none, its resolution noted in the file; a large one is drawn in bands, so
- *        that a sheet of any size and resolution takes some 100 MiB
+ *        from its title and drawing, so that several can be in one page
+ *   PNG  white ground, or none, with its resolution in the file; a large one is drawn
+ *        in bands, so that a sheet of any size and resolution needs about 100 MiB
  *
- * The caller owns the file: a finished canvas is a block of bytes, or is handed to a
+ * The caller owns the file: a finished canvas is a block of bytes, or is passed to a
  * function of the caller's.
  */
 #ifndef PP_CHARTS_SHEET_CANVAS_H
@@ -31,9 +31,10 @@ struct pp_sheet {
     double dpi;                 /* PNG only, 20 to 1200; 0: 200 */
     const char *title;          /* UTF-8, not owned; NULL: "" */
     const char *description;    /* description of the drawing for readers who cannot see
-                              * it; same ownership */
-    bool transparent;           /* PNG only: no white ground; of 128 MiB at most */
-    double width_mm, height_mm; /* instead of the paper's; 0: the paper's */
+                                 * it; same ownership */
+    bool transparent;           /* PNG only: no white ground; 128 MiB of pixels at
+                                 * most */
+    double width_mm, height_mm; /* used instead of the paper's; 0: the paper's */
     bool to_place;              /* no file of its own: for pp_canvas_place */
 };
 
@@ -48,9 +49,9 @@ cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
 double pp_canvas_width_mm(const struct pp_canvas *canvas);
 double pp_canvas_height_mm(const struct pp_canvas *canvas);
 
-/* Reports lack of memory for a part of a drawing on this context. pp_canvas_finish then
- * fails, as with cairo's own errors, so that no incomplete drawing is kept. Does
- * nothing for a context without a canvas. */
+/* Reports that memory was lacking for a part of a drawing on this context.
+ * pp_canvas_finish then fails, as with cairo's own errors, so that no incomplete
+ * drawing is kept. Does nothing for a context without a canvas. */
 void pp_canvas_lacks_memory(cairo_t *cr);
 
 /* Sets the small print at the foot of sheets from now on: the drawing's source; copied,
@@ -58,15 +59,15 @@ void pp_canvas_lacks_memory(cairo_t *cr);
 void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words);
 const char *pp_canvas_imprint(const struct pp_canvas *canvas);
 
-/* True if there can be further sheets. */
+/* True if the format allows further sheets. */
 bool pp_canvas_has_sheets(const struct pp_canvas *canvas);
 
-/* A further sheet of the same size; of PDF only. */
+/* Begins a further sheet of the same size; PDF only. */
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err);
 
-/* Adds a line to the PDF's outline, which leads to y_mm on this sheet; does nothing in
- * other formats. level: 1 for the first line, then at most one more than that of the
- * line before. */
+/* Adds an entry to the PDF's outline, with y_mm on this sheet as its target; does
+ * nothing in other formats. level: 1 for the first entry, then at most one more than
+ * that of the entry before. */
 void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *title,
                            double y_mm);
 
@@ -76,13 +77,13 @@ void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *titl
 void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
                      double x_mm, double y_mm);
 
-/* Ends the drawing. Errors of all drawing done so far come out here. After it, *bytes
- * (the canvas's own, good until it is destroyed) is the whole file. */
+/* Ends the drawing, and reports errors of all drawing so far. Afterwards *bytes is the
+ * whole file, owned by the canvas and valid until it is destroyed. */
 enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **bytes,
                                 size_t *length, struct pp_error *err);
 
-/* pp_canvas_finish, then hands the file to the caller's writer. A status of the writer's
- * other than PP_OK is handed on, with its message in err. */
+/* Calls pp_canvas_finish, then passes the file to the caller's writer. A status of the
+ * writer other than PP_OK is returned, with its message in err. */
 enum pp_status pp_canvas_write(struct pp_canvas *canvas,
                                enum pp_status (*writer)(void *closure,
                                                         const unsigned char *bytes,

@@ -9,8 +9,8 @@
 void pp_hatch_box(cairo_t *cr, struct pp_box box, double apart_mm, double weight_mm,
                   double grey);
 
-/* Hatches the path there is, by the fill rule that is set, within the box; the path is
- * gone. */
+/* Hatches the current path, by the current fill rule, within the box, and clears the
+ * path. */
 void pp_hatch_path(cairo_t *cr, struct pp_box box, double apart_mm, double weight_mm,
                    double grey);
 

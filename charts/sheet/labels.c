@@ -1,6 +1,5 @@
-/* labels.c - finds the nearest free place for a label by trying all sides of the
- * places that it may name, ring after ring.
- */
+/* labels.c - finds the nearest free place for a label: tries all sides of the places
+ * that it may name, at growing distances. */
 #include "charts/sheet/labels.h"
 
 #include <math.h>
@@ -55,8 +54,8 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
     return false;
 }
 
-/* True if the box is `pad` away from all noted places, or a quarter of that from the
- * owner's. */
+/* True if the box is at least `pad` from all noted places of others, and a quarter of
+ * that from the owner's. */
 static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner,
                     double pad)
 {
@@ -80,7 +79,7 @@ bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box)
     return is_free(labels, box, -2, 0.5);
 }
 
-/* Distance to the nearest place of anybody else from the line a-b. */
+/* Distance from the line a-b to the nearest place of another owner. */
 static double clearance(const struct pp_labels *labels, const double a[2],
                         const double b[2], int owner)
 {
@@ -99,7 +98,7 @@ static double clearance(const struct pp_labels *labels, const double a[2],
     return nearest;
 }
 
-/* The place of a box that is nearest to a point. */
+/* Point of a box nearest to a given point. */
 static void nearest_in_box(struct pp_box box, const double from[2], double to[2])
 {
     to[0] = fmin(fmax(from[0], box.x), box.x + box.width);
@@ -123,7 +122,8 @@ bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style
         if (p->owner != owner || seen++ % stride)
             continue;
         double at[2] = {p->x, p->y};
-        /* Among close lines the owner of a label is ambiguous. */
+        /* Penalty for places between close lines, where the owner of a label is
+         * ambiguous. */
         double apart = clearance(labels, at, at, owner);
         double doubt = 4.0 * fmax(0.0, 2.5 - apart / unit);
         for (int ring = 0; ring < 5; ring++)

@@ -19,31 +19,31 @@ struct pp_label_place {
 };
 
 struct pp_labels {
-    struct pp_box field; /* labels stay within */
+    struct pp_box field; /* labels stay within it */
     int count;
     struct pp_label_place places[PP_LABEL_PLACES_MOST];
 };
 
 /* Notes a straight line, as places at most a millimetre apart. Lines beyond
- * PP_LABEL_PLACES_MOST are forgotten. */
+ * PP_LABEL_PLACES_MOST are ignored. */
 void pp_labels_note(struct pp_labels *labels, int owner, double x0, double y0,
                     double x1, double y1);
 
-/* Notes the whole path that cairo has, flattened. */
+/* Notes cairo's current path, flattened. */
 void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner);
 
-/* Notes all of a box. */
+/* Notes the whole area of a box. */
 void pp_labels_note_box(struct pp_labels *labels, struct pp_box box);
 
-/* True if a place of that owner is noted within that distance. */
+/* True if a place of that owner is noted within that distance of x, y. */
 bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, double y,
                        double distance);
 
 /* True if a box is within the field and clear of all noted places. */
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 
-/* Looks for a place for a box of that size next to one of the owner's places, further off
- * others' places than off its own; *anchor is where a leader points to. False: there is
+/* Searches a place for a box of that size next to one of the owner's places, farther
+ * from others' places than from its own; *anchor: target of a leader. False: there is
  * none. */
 bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style,
                     double width, double height, int owner, struct pp_box *box,

@@ -1,4 +1,4 @@
-/* legend.h - which line is which, in a column of samples and words. */
+/* legend.h - explains lines, markers and fills in a column of samples and words. */
 #ifndef PP_CHARTS_SHEET_LEGEND_H
 #define PP_CHARTS_SHEET_LEGEND_H
 
@@ -18,13 +18,14 @@ enum pp_legend_kind {
 struct pp_key {
     enum pp_legend_kind kind;
     struct pp_curve_style curve; /* of lines and markers */
-    double grey;                 /* of a tint; else of the line */
+    double grey;                 /* grey level of a tint, or of the line: 0 black to 1
+                                  * white */
     double colour[3];            /* red, green, blue, 0 to 1 */
     char words[96];
 };
 
-/* Draws the keys below each other from x, y on, no wider than `width` (words end in ...
- * where they have to). Returns the box filled. */
+/* Draws the keys below each other from x, y on, no wider than `width` (words are cut
+ * with ... if necessary). Returns the box filled. */
 struct pp_box pp_legend_draw(cairo_t *cr, const struct pp_style *style,
                              const struct pp_key *keys, int count, double x, double y,
                              double width);
@@ -34,7 +35,7 @@ struct pp_box pp_legend_measure(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_key *keys, int count, double x,
                                 double y, double width);
 
-/* A marker with a bar of a standard error up and down; also as a key. */
+/* Draws a marker with a bar of one standard error up and down; also used as a key. */
 void pp_legend_bar(cairo_t *cr, const struct pp_style *style, enum pp_marker marker,
                    double x, double y, double y_low, double y_high);
 

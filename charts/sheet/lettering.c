@@ -5,7 +5,7 @@
 
 #include <pango/pangocairo.h>
 
-/* Fonts in order of preference; the last is an alias that every machine has. */
+/* Fonts in order of preference; the last is an alias that exists on every machine. */
 static const char families[] =
     "Source Sans 3, Source Sans Pro, Nimbus Sans, Liberation Sans, "
     "DejaVu Sans Condensed, DejaVu Sans, sans-serif";
@@ -25,8 +25,8 @@ static double enlargement(const struct pp_style *style, const struct pp_letterin
     return style->text[text->size] / laid_out_mm;
 }
 
-/* The caller's to unref. One unit of the layout is one of cairo's user space, a
- * millimetre, so positions must not be rounded to units. */
+/* All text is laid out at this size and enlarged: for each new size pango would search
+ * the machine's fonts again, with two threads. */
 static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
                               const struct pp_lettering *text, const char *words)
 {
@@ -39,7 +39,7 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
     pango_cairo_context_set_font_options(context, options);
     cairo_font_options_destroy(options);
     pango_context_set_round_glyph_positions(context, FALSE);
-    /* not the locale's: a sheet has the same bytes everywhere */
+    /* not the locale's, so that a sheet has the same bytes everywhere */
     pango_context_set_language(context, pango_language_from_string("en"));
     pango_layout_context_changed(layout);
 
@@ -116,7 +116,7 @@ static struct pp_box draw_lettering(cairo_t *cr, const struct pp_style *style,
         cairo_fill(cr);
     }
     pp_style_grey(cr, text->grey);
-    /* Aligned lines in a layout of fixed width start away from its left edge. */
+    /* Aligned lines in a layout of fixed width do not start at its left edge. */
     double scale = enlargement(style, text);
     cairo_scale(cr, scale, scale);
     cairo_move_to(cr, -(double)logical.x / PANGO_SCALE, 0.0);

@@ -23,13 +23,13 @@ bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b);
 struct pp_lettering {
     enum pp_text_size size;
     bool bold, italic;
-    bool markup; /* words are marked up as pango's are: <i>, <b>, <sub>, <sup> */
+    bool markup; /* words have pango's markup: <i>, <b>, <sub>, <sup> */
     double grey;
-    double across, down; /* which place of the text's box is put at x, y: 0 left or top,
-                          * 0.5 middle, 1 right or bottom */
+    double across, down; /* point of the text's box that is placed at x, y: 0 left or
+                          * top, 0.5 middle, 1 right or bottom */
     double turn_rad;     /* about x, y, clockwise on paper */
-    double width;        /* lines are broken at this width; 0: one line */
-    int lines;           /* with a width: at most this many, then ...; 0: any number */
+    double width;        /* lines are broken at this width; 0: a single line */
+    int lines;           /* if width is set: most lines, then ...; 0: any number */
 };
 
 /* The box that pp_lettering_draw would fill (not turned). */
@@ -37,7 +37,7 @@ struct pp_box pp_lettering_measure(cairo_t *cr, const struct pp_style *style,
                                    const struct pp_lettering *text, double x, double y,
                                    const char *words);
 
-/* Draws, and returns that box. */
+/* Draws the text, and returns the box of pp_lettering_measure. */
 struct pp_box pp_lettering_draw(cairo_t *cr, const struct pp_style *style,
                                 const struct pp_lettering *text, double x, double y,
                                 const char *words);

@@ -1,6 +1,5 @@
-/* page.c - title, subtitle and notes of a sheet, and the sentences that several
- * charts have in their notes.
- */
+/* page.c - title, subtitle and notes of a sheet, and sentences common to the notes of
+ * several charts. */
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
 #include "model/light/photographs/sky_picture.h"
@@ -157,7 +156,7 @@ static struct pp_box lay_page(struct pp_canvas *canvas, const struct pp_style *s
     }
 
     if (page->title) {
-        /* A long name is set smaller, in up to four lines. */
+        /* A long name is set in smaller type, in up to four lines. */
         struct pp_lettering title = {
             .size = PP_TEXT_TITLE, .bold = true, .width = width};
         if (pp_lettering_measure(cr, style, &title, 0, 0, page->title).height

@@ -1,4 +1,4 @@
-/* page.h - title, subtitle and notes, which every chart's sheet has round its drawing. */
+/* page.h - title, subtitle and notes round the drawing, common to all charts. */
 #ifndef PP_CHARTS_SHEET_PAGE_H
 #define PP_CHARTS_SHEET_PAGE_H
 
@@ -9,7 +9,7 @@
 #include "model/room/world.h"
 
 struct pp_page {
-    const char *title;    /* the room's name; may be long; NULL: no line for it */
+    const char *title;    /* the room's name; may be long; NULL: no title line */
     const char *subtitle; /* content of the chart, and the sky */
     const char *foot;     /* notes, one paragraph; NULL or "": none */
 };
@@ -27,12 +27,13 @@ struct pp_box pp_page_measure(struct pp_canvas *canvas, const struct pp_style *s
 void pp_page_say(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* The sky as people call it: "CIE overcast sky", "ISO 15469 sky of type 12, sun 30°
- * high at 180°". */
+/* Common name of the sky: "CIE overcast sky", "ISO 15469 sky of type 12, sun 30° high
+ * at 180°". */
 void pp_page_sky(char *text, size_t room, const struct pp_world *world,
                  const struct pp_outside_light *light);
 
-/* The same of a sky by itself; north_rad is the bearing of the plan's +y axis. */
+/* Common name of a sky without a room; north_rad is the bearing of the plan's +y
+ * axis. */
 void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
                        double north_rad);
 
@@ -41,7 +42,7 @@ void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
 void pp_page_assumptions(char *text, size_t room, const struct pp_world *world,
                          const struct pp_outside_light *light);
 
-/* The style for the canvas' sheet. */
+/* Style for the size of the canvas's sheet. */
 struct pp_style pp_page_style(const struct pp_canvas *canvas);
 
 #endif

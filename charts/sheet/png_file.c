@@ -1,4 +1,4 @@
-/* png_file.c - hands libpng the rows of an image, or of one band after another. */
+/* png_file.c - passes the rows of an image, or of one band after another, to libpng. */
 #include "charts/sheet/png_file.h"
 
 #include <math.h>
@@ -6,12 +6,12 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* A file in the making. libpng leaves a function that fails by a long jump, so everything that
- * has to be freed is here. */
+/* State of a file while it is written. A failing function of libpng is left by longjmp,
+ * so everything to be freed is kept here. */
 struct png_writer {
     struct pp_bytes *file;
-    cairo_surface_t *drawing; /* NULL: the image is all of it */
-    cairo_surface_t *image;   /* all of the drawing, or a band of it; not owned */
+    cairo_surface_t *drawing; /* NULL: the image is the whole drawing */
+    cairo_surface_t *image;   /* the whole drawing, or a band of it; not owned */
     int width, height;
     bool has_alpha;
     double dots_per_mm;
@@ -32,7 +32,7 @@ static void flush_nothing(png_structp png)
     (void)png;
 }
 
-/* libpng's own would print. */
+/* Replaces libpng's own handler, which prints. */
 static void leave(png_structp png, png_const_charp message)
 {
     (void)message;

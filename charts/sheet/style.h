@@ -1,10 +1,10 @@
-/* style.h - how charts look: weights, tints, dashes, markers, sizes of text.
+/* style.h - appearance of charts: line weights, tints, dashes, markers, sizes of text.
  *
  * Made for black and white and the photocopier: lines differ by dash and marker, never
  * by tint alone. No line is thinner than 0.1 mm, and no visible tint lighter than 12 %
  * black. All sizes are millimetres on paper. They grow with the square root of the
- * sheet's width, so that an A2 on the wall and an A5 in a book are both read at their
- * own distance.
+ * sheet's width, so that an A2 poster and an A5 page are each legible at their usual
+ * distance.
  */
 #ifndef PP_CHARTS_SHEET_STYLE_H
 #define PP_CHARTS_SHEET_STYLE_H
@@ -17,7 +17,7 @@ enum pp_text_size { PP_TEXT_SMALL, PP_TEXT_BODY, PP_TEXT_HEAD, PP_TEXT_TITLE };
 
 struct pp_style {
     double scale;                     /* factor of all sizes below, 1 for A4 */
-    double text[4];                   /* size of type, by enum pp_text_size */
+    double text[4];                   /* type size, mm, by enum pp_text_size */
     double hair, thin, medium, thick; /* weights of lines */
     double marker;                    /* size of a point's marker */
     double margin;                    /* round the sheet */
@@ -26,8 +26,8 @@ struct pp_style {
 /* Style for a sheet whose shorter side is short_mm. */
 struct pp_style pp_style_for(double short_mm);
 
-/* Greys, as the share of white: text of the second rank, lines that stand back, fills.
- */
+/* Grey levels, 0 black to 1 white: ink, secondary text, background lines, grids,
+ * fills. */
 #define PP_INK 0.0
 #define PP_GREY_TEXT 0.30
 #define PP_GREY_LINE 0.55
@@ -36,7 +36,7 @@ struct pp_style pp_style_for(double short_mm);
 
 void pp_style_grey(cairo_t *cr, double grey);
 
-/* Style of curve `index`; the first 24 differ at least. */
+/* Style of curve `index`; at least the first 24 are different. */
 struct pp_curve_style {
     int dash_count;   /* 0: a full line */
     double dashes[6]; /* mm, for A4 */
@@ -60,25 +60,27 @@ enum pp_marker {
 
 struct pp_curve_style pp_style_curve(int index);
 
-/* Sets pen and dash of a curve. */
+/* Sets line width and dash of a curve. */
 void pp_style_pen(cairo_t *cr, const struct pp_style *style,
                   const struct pp_curve_style *curve);
 
-/* A full line of that weight, in that grey. */
+/* Sets a full line of that weight and grey level (0 black to 1 white). */
 void pp_style_line(cairo_t *cr, double weight_mm, double grey);
 
 /* Draws a marker centred at x, y; open ones are filled white. */
 void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker marker,
                      double x, double y);
 
-/* A fraction as per cent with the digits that its size calls for, three significant at
- * most: "0.0012 %", "0.35 %", "2.1 %", "48 %", with a space that does not break. */
+/* A fraction as per cent with a number of digits that depends on its size, at most
+ * three significant: "0.0012 %", "0.35 %", "2.1 %", "48 %", with a non-breaking
+ * space. */
 void pp_style_percent(char *text, size_t room, double fraction);
 
-/* A level as per cent, as short as it is exact to four digits: "0.5", "2", "12.5". */
+/* A level as per cent, exact to four digits and as short as possible: "0.5", "2",
+ * "12.5". */
 void pp_style_level(char *text, size_t room, double fraction);
 
-/* A length in metres to the centimetre, without idle zeros: "2.7 m", "14 m". */
+/* A length in metres to the centimetre, without trailing zeros: "2.7 m", "14 m". */
 void pp_style_metres(char *text, size_t room, double metres);
 
 #endif

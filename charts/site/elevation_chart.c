@@ -21,7 +21,7 @@ struct elevation_drawing {
 
 /* ---- where things are on paper ---- */
 
-/* u and v as a plan's x and y, with the low corner at x, y on paper. */
+/* Frame of a plan whose x and y are u and v, with the low corner at x, y on paper. */
 static struct pp_room_plan frame_of(const struct elevation_drawing *drawing,
                                     const struct pp_site_elevation *elevation, double x,
                                     double y)
@@ -98,7 +98,8 @@ static void draw_wall(struct elevation_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* The sky on a door is of no use: it is white, with lines aslant. */
+/* Draws doors white, with diagonal lines: the sky component on a door has no
+ * meaning. */
 static void draw_doors(struct elevation_drawing *drawing,
                        const struct pp_room_plan *frame,
                        const struct pp_elevation_wall *wall)
@@ -129,7 +130,8 @@ static struct pp_box window_box(const struct pp_room_plan *frame,
                            pp_room_plan_y(frame, window->from.z) - top};
 }
 
-/* The figure in the window, or where it is too small for it on white above its middle. */
+/* Writes the figure in the window or, if that is too small, on white above its
+ * middle. */
 static void say_component(struct elevation_drawing *drawing,
                           const struct pp_site_window *window, struct pp_box box)
 {
@@ -188,7 +190,7 @@ static void say_title(struct elevation_drawing *drawing,
     pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, words);
 }
 
-/* x, y: the upper left corner on paper, of the title. */
+/* x, y: upper left corner of the title, on paper. */
 static void draw_elevation(struct elevation_drawing *drawing,
                            const struct pp_site_elevation *elevation, double x,
                            double y)
@@ -215,7 +217,7 @@ static void draw_elevation(struct elevation_drawing *drawing,
 
 /* ---- the sheet ---- */
 
-/* Puts the elevations in rows from the box's top left; draws them if `drawn`. Returns
+/* Places the elevations in rows from the box's top left; draws them if `drawn`. Returns
  * whether they fit. */
 static bool flow(struct elevation_drawing *drawing, struct pp_box box, bool drawn)
 {

@@ -1,13 +1,13 @@
-/* elevation_chart.h - walls of a site seen square from outside, to one true scale, with the
- * vertical sky component over them and at each window.
- */
+/* elevation_chart.h - walls of a site seen square from outside, to one true scale, with
+ * the vertical sky component over their area and at each window. */
 #ifndef PP_CHARTS_SITE_ELEVATION_CHART_H
 #define PP_CHARTS_SITE_ELEVATION_CHART_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/sheets/site_sheet.h"
 
-/* All elevations on one sheet, in rows, at the largest usual scale at which they fit. */
+/* Draws all elevations on one sheet, in rows, at the largest common scale at which they
+ * fit. */
 enum pp_status pp_elevation_chart_draw(struct pp_canvas *canvas,
                                        const struct pp_elevation_sheet *sheet,
                                        struct pp_error *err);

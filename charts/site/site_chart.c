@@ -66,7 +66,7 @@ static struct pp_box frame_box(const struct pp_room_plan *frame)
     return (struct pp_box){frame->x, frame->y - height, width, height};
 }
 
-/* The largest usual scale at which the site fits, with a border for windows' figures. */
+/* Largest common scale at which the site fits, with a border for windows' figures. */
 static void fit_site_scale(struct site_drawing *drawing, struct pp_box room)
 {
     struct pp_room_plan *frame = &drawing->frame;
@@ -89,7 +89,7 @@ static void fit_site_scale(struct site_drawing *drawing, struct pp_box room)
 
 /* ---- existing and proposed shapes ---- */
 
-/* True if it is the name of a room, as shapes of other rooms' outsides have. */
+/* True if it is the name of a room, which shapes of other rooms' outsides have. */
 static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
 {
     for (int i = 0; i < sheet->shape_count; i++)
@@ -99,7 +99,7 @@ static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
     return false;
 }
 
-/* The area that a shape covers, seen from above, with its middle there. */
+/* Area of a shape seen from above, and its centroid in `middle`. */
 static double covered_m2(const struct pp_site_shape *shape, double middle[2])
 {
     double area = 0.0;
@@ -143,7 +143,7 @@ static struct named_thing gather_named(const struct pp_site_sheet *sheet, int in
     return thing;
 }
 
-/* Says name and height once of all shapes that have the name. */
+/* Writes name and height, once for all shapes of that name. */
 static void name_shape(struct site_drawing *drawing, int index)
 {
     const struct pp_site_shape *shape = &drawing->sheet->shapes[index];
@@ -226,7 +226,8 @@ static void draw_garden(struct site_drawing *drawing,
 
 /* ---- a plot ---- */
 
-/* The height in its cell, to a decimetre, to a metre, or not at all, as there is room. */
+/* Writes the height in its cell, to a decimetre, to a metre, or not at all, depending
+ * on the space. */
 static void say_height(struct site_drawing *drawing, const struct pp_site_cell *cell,
                        double x, double y, double width)
 {
@@ -273,7 +274,8 @@ static void draw_cells(struct site_drawing *drawing)
 
 /* ---- windows ---- */
 
-/* A strip before the window, as long as it: the lowest storey next to the wall. */
+/* Draws a strip as long as the window in front of it, the lowest storey next to the
+ * wall. */
 static void draw_window(struct site_drawing *drawing,
                         const struct pp_site_window *window)
 {

@@ -19,7 +19,8 @@ static void trace_shape(cairo_t *cr, const struct pp_room_plan *frame,
         cairo_close_path(cr);
 }
 
-/* The edges of a part of a mesh that are lines, or those that are none. */
+/* Traces the edges of a part of a mesh that are drawn as lines, or those that are
+ * not. */
 static void trace_edges(cairo_t *cr, const struct pp_room_plan *frame,
                         const struct pp_site_shape *shape, bool unseen)
 {
@@ -59,7 +60,8 @@ void pp_site_shape_draw(cairo_t *cr, const struct pp_style *style,
         }
     }
     if (shape->unseen && shape->is_level && shape->when == PP_SITE_ALWAYS) {
-        /* So that no white is left between parts that are one from above. */
+        /* Closes the white gaps between adjoining parts, whose common edges are not
+         * drawn. */
         trace_edges(cr, frame, shape, true);
         pp_style_line(cr, style->thin, PP_GREY_FILL);
         cairo_stroke(cr);

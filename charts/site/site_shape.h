@@ -6,7 +6,8 @@
 #include "charts/room/room_plan.h"
 #include "model/results/sheets/site_sheet.h"
 
-/* frame: of the site's x and y; hatching stays within the box on paper. */
+/* Draws a shape. frame: plan of the site's x and y; hatching stays within the box on
+ * paper. */
 void pp_site_shape_draw(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *frame, struct pp_box within,
                         const struct pp_site_shape *shape);

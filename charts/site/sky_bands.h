@@ -1,6 +1,5 @@
-/* sky_bands.h - how drawings show vertical sky components: four classes with a colour each,
- * darker for less sky, that stay in order in grey.
- */
+/* sky_bands.h - classes of vertical sky components in drawings: four classes with a
+ * colour each, darker for less sky, also in order in grey. */
 #ifndef PP_CHARTS_SITE_SKY_BANDS_H
 #define PP_CHARTS_SITE_SKY_BANDS_H
 
@@ -12,17 +11,17 @@ enum { PP_SKY_BANDS = PP_SITE_LEVELS + 1 };
 /* The class of a component: 0 for the least sky. */
 int pp_sky_bands_of(double component);
 
-/* Sets the class's colour; pale: for walls, behind their windows. */
+/* Sets the class's colour; pale: for walls, as a background of their windows. */
 void pp_sky_bands_colour(cairo_t *cr, int band, bool pale);
 
-/* True if ink does not show on it, but white does. */
+/* True if text on this colour must be white. */
 bool pp_sky_bands_is_dark(int band);
 
 /* Fills PP_SKY_BANDS keys, from the most sky on: "27 % or more", ... */
 void pp_sky_bands_keys(struct pp_key *keys);
 
-/* True if the window has lost too much: less than 27 % and less than 0.8 of before
- * [BR209]. */
+/* True if the loss is more than [BR209] allows: less than 27 %, and less than 0.8 of
+ * the former value. */
 bool pp_sky_bands_is_lost(const struct pp_site_window *window);
 
 #endif

@@ -1,5 +1,6 @@
-/* overlay_chart.c - a circle that is the horizon, and in it rings of altitude, dots, cells
- * and paths; lines have a white edge, so that they are seen on dark and on light. */
+/* overlay_chart.c - a circle for the horizon, and in it rings of altitude, dots, cells
+ * and paths; lines have a white edge, so that they are visible on dark and on light
+ * ground. */
 #include "charts/sky/overlay_chart.h"
 
 #include <math.h>
@@ -35,7 +36,7 @@ struct overlay_plot {
     double x0, y0, radius; /* of the horizon's circle, mm */
 };
 
-/* Place on paper of a direction, in radians: north up, east on the left or, on a sheet, on
+/* Position on paper of a direction (rad): north up, east on the left or, on a sheet, on
  * the right. */
 static void place_on_overlay(const struct overlay_plot *plot, double altitude,
                              double bearing, double xy[2])
@@ -47,7 +48,7 @@ static void place_on_overlay(const struct overlay_plot *plot, double altitude,
     xy[1] = plot->y0 - r * cos(bearing);
 }
 
-/* Strokes the path in black on a broader white. */
+/* Strokes the path in black on a wider white line. */
 static void stroke_edged(const struct overlay_plot *plot, double weight_mm)
 {
     pp_style_line(plot->cr, weight_mm + 0.3 * plot->style.scale, 1.0);
@@ -79,7 +80,7 @@ static void draw_rings(const struct overlay_plot *plot)
     stroke_edged(plot, plot->style.thin);
 }
 
-/* Bearings round the horizon: a tick each ten degrees, a word each thirty. */
+/* Draws bearings round the horizon: a tick every ten degrees, a label every thirty. */
 static void draw_bearings(const struct overlay_plot *plot)
 {
     static const char *const winds[] = {"N", "E", "S", "W"};
@@ -105,7 +106,7 @@ static void draw_bearings(const struct overlay_plot *plot)
     }
 }
 
-/* Altitudes along a radius on which no path turns. */
+/* Labels altitudes along a radius that no sun path follows. */
 static void label_rings(const struct overlay_plot *plot)
 {
     const struct pp_lettering set = {
@@ -138,7 +139,8 @@ static void draw_dots(const struct overlay_plot *plot)
     }
 }
 
-/* A cell's lower edge and its left side; the ring and the cell beside it have the rest. */
+/* Draws a cell's lower edge and its left side; ring and next cell have the other
+ * edges. */
 static void draw_cells(const struct overlay_plot *plot)
 {
     const double step = PP_RAD;
@@ -171,7 +173,7 @@ static const struct {
              {4, "Apr, Aug"}, {5, "May, Jul"}, {6, "Jun"}};
 enum { PATHS = sizeof paths / sizeof paths[0], DAY = 21, STEPS = 120 };
 
-/* A direction's place; false below the horizon. */
+/* Position of the sun; false if it is below the horizon. */
 static bool place_sun(const struct overlay_plot *plot, double declination, double hour,
                       double xy[2])
 {
@@ -195,7 +197,7 @@ static void draw_path(const struct overlay_plot *plot, double declination)
     stroke_edged(plot, plot->style.medium);
 }
 
-/* Draws an hour line from the December sun path to the June one, where the sun is
+/* Draws an hour line from the December to the June sun path, where the sun is
  * up. */
 static void draw_hour(const struct overlay_plot *plot, int hour)
 {
@@ -230,8 +232,8 @@ static void put_words(const struct overlay_plot *plot, const double xy[2],
         pp_labels_note(plot->labels, 1, x, box.y, x, box.y + box.height);
 }
 
-/* Months on their paths, in the afternoon and between two hours; hours outside the longest
- * day's path. */
+/* Writes months on their paths, in the afternoon and between two hours; hours outside
+ * the longest day's path. */
 static void name_lines(const struct overlay_plot *plot)
 {
     double latitude = plot->overlay->latitude_rad;
@@ -262,8 +264,8 @@ static void name_lines(const struct overlay_plot *plot)
         }
 }
 
-/* Paths of the 21st of each month and lines of whole hours of solar time, with their
- * names where there is room. */
+/* Draws paths of the 21st of each month and lines of whole hours of solar time, with
+ * their names if there is space. */
 static void draw_sun_paths(const struct overlay_plot *plot)
 {
     for (int hour = 0; hour < 24; hour++)
@@ -328,7 +330,7 @@ static void state_radius(const struct overlay_plot *plot, struct pp_box body)
                       words);
 }
 
-/* Place and size of the circle in the space that the page leaves. */
+/* Centre and radius of the circle in the free space of the page. */
 static enum pp_status lay_circle(struct overlay_plot *plot, struct pp_box body,
                                  struct pp_error *err)
 {
@@ -367,8 +369,8 @@ static void trace_mask(const struct overlay_plot *plot, const struct pp_sky_mask
     }
 }
 
-/* Draws the obstruction now in light grey, and the former one within it, so that new
- * parts stand out hatched. */
+/* Draws the present obstruction in light grey, and the former one on it, so that new
+ * parts remain hatched. */
 static void draw_masks(const struct overlay_plot *plot)
 {
     const struct pp_overlay *overlay = plot->overlay;

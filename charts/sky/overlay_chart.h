@@ -10,24 +10,25 @@
 
 struct pp_overlay {
     enum pp_lens lens;
-    double diameter_mm; /* of the horizon; 0: the largest of whole centimetres */
+    double diameter_mm; /* of the horizon circle; 0: the largest possible in whole
+                         * centimetres */
     struct pp_sky sky;
     const struct pp_sky_cell *dots; /* a dot in the middle of each; NULL: none */
     int dot_count;
     const struct pp_sky_cell *cells; /* their outlines; NULL: none */
     int cell_count;
-    bool sun; /* the sun's paths, */
+    bool sun; /* draw the sun's paths */
     double latitude_rad;
 
     /* Sheet instead of an overlay: seen from above, east on the right, with the
      * obstructions of a window. */
     const char *title, *subtitle, *foot; /* title NULL: an overlay */
-    const struct pp_sky_mask *now;       /* NULL: nothing hides */
+    const struct pp_sky_mask *now;       /* NULL: no obstruction */
     const struct pp_sky_mask *before;    /* NULL: not known */
 };
 
-/* North is up and east on the left, as one sees the sky; on a sheet, from above. PP_BAD_INPUT where the circle is
- * larger than the sheet holds. */
+/* North is up and east on the left, as seen looking up; on a sheet, as from above.
+ * PP_BAD_INPUT if the circle is too large for the sheet. */
 enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
                                      const struct pp_overlay *overlay,
                                      struct pp_error *err);

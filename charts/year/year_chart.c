@@ -94,10 +94,10 @@ static void draw_map(const struct year_plot *plot, struct pp_box box)
 
 /* ---- plans ---- */
 
-/* A figure of the points, as it is drawn. */
+/* A figure of the points, and how it is drawn. */
 struct plan_figure {
     const char *title;
-    int index; /* in struct pp_annual_figures */
+    int index; /* of the member in struct pp_annual_figures */
     double unit;
     const struct pp_colour_scale *scale;
 };
@@ -173,7 +173,8 @@ static void draw_plans(const struct year_plot *plot, struct pp_box box)
 
 /* ---- the curve ---- */
 
-/* Share of the occupied hours in which a point has an illuminance; -1: the mean. */
+/* Share of the occupied hours in which a point reaches an illuminance; -1: mean of the
+ * points. */
 static double share_with(const struct pp_annual_sheet *sheet, int point, double lx)
 {
     double hours = 0.0;

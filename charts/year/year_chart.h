@@ -1,6 +1,6 @@
-/* year_chart.h - the year's daylight of a room on one sheet: a map of days and hours, plans
- * of autonomies and sun hours where the points are a grid, and the share of the occupied
- * hours that reach an illuminance.
+/* year_chart.h - a room's daylight through a year on one sheet: a map of days and
+ * hours, plans of autonomies and sun hours if the points are a grid, and the share of
+ * the occupied hours that reach an illuminance.
  *
  * Colours run from dark to light, so that they keep their order in black and white.
  */
