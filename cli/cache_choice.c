@@ -12,7 +12,7 @@
 #include "model/base/text.h"
 #include "simulate/cache/cache_file.h"
 
-/* The largest cache is 1 GiB. */
+/* Limits the cache to 1 GiB. */
 
 static enum pp_status read_accuracy(const char *text, void *place, struct pp_error *err)
 {

@@ -1,5 +1,5 @@
-/* cache_choice.h - the words for the irradiance cache, the same wherever it is used.
- */
+/* cache_choice.h - the options of the irradiance cache, common to all commands that use
+ * one. */
 #ifndef PP_CLI_CACHE_CHOICE_H
 #define PP_CLI_CACHE_CHOICE_H
 
@@ -7,10 +7,11 @@
 #include "simulate/cache/irradiance_cache.h"
 
 struct pp_cache_choice {
-    struct pp_cache_options options; /* seed and threads come from elsewhere */
-    const char *include, *exclude;   /* lists of materials, by commas; NULL: none */
+    struct pp_cache_options options; /* except seed and threads */
+    const char *include, *exclude;   /* lists of materials, separated by commas; NULL:
+                                      * none */
     const char *file;                /* --cache; NULL: none */
-    char *names;                     /* text that options.materials points into */
+    char *names;                     /* storage of the names in options.materials */
     const char **materials;
 };
 
@@ -21,7 +22,7 @@ extern const struct pp_option pp_cache_choice_options[];
 
 struct pp_cache_choice pp_cache_choice_default(void);
 
-/* Once all words are read: makes the lists of materials. PP_BAD_INPUT where both lists
+/* Makes the lists of materials after all options are read. PP_BAD_INPUT if both lists
  * are given. */
 enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
                                       struct pp_error *err);
@@ -31,7 +32,7 @@ void pp_cache_choice_clear(struct pp_cache_choice *words);
  * --bounces); NULL: none. */
 const char *pp_cache_choice_used(const struct pp_cache_choice *words);
 
-/* The cache for a scene, with the records of --cache if there is such a file. */
+/* The cache for a scene, with the records of the file of --cache if it exists. */
 enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_cache_choice *words,
                                     const struct pp_light_scene *scene,
@@ -40,12 +41,12 @@ enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_radiance_options *light,
                                     uint64_t seed, int threads, struct pp_error *err);
 
-/* Writes the file of --cache, whole or not at all. */
+/* Writes the file of --cache in one step. */
 enum pp_status pp_cache_choice_write(const struct pp_cache_choice *words,
                                      const char *bytes, size_t length,
                                      struct pp_error *err);
 
-/* The same of a cache's records, if --cache was given. */
+/* Writes a cache's records to the file of --cache, if given. */
 enum pp_status pp_cache_choice_save(const struct pp_cache_choice *words,
                                     const struct pp_irradiance_cache *cache,
                                     struct pp_error *err);

@@ -1,5 +1,5 @@
-/* command.c - runs any command: its options, its check, its work, its end. No file
- * that is written may be another one of the command line. */
+/* command.c - runs any command: reads its options, checks them, runs it, cleans up.
+ * Checks that no file to be written is another file of the command line. */
 #include "cli/command.h"
 
 #include <libgen.h>
@@ -31,7 +31,7 @@ void pp_command_help(const struct pp_command *command, FILE *out)
 enum { FILES_MOST = 16 };
 
 struct named_file {
-    const char *option; /* "--output"; without its dashes */
+    const char *option; /* "--output", without its dashes */
     const char *path;
     bool written;
 };
@@ -53,8 +53,8 @@ static bool is_same_place(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* Do both name one file, or would they once it is written? Devices are no files here:
- * what goes to /dev/null may go there twice. */
+/* True if both names are one file, or will be once it is written. Devices are left out:
+ * two outputs may go to /dev/null. */
 static bool is_same_file(const char *a, const char *b)
 {
     if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0)
@@ -69,7 +69,7 @@ static bool is_same_file(const char *a, const char *b)
            && is_same_place(&of_a, &of_b);
 }
 
-/* The files that options name. */
+/* Lists the files named by options. */
 static int list_files(struct named_file *list, const struct pp_command_line *line)
 {
     int count = 0;
@@ -88,10 +88,10 @@ static int list_files(struct named_file *list, const struct pp_command_line *lin
     return count;
 }
 
-/* PP_BAD_INPUT if a file that an option writes is another option's or one that is read,
- * also by another name: files are compared by device and inode. files: those of the
- * operands. pp_options_read_output and pp_options_read_updated are readers of options whose
- * files are written; pp_options_read_input, of those that are read. */
+/* PP_BAD_INPUT if a file that an option writes is another option's or an operand
+ * (`files`), also by another name: files are compared by device and inode. Options with
+ * the reader pp_options_read_output or pp_options_read_updated write files; with
+ * pp_options_read_input they read files. */
 static enum pp_status check_files_apart(const struct pp_command_line *line,
                                         char **files, int file_count,
                                         struct pp_error *err)

@@ -1,8 +1,8 @@
-/* command.h - what a command of the program is; program/main.c has the list of them.
+/* command.h - a command of the program; program/main.c has the list of them.
  *
- * A command is an entry of that list: how its words are read into a struct of its own,
- * what makes sense of them, and what it does then. A new one is a file cmd_NAME.c in a
- * folder of its name, a line here and one in program/main.c.
+ * An entry of that list says how its words are read into a struct of its own, how they
+ * are checked, and how it runs. For a new command add a file cmd_NAME.c in a folder of
+ * its name, a line here and one in program/main.c.
  */
 #ifndef PP_CLI_COMMAND_H
 #define PP_CLI_COMMAND_H
@@ -18,29 +18,31 @@ struct pp_command {
     const char *name, *summary;
     const char *operands;                 /* "FILE..." */
     const char *about;                    /* a paragraph or more of its help */
-    const struct pp_option_group *groups; /* with places in the command's own struct, */
-    size_t size;                          /* which has that many bytes */
-    void (*more_help)(FILE *out);         /* what the help ends with; NULL: options */
+    const struct pp_option_group *groups; /* with offsets in the command's own struct */
+    size_t size;                          /* size of that struct, bytes */
+    void (*more_help)(FILE *out);         /* prints the end of the help; NULL: only
+                                           * options */
 
-    void (*init)(void *options); /* before the words are read */
-    /* Do the words make sense, before any file is opened? PP_BAD_INPUT if not. */
+    void (*init)(void *options); /* called before the words are read */
+    /* Checks the words before any file is opened. PP_BAD_INPUT if they are
+     * inconsistent. */
     enum pp_status (*check)(void *options, char **operands, int count,
                             struct pp_error *err);
     enum pp_exit (*run)(void *options, char **operands, int count);
-    void (*clear)(void *options); /* in any case */
-    int words_before_files; /* how many operands are not yet files: 1 for a kind */
+    void (*clear)(void *options); /* called in any case */
+    int words_before_files; /* number of operands that are not files: 1 for a kind */
 
-    /* Does it share its work among ranks? Then a const struct pp_ranks * is at that
-     * place of the options, set behind init: NULL where there are none. */
+    /* True if ranks share its work. At ranks_place of the options there is then a const
+     * struct pp_ranks *, set after init; NULL: no ranks. */
     bool uses_ranks;
     size_t ranks_place;
 };
 
 void pp_command_help(const struct pp_command *command, FILE *out);
 
-/* argv[0] is the command's name. Prints its help, or says what is wrong with its words,
- * or runs it. ranks: NULL where this process is alone; of a command that does not share work,
- * only rank 0 does anything. */
+/* argv[0] is the command's name. Prints its help, reports wrong words, or runs it.
+ * ranks: NULL if this process is alone; a command that does not share work runs on rank
+ * 0 only. */
 enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv,
                             const struct pp_ranks *ranks);
 

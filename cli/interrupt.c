@@ -1,12 +1,12 @@
-/* interrupt.c - notes SIGINT and SIGTERM in a flag; a second signal ends the
+/* interrupt.c - stores SIGINT and SIGTERM in a flag; a second signal ends the
  * process. */
 #include "cli/interrupt.h"
 
 #include <signal.h>
 #include <stddef.h>
 
-/* The one variable of the program at file scope: a signal handler has no other way to
- * say that it was called. */
+/* The only variable of the program at file scope: a signal handler cannot pass data in
+ * another way. */
 static volatile sig_atomic_t interrupted;
 
 static void note(int signal_number)

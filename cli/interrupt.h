@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-/* Starts watching for SIGINT and SIGTERM. The first one is noted; a second one ends the
+/* Starts to handle SIGINT and SIGTERM. The first one is stored; a second one ends the
  * program as usual. A signal that was ignored stays ignored. */
 void pp_interrupt_watch(void);
 

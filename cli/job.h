@@ -14,13 +14,13 @@ struct pp_job {
     const char *output; /* path of the output; NULL or "-": standard output */
     enum pp_status (*compute)(void *data, struct pp_error *err);
     enum pp_status (*print)(const void *data, FILE *out, struct pp_error *err);
-    bool (*is_finished)(const void *data); /* was the simulation not interrupted? NULL:
-                                            * the command has none */
-    void *data;                            /* the command's own */
+    bool (*is_finished)(const void *data); /* false: the simulation was interrupted;
+                                            * NULL: there is no simulation */
+    void *data;                            /* passed to the functions */
 };
 
 /* Opens the output, computes, prints and closes the output, up to the first failure.
- * Reports errors, and whether the results are of an unfinished simulation. */
+ * Reports errors, and warns if the results are of an unfinished simulation. */
 enum pp_exit pp_job_run(const struct pp_job *job);
 
 #endif

@@ -7,7 +7,7 @@
 #include "cli/options.h"
 #include "methods/lumen/lumen_table.h"
 
-enum { PP_LUMEN_FILES_MOST = 2 }; /* one for light from the side, one from above */
+enum { PP_LUMEN_FILES_MOST = 2 }; /* one for side windows, one for rooflights */
 
 struct pp_lumen_files {
     const char *list[PP_LUMEN_FILES_MOST]; /* as typed; borrowed from argv */

@@ -15,7 +15,8 @@ static void put_line(const char *before, const char *message)
     fputc('\n', stderr);
 }
 
-/* Indented lines below a message show a place in the text that was typed. */
+/* Prints the indented lines below a message, which show a position in the typed
+ * text. */
 static void put_lines(const char *message)
 {
     char line[sizeof((struct pp_error *)0)->message];

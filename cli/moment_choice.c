@@ -12,7 +12,7 @@
 
 /* ---- the options ---- */
 
-/* Reads "", "Z" or "+HH:MM": hours ahead of universal time, NAN where nothing is said. */
+/* Reads "", "Z" or "+HH:MM": hours ahead of universal time; NAN for "". */
 static bool read_zone(const char *text, double *zone_h)
 {
     int hours, minutes, used = 0;
@@ -65,7 +65,7 @@ const struct pp_option pp_moment_options[] = {
 
 enum { PEREZ_NUMBERS = 4 };
 
-/* A day of the calendar, in the years that the sun's formulae are good for. */
+/* True if the date exists, in the years for which the sun's formulae are valid. */
 static bool is_in_calendar(const struct pp_moment_irradiances *of)
 {
     int year = of->year;
@@ -76,7 +76,7 @@ static bool is_in_calendar(const struct pp_moment_irradiances *of)
 
 static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_error *err)
 {
-    static const double MOST_W_M2 = 1500.0; /* the sun outside the atmosphere: 1412 */
+    static const double MOST_W_M2 = 1500.0; /* sun outside the atmosphere: 1412 */
     const char *numbers = choice->perez + strlen("perez");
     double v[PEREZ_NUMBERS] = {NAN, NAN, NAN, NAN};
     int count =

@@ -1,5 +1,5 @@
-/* moment_choice.h - --when and --weather, or --sky perez,...: one moment's sky and sun in
- * place of the room file's sky. */
+/* moment_choice.h - --when and --weather, or --sky perez,...: one moment's sky and sun
+ * instead of the room file's sky. */
 #ifndef PP_CLI_MOMENT_CHOICE_H
 #define PP_CLI_MOMENT_CHOICE_H
 
@@ -18,15 +18,16 @@ struct pp_moment_choice {
     struct pp_weather_year year;
 };
 
-extern const struct pp_option pp_moment_options[]; /* of a struct pp_moment_choice */
+extern const struct pp_option pp_moment_options[]; /* options; values are a struct
+                                                    * pp_moment_choice */
 
-/* A Perez sky of --sky moves from the room's options to the choice. PP_BAD_INPUT for parts
- * that are missing or belong to daylight factors alone. */
+/* Moves the Perez sky of --sky from the room's options to the choice. PP_BAD_INPUT if
+ * parts are missing, or apply to daylight factors only. */
 enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                        struct pp_room_options *room,
                                        struct pp_error *err);
 
-/* True if results are of one moment. */
+/* True if results are for one moment. */
 bool pp_moment_choice_said(const struct pp_moment_choice *choice);
 
 /* Reads the weather file, if there is one. The caller clears the choice in any case. */

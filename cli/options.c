@@ -15,19 +15,19 @@ enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };
 static const struct pp_option help_option = {
     .name = "help", .letter = 'h', .help = "Print this help and stop."};
 
-/* Option found for a word, and the place of its value. */
+/* Option found for a word, and the address of its value. */
 struct found {
     const struct pp_option *option;
     void *place;
 };
 
-/* The length of its name without the short word that may stand behind. */
+/* Length of an option's name without the short form that may follow. */
 static size_t name_length(const struct pp_option *option)
 {
     return strcspn(option->name, " ");
 }
 
-/* The short word with its hyphen, or NULL. */
+/* The short form with its hyphen, or NULL. */
 static const char *short_of(const struct pp_option *option)
 {
     const char *space = strchr(option->name, ' ');
@@ -64,7 +64,7 @@ static struct found find_short(const struct pp_command_line *line, const char *w
     return (struct found){NULL, NULL};
 }
 
-/* The short word that an option word begins with: -aa of -aa.2; NULL: none. */
+/* The short form that a word begins with: -aa in -aa.2; NULL: none. */
 static const char *nearest_short(const struct pp_command_line *line, const char *word)
 {
     for (const struct pp_option_group *group = line->groups; group->title; group++)
@@ -118,8 +118,8 @@ static enum pp_status set(struct found found, const char *shown, const char *val
     return status;
 }
 
-/* Reads one option and, if it takes a value that is the next word, the value. *taken is
- * the number of words read. */
+/* Reads one option and, if it has a value in the next word, that value. *taken: number
+ * of words read. */
 static enum pp_status read_option(const struct pp_command_line *line, char **words,
                                   int count, int *taken, bool *help,
                                   struct pp_error *err)
@@ -198,8 +198,8 @@ enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
     return PP_OK;
 }
 
-/* Words of text from column `column` on, wrapped; lines after the first are indented.
- */
+/* Prints text from column `column` on, wrapped; lines after the first are
+ * indented. */
 static void wrap(FILE *out, const char *text, int column, int indent)
 {
     while (*text) {
@@ -269,7 +269,7 @@ void pp_options_help(const struct pp_command_line *line, FILE *out)
         line->more_help(out);
 }
 
-/* A whole number from 0 up. */
+/* Reads a whole number, 0 or more. */
 static bool read_whole(const char *text, uint64_t *number)
 {
     if (!*text || strspn(text, "0123456789") != strlen(text))
@@ -336,8 +336,8 @@ enum pp_status pp_options_read_seed(const char *text, void *place, struct pp_err
     return PP_OK;
 }
 
-/* The number before one of the endings, which the whole of text must be; its index in
- * *which. */
+/* Reads a number followed by one of the endings, with nothing else in text; *which:
+ * index of the ending. */
 static bool read_with_unit(const char *text, const char *const endings[],
                            double *number, int *which)
 {

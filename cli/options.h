@@ -1,8 +1,8 @@
 /* options.h - the arguments of a command, parsed by tables that also make its help.
  *
- * Long options take their value after "=" or as the next word; a letter takes it
- * directly after or as the next word; a short word such as -aa as the next word. "--"
- * ends the options, "-" alone is a file.
+ * The value of a long option follows after "=" or as the next word, that of a letter
+ * directly or as the next word, that of a short form such as -aa as the next word. "--"
+ * ends the options; "-" alone is a file.
  */
 #ifndef PP_CLI_OPTIONS_H
 #define PP_CLI_OPTIONS_H
@@ -13,7 +13,7 @@
 
 #include "model/base/error.h"
 
-/* Stores the value of `text` in its place. On failure the message is the expected
+/* Stores the value of `text` at its place. On failure the message states the expected
  * value, as the end of the sentence "--error is "x"; expected ...". */
 typedef enum pp_status pp_option_reader(const char *text, void *place,
                                         struct pp_error *err);
@@ -21,19 +21,19 @@ typedef enum pp_status pp_option_reader(const char *text, void *place,
 struct pp_option {
     const char *name;  /* "error" is typed as --error, "accuracy -aa" as --accuracy or
                         * -aa; NULL ends a list */
-    char letter;       /* 'o' is typed as -o; 0: none */
+    char letter;       /* 'o' for -o; 0: none */
     const char *value; /* name of its value in the help; NULL: a switch */
     const char *help;
-    pp_option_reader *read; /* NULL for a switch, which makes its bool true */
-    size_t offset;          /* of its place in the group's values */
+    pp_option_reader *read; /* NULL: a switch, which sets its bool */
+    size_t offset;          /* of the value in the group's struct */
 };
 
-/* Options that write to the same struct. In the help, groups that follow one another
- * under the same title stand together. */
+/* Options that write to the same struct. In the help, consecutive groups with the same
+ * title are combined. */
 struct pp_option_group {
     const char *title; /* NULL ends a list of groups */
     const struct pp_option *options;
-    size_t offset; /* of that struct in the command's own */
+    size_t offset; /* of the group's struct in the command's own */
 };
 
 struct pp_command_line {
@@ -41,39 +41,39 @@ struct pp_command_line {
     const char *operands;
     const char *about; /* description of the command, one paragraph or more */
     const struct pp_option_group *groups;
-    void (*more_help)(FILE *out); /* end of the help; NULL: its options */
+    void (*more_help)(FILE *out); /* prints the end of the help; NULL: only options */
     void *values;                 /* the command's own struct */
 };
 
 /* Reads argv[1] to argv[argc - 1]. Moves the operands, in order, to the start of argv,
- * *operand_count of them. *help: --help or -h was found; nothing else is then checked.
- * A wrong word is PP_BAD_INPUT. */
+ * *operand_count of them. *help: --help or -h was found; nothing else is checked then.
+ * PP_BAD_INPUT for a wrong word. */
 enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
                                char **argv, int *operand_count, bool *help,
                                struct pp_error *err);
 
-/* The help of a command. */
+/* Prints the help of a command. */
 void pp_options_help(const struct pp_command_line *line, FILE *out);
 
-/* A line of help on some other word, laid out as those on options are. */
+/* Prints a line of help on another word, in the layout of options. */
 void pp_options_help_word(const char *word, const char *text, FILE *out);
 
-/* Reads up to `most` numbers with a letter between them; returns their count, or -1 for
- * any other text. */
+/* Reads up to `most` numbers separated by a letter; returns their count, or -1 for any
+ * other text. */
 int pp_options_numbers(const char *text, char between, double *list, int most);
 
-/* Readers, by the type of the place. */
+/* Readers; each comment gives the type of the value. */
 pp_option_reader pp_options_read_text; /* const char *, not empty; borrowed from argv */
-pp_option_reader pp_options_read_input; /* the same, of a file that is read */
+pp_option_reader pp_options_read_input; /* the same, for a file that is read */
 pp_option_reader
-    pp_options_read_output; /* of a file that is written; - is standard output */
+    pp_options_read_output; /* for a file that is written; - is standard output */
 pp_option_reader
-    pp_options_read_updated; /* of one that is read and written again; no - */
+    pp_options_read_updated; /* for a file that is read and written again; no - */
 pp_option_reader pp_options_read_count;   /* long, 1 to 1e15 */
 pp_option_reader pp_options_read_threads; /* int, 1 to 1024 */
 pp_option_reader pp_options_read_seed;    /* uint64_t, any */
 pp_option_reader
-    pp_options_read_per_cent; /* double, a fraction, above 0 to 1; "1%" or "1" */
+    pp_options_read_per_cent; /* double, a fraction, above 0, at most 1; "1%" or "1" */
 pp_option_reader pp_options_read_lux;    /* double, 1 to 200000; "5000" or "5000 lx" */
 pp_option_reader pp_options_read_metres; /* double, 0.1 to 10; "1.6" or "1.6 m" */
 pp_option_reader

@@ -1,4 +1,4 @@
-/* output.c - writes a file beside the one named and renames it. */
+/* output.c - writes a new file beside the named one and renames it. */
 #include "cli/output.h"
 
 #include <errno.h>
@@ -12,7 +12,7 @@
 
 enum { MOST_LINKS = 40 };
 
-/* A new string: the directory of path with its last "/", and name behind it. */
+/* A new string: the directory of path up to its last "/", followed by name. */
 static char *beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
@@ -26,8 +26,8 @@ static enum pp_status fail_file(struct pp_error *err, const char *path, int numb
     return pp_fail(err, PP_SYSTEM, "%s cannot be written: %s", path, strerror(number));
 }
 
-/* Follows symbolic links, the last of which may lead to a file that does not exist yet.
- * *resolved is the caller's. */
+/* Follows symbolic links, the last of which may point to a file that does not exist
+ * yet. The caller frees *resolved. */
 static enum pp_status follow_links(const char *path, char **resolved,
                                    struct pp_error *err)
 {
@@ -96,7 +96,7 @@ enum pp_status pp_output_open(struct pp_output *output, const char *path,
     return PP_OK;
 }
 
-/* All of it, or -1 and errno. */
+/* Writes all bytes; -1 and errno on failure. */
 static int write_all(int file, const char *bytes, size_t size)
 {
     while (size > 0) {
@@ -111,7 +111,8 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-/* Straight to an open file, which is closed: some file systems complain only then. */
+/* Writes directly to an open file, and closes it: some file systems report errors only
+ * then. */
 static int write_through(int file, const struct pp_output *output)
 {
     if (file < 0)
@@ -123,7 +124,7 @@ static int write_through(int file, const struct pp_output *output)
     return failed ? -1 : 0;
 }
 
-/* Mode of the replaced file, or the default of a new one. */
+/* Mode of the replaced file, or the default mode of a new one. */
 static mode_t mode_for(const char *path)
 {
     struct stat there;
@@ -134,7 +135,7 @@ static mode_t mode_for(const char *path)
     return 0666 & ~mask;
 }
 
-/* Writes the new file to the disk, and puts it in the other's place. */
+/* Writes the new file to the disk, and renames it to the target. */
 static int fill_and_rename(int file, const char *temporary,
                            const struct pp_output *output)
 {
@@ -150,7 +151,7 @@ static int fill_and_rename(int file, const char *temporary,
 }
 
 /* Replaces the file by a new file written beside it. Signals are blocked, so that the
- * new file is never left behind. */
+ * temporary file is never left behind. */
 static int replace(const struct pp_output *output)
 {
     char *temporary = beside(output->path, ".pepperpot-XXXXXX");

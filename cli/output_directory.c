@@ -1,4 +1,4 @@
-/* output_directory.c - writes a directory beside the one named and renames it. */
+/* output_directory.c - writes a new directory beside the named one and renames it. */
 #include "cli/output_directory.h"
 
 #include <dirent.h>
@@ -233,7 +233,8 @@ static int take_place(const char *temporary, const char *path)
     return 0;
 }
 
-/* Signals wait, so that none can leave the new directory behind. */
+/* Replaces the directory; signals are blocked, so that the new one is never left
+ * behind. */
 static int replace(const struct pp_output_directory *directory)
 {
     char *temporary;
@@ -260,7 +261,7 @@ static int replace(const struct pp_output_directory *directory)
     return failed;
 }
 
-/* All streams are closed, and their bytes are the files'. */
+/* Closes all streams, which completes the bytes of the files. */
 static bool close_streams(struct pp_output_directory *directory)
 {
     bool good = true;

@@ -1,8 +1,8 @@
-/* output_directory.h - results of several files: a directory that appears whole or not
- * at all.
+/* output_directory.h - results in several files: a directory that is written completely
+ * or not at all.
  *
  * Output is collected in memory. pp_output_directory_commit writes it to a new
- * directory beside the named one, which then replaces that in one step. An existing
+ * directory beside the named one, which it then replaces in one step. An existing
  * directory must be empty, or an export of the same kind. The names of all its files
  * are checked first, so that no other file is ever lost.
  */
@@ -15,13 +15,13 @@
 #include "model/base/error.h"
 
 struct pp_output_directory_file {
-    char *path;   /* in the directory; with one "/" at most */
+    char *path;   /* path in the directory, with at most one "/" */
     bool runs;    /* a program */
     FILE *stream; /* NULL once closed */
     struct pp_gathered {
         char *bytes;
         size_t size;
-    } * gathered; /* stays where it is: the stream writes to it */
+    } * gathered; /* the array must not move: streams point to its elements */
 };
 
 struct pp_output_directory {
@@ -33,25 +33,26 @@ struct pp_output_directory {
     int count;
 };
 
-/* Fails early where it could not be written later on. `replace`: an existing export may
- * be. */
+/* Fails at once if the directory cannot be written later. `replace`: an existing export
+ * may be replaced. */
 enum pp_status pp_output_directory_open(struct pp_output_directory *directory,
                                         const char *path, bool replace,
                                         const char *const *known, struct pp_error *err);
 
-/* A new file; print to *stream. */
+/* Adds a file; print to *stream. */
 enum pp_status pp_output_directory_add(struct pp_output_directory *directory,
                                        const char *path, bool runs, FILE **stream,
                                        struct pp_error *err);
 
-/* Writes all, and closes the directory whether it succeeds or not. */
+/* Writes all files, and closes the directory in any case. */
 enum pp_status pp_output_directory_commit(struct pp_output_directory *directory,
                                           struct pp_error *err);
 
-/* Closes it and leaves everything as it was. May follow a commit. */
+/* Closes the directory without changing anything. May follow a commit. */
 void pp_output_directory_clear(struct pp_output_directory *directory);
 
-/* Takes a directory made by this program away, with its files and theirs, one deep. */
+/* Removes a directory made by this program, with its files and its subdirectories'
+ * files, one level deep. */
 int pp_output_directory_remove(const char *path);
 
 #endif

@@ -10,7 +10,7 @@
 #include "reports/parts/format.h"
 #include "model/base/clock.h"
 
-/* Columns that the bar, and the label, take at most; the bar at least. */
+/* Greatest width (columns) of the bar and of the label; least width of the bar. */
 enum { BAR = 24, LABEL = 20, BAR_LEAST = 5 };
 
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet)
@@ -27,7 +27,7 @@ void pp_progress_resume(struct pp_progress *progress, double done)
     progress->before = done;
 }
 
-/* ", 8 s left", ", 3 min left", ", 2.5 h left"; nothing where it is not known. */
+/* ", 8 s left", ", 3 min left", ", 2.5 h left"; empty if unknown. */
 static void say_left(char *text, size_t room, double seconds)
 {
     text[0] = '\0';
@@ -42,7 +42,7 @@ static void say_left(char *text, size_t room, double seconds)
                  fmin(seconds / 3600.0, 99999.0));
 }
 
-/* Prints the label, cut to a number of columns; returns how many columns it took. */
+/* Prints the label, cut to a number of columns; returns the number used. */
 static int put_label(FILE *out, const char *label, int columns)
 {
     char start[4 * LABEL + 1];

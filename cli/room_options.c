@@ -1,4 +1,4 @@
-/* room_options.c - the tables of options that every command on a room has, and their
+/* room_options.c - the tables of options common to all commands on a room, and their
  * check. */
 #include "cli/room_options.h"
 
@@ -34,7 +34,7 @@ static bool read_point(const char *text, size_t length, struct pp_vec3 *point)
     return count >= 2;
 }
 
-/* Adds the points of text to those there are. */
+/* Adds the points of text to the list. */
 static enum pp_status read_points(const char *text, void *place, struct pp_error *err)
 {
     static const char blanks[] = " \t\n;";
@@ -108,7 +108,7 @@ const struct pp_option pp_room_french_option[] = {
     {0},
 };
 
-/* "S", "S,MARGIN" or "largest". */
+/* Reads "S", "S,MARGIN" or "largest". */
 static enum pp_status read_spacing(const char *text, void *place, struct pp_error *err)
 {
     struct pp_grid_choice *choice = place;
@@ -203,7 +203,7 @@ const struct pp_option pp_room_output_options[] = {
     {0},
 };
 
-/* The first of the options that tell when a simulation stops; NULL: none was given. */
+/* First option given that sets the end of a simulation; NULL: none. */
 static const char *stop_option(const struct pp_study_options *study)
 {
     return study->error > 0.0     ? "--error"

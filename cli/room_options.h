@@ -1,4 +1,4 @@
-/* room_options.h - the options that every command on a room has, with one meaning. */
+/* room_options.h - options common to all commands on a room. */
 #ifndef PP_CLI_ROOM_OPTIONS_H
 #define PP_CLI_ROOM_OPTIONS_H
 
@@ -14,12 +14,13 @@
 struct pp_room_options {
     struct pp_study_options study;
     const char *room;         /* only the rooms of that name; NULL: all */
-    enum pp_site_state state; /* as which the rooms stand; PP_STATE_BOTH: not given */
+    enum pp_site_state state; /* state of the site; PP_STATE_BOTH: not given */
     const char *output;       /* NULL: standard output */
     bool quiet;
     bool strict;                  /* warnings are errors */
-    struct pp_sweep sweep;        /* of --set and --sweep, with the run chosen */
-    bool by_hand;                 /* not simulated, by a command that does by default */
+    struct pp_sweep sweep;        /* of --set and --sweep, with the current run */
+    bool by_hand;                 /* no simulation, for a command that simulates by
+                                   * default */
     const struct pp_ranks *ranks; /* not owned; NULL: this process is alone */
 };
 
@@ -40,7 +41,7 @@ extern const struct pp_option pp_room_french_option[];
 /* spacing; its values are a struct pp_grid_choice, empty where it is not given. */
 extern const struct pp_option pp_room_spacing_option[];
 extern const struct pp_option pp_room_simulate_option[];
-/* Options of commands that simulate by default: simulate, and by-hand in its place. */
+/* Options of commands that simulate by default: simulate, and its opposite by-hand. */
 extern const struct pp_option pp_room_by_hand_options[];
 extern const struct pp_option pp_room_stop_options[]; /* error, samples, time */
 extern const struct pp_option pp_room_plain_option[];
@@ -69,12 +70,12 @@ extern const struct pp_option pp_room_output_options[]; /* output, quiet */
     {"Simulation", pp_room_simulate_option, at}, PP_ROOM_STOP_GROUPS(at)
 
 /* Resolves --simulate, --by-hand and the options that stop a simulation, for a command
- * that simulates by default. Before pp_room_options_settle. */
+ * that simulates by default. Call it before pp_room_options_settle. */
 enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
                                               struct pp_error *err);
 
-/* Do the options make sense together? PP_BAD_INPUT if not. A simulation without an end
- * gets an error of 1 %. */
+/* PP_BAD_INPUT if the options are inconsistent. A simulation without a stop option gets
+ * an error of 1 %. */
 enum pp_status pp_room_options_settle(struct pp_room_options *options,
                                       struct pp_error *err);
 

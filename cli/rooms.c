@@ -1,4 +1,4 @@
-/* rooms.c - reads room files, resolves their rooms and places the points. */
+/* rooms.c - reads room files, resolves their rooms and sets the points. */
 #include "cli/rooms.h"
 
 #include <math.h>
@@ -47,7 +47,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     struct pp_error err = {0};
     const char *sky = loading->options->study.sky;
     bool shared = sky && index > 0 && strncmp(sky, "picture,", 8) == 0;
-    if (shared) { /* read once for all rooms of the file */
+    if (shared) { /* read only once for all rooms of the file */
         pp_room_take_sky(room, pp_building_room(building, 0));
     } else if (sky && pp_room_set_sky(room, sky, &err) != PP_OK) {
         struct pp_error usage;
@@ -59,7 +59,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     struct pp_world *world = NULL;
     enum pp_status status = pp_world_create(&world, room, mistakes, &err);
     if (status == PP_BAD_INPUT && mistakes->count > 0)
-        return PP_EXIT_DONE; /* reported with those of the rest of the file */
+        return PP_EXIT_DONE; /* reported together with the file's other errors */
     struct pp_outside_light light;
     if (status == PP_OK)
         status = pp_room_light(&light, room, &err);
@@ -70,7 +70,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     return add_world(loading, file, building, index, world, &light);
 }
 
-/* Hands the building over to the rooms, as theirs; NULL is none. */
+/* Transfers ownership of the building to the rooms; NULL is allowed. */
 static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *building)
 {
     struct pp_error err;
@@ -101,7 +101,7 @@ static enum pp_status choose_state(struct pp_building *building, const char *fil
     return PP_OK;
 }
 
-/* All rooms of a building that has been read. */
+/* Resolves all rooms of a building that has been read. */
 static enum pp_exit resolve_building(struct loading *loading, const char *file,
                                      struct pp_building *building,
                                      struct pp_mistakes *mistakes)
@@ -182,7 +182,7 @@ static enum pp_exit report_doubts(const struct pp_rooms *rooms, bool strict)
     return strict && count > 0 ? PP_EXIT_INPUT : PP_EXIT_DONE;
 }
 
-/* The points of --points in this room, facing up. */
+/* Sets the points of --points in this room, facing up. */
 static enum pp_exit place_points(struct pp_study_room *room,
                                  const struct pp_point_list *points)
 {
@@ -232,7 +232,7 @@ static enum pp_exit say_no_such_room(const struct pp_rooms *rooms, const char *w
     return pp_message_error(&err);
 }
 
-/* Leaves only the rooms of that name. */
+/* Removes all rooms that do not have that name. */
 static enum pp_exit choose_room(struct pp_rooms *rooms, const char *wanted)
 {
     int kept = 0;
@@ -261,7 +261,7 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
                                .more_than_one_file = file_count > 1};
     struct loading loading = {rooms, command, options};
 
-    /* A machine that fails ends it at once; mistakes are said of all files. */
+    /* Stops at once if the machine fails; input errors are reported for all files. */
     enum pp_exit result = PP_EXIT_DONE;
     for (int i = 0; i < file_count; i++) {
         enum pp_exit of_file = load_file(&loading, files[i]);
@@ -322,7 +322,7 @@ static enum pp_exit load_again(struct loading *loading, const char *file,
     return result;
 }
 
-/* Parses every building of those rooms that has states again. */
+/* Parses every building of those rooms that has states again, for another state. */
 static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
                                    const struct pp_rooms *proposed,
                                    const struct pp_room_options *options,

@@ -11,16 +11,16 @@
 struct pp_rooms {
     struct pp_study_room *list;
     int count;
-    bool several; /* a building, or more than one file: results come as a list */
+    bool several; /* a building, or more than one file: results are a list */
     bool more_than_one_file;
-    struct pp_building **buildings; /* buildings that the rooms belong to */
+    struct pp_building **buildings; /* the rooms' buildings */
     int building_count;
     struct pp_mistakes **doubts; /* warnings about each room */
     int doubt_count;
 };
 
 /* Reads all files and resolves all their rooms, with the sky and points of the options.
- * All mistakes of all files are said on standard error; then nothing is loaded. */
+ * All errors of all files are reported on standard error; then nothing is loaded. */
 enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
                            int file_count, const struct pp_room_options *options);
 

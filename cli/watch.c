@@ -1,4 +1,4 @@
-/* watch.c - joins the progress bar and the interrupt flag to a study's watch. */
+/* watch.c - connects the progress bar and the interrupt flag to a study's watch. */
 #include "cli/watch.h"
 
 #include "cli/interrupt.h"

@@ -10,8 +10,8 @@ struct pp_terminal_watch {
     struct pp_progress progress;
 };
 
-/* Shows a bar on the terminal unless quiet, and stops at an interrupt that came after
- * pp_interrupt_watch. Good as long as *terminal. */
+/* Shows a bar on the terminal unless quiet, and stops at an interrupt after
+ * pp_interrupt_watch. Valid as long as *terminal. */
 struct pp_watch pp_watch_of_terminal(struct pp_terminal_watch *terminal, bool quiet);
 
 #endif

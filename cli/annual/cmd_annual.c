@@ -157,7 +157,7 @@ static bool annual_is_finished(const void *data)
     return true;
 }
 
-/* Writes a further file on the one room, if it has a name. */
+/* Writes a further output file for the only room, if it has a name. */
 static enum pp_exit write_further(const struct annual_run *run, const char *name,
                                   void (*put)(const struct pp_annual_sheet *sheet,
                                               const char *name, FILE *out))

@@ -18,7 +18,8 @@ static struct pp_room_figures assessed_room_figures(void *data, int room)
     return (struct pp_room_figures){&one->report, &one->by_clock};
 }
 
-/* Some of the time is for the larger houses. */
+/* Part of the time is reserved for the rooms with larger facades
+ * (facade_sensitivity.h). */
 static enum pp_status simulate_room(const void *data, int room,
                                     struct pp_report *report, bool *by_clock,
                                     struct pp_error *err)

@@ -1,4 +1,5 @@
-/* assess_run.h - rooms read, traced and judged, for the commands that print it. */
+/* assess_run.h - reads, simulates and judges rooms, for the commands that print the
+ * result. */
 #ifndef PP_CLI_ASSESS_ASSESS_RUN_H
 #define PP_CLI_ASSESS_ASSESS_RUN_H
 
@@ -9,24 +10,26 @@
 
 struct pp_assess_run {
     const struct pp_assess_words *words;
-    const struct pp_rooms *rooms, *before; /* before: as they were; may be empty */
+    const struct pp_rooms *rooms, *before; /* before: in their former state; may be
+                                            * empty */
     const struct pp_rooms *mirrored; /* with the mirror image outside; may be empty */
     struct pp_assessments all;
 };
 
-/* Rooms as they are, as they were, and with the mirror image; zeroed at first. */
+/* Rooms as they are, in their former state, and with the mirror image; zeroed at
+ * first. */
 struct pp_assess_rooms {
     struct pp_rooms rooms, before, mirrored;
 };
 
-/* Loads them with the changes of words->room.sweep. The caller unloads them in any case.
- */
+/* Loads the rooms with the changes of words->room.sweep. The caller unloads them in any
+ * case. */
 enum pp_exit pp_assess_run_load(struct pp_assess_rooms *rooms,
                                 struct pp_assess_words *words, const char *command,
                                 char **files, int file_count);
 void pp_assess_run_unload(struct pp_assess_rooms *rooms);
 
-/* Takes the median illuminance and the sunshine from --weather, if given. */
+/* Reads the median illuminance and the sunshine from --weather, if given. */
 enum pp_exit pp_assess_run_weather(struct pp_assess_words *words);
 
 /* An empty run; its functions take it as `data`, as struct pp_job does. */

@@ -14,7 +14,7 @@ struct assess_sweep {
     struct pp_assess_words *words;
     char **files;
     int file_count;
-    struct pp_assess_rooms *rooms; /* of each run */
+    struct pp_assess_rooms *rooms; /* the rooms of each run */
     struct pp_assess_run *runs;
     enum pp_status (*print)(const void *data, FILE *out, struct pp_error *err);
 };

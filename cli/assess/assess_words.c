@@ -13,7 +13,7 @@
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
-/* Ends nearer together are no line (m). */
+/* Least distance between the two ends of a boundary line (m). */
 #define BOUNDARY_LEAST_M 0.01
 
 static enum pp_status read_boundary(const char *text, void *place, struct pp_error *err)

@@ -26,15 +26,15 @@ struct pp_assess_words {
     const struct pp_profile *profile;
     bool table;           /* one table of all rooms in place of a sheet a room */
     const char *schedule; /* file for the schedule of windows; NULL: none */
-    const char *before;   /* the file with the room as it was; NULL: none */
+    const char *before;   /* the file with the room in its former state; NULL: none */
     struct pp_boundary_words mirror_image;
     const char *place; /* a capital of the standard's table; NULL: the room's site */
-    double median_lux; /* instead; 0: not given */
+    double median_lux; /* used instead; 0: not given */
     struct pp_grid_choice grid; /* of --spacing */
     double least_altitude_rad;  /* of --least-altitude; 0: not given */
-    double french_m;     /* height of the point of French windows; 0: the middle */
-    const char *weather; /* or the weather file that it is taken from; NULL: none */
-    struct pp_sunshine sunshine; /* of that file */
+    double french_m;     /* height of the point of French windows, m; 0: the middle */
+    const char *weather; /* weather file for the median; NULL: none */
+    struct pp_sunshine sunshine; /* from that file */
     enum pp_format format;
     const char *report_format; /* of report, as typed; NULL: by the file's name */
     struct pp_project project; /* of report: in place of the file's facts */

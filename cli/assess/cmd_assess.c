@@ -1,5 +1,4 @@
-/* cmd_assess.c - the command assess: the criteria for a room's daylight, and whether
- * they are met. */
+/* cmd_assess.c - the command assess: judges a room's daylight by criteria. */
 #include <stddef.h>
 
 #include "cli/assess/assess_run.h"

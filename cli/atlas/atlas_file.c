@@ -1,4 +1,5 @@
-/* atlas_file.c - looks for the last whole room, cuts off what is behind it, adds. */
+/* atlas_file.c - finds the last complete room, cuts off the bytes after it, and appends
+ * rooms. */
 #include "cli/atlas/atlas_file.h"
 
 #include <errno.h>
@@ -16,8 +17,8 @@ static enum pp_status fail(const struct pp_atlas_file *file, struct pp_error *er
                    strerror(errno));
 }
 
-/* The number of the first line in which the file's head differs; 0: in none. A head that
- * was cut off is begun again: *empty. */
+/* Number of the first line in which the file's head differs; 0: no line. *empty: the
+ * head was cut off, and is written again. */
 static int compare_head(FILE *stream, const char *head, bool *empty)
 {
     char *line = NULL;
@@ -39,7 +40,7 @@ static int compare_head(FILE *stream, const char *head, bool *empty)
     return *head ? number : 0;
 }
 
-/* Reads on behind the head: counts whole rooms, and finds where the last one ends. */
+/* Reads on after the head: counts complete rooms, and finds the end of the last one. */
 static long find_end(struct pp_atlas_file *file)
 {
     char *line = NULL;

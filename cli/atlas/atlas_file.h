@@ -1,9 +1,9 @@
-/* atlas_file.h - the file of an atlas while it grows: rows are added behind those there
- * are, a room at a time.
+/* atlas_file.h - the file of an atlas while it grows: rows are appended, a room at a
+ * time.
  *
- * This file alone is not written whole or not at all. A room that a run was stopped in the
- * middle of is cut off by the next one, so that the bytes are those of a run that never
- * stopped; who reads the file (studies/research/atlas/atlas_table.h) leaves such a room out.
+ * Unlike other files it is not written in one step. If a run was stopped in the middle
+ * of a room, the next run cuts that room off, so the bytes are those of an
+ * uninterrupted run; readers (studies/research/atlas/atlas_table.h) skip such a room.
  */
 #ifndef PP_CLI_ATLAS_ATLAS_FILE_H
 #define PP_CLI_ATLAS_ATLAS_FILE_H
@@ -14,17 +14,17 @@
 
 struct pp_atlas_file {
     const char *path; /* not owned */
-    FILE *stream;     /* at the end of the last whole room */
-    int rooms;        /* that are there */
+    FILE *stream;     /* positioned at the end of the last complete room */
+    int rooms;        /* number of complete rooms in the file */
 };
 
-/* Makes the file, or takes it up where it begins with the same head (its comments and its
- * line of names); PP_BAD_INPUT where it is another's. Two runs cannot have it at a time.
- * On success to be closed. */
+/* Creates the file, or continues it if it begins with the same head (comments and line
+ * of names); PP_BAD_INPUT if its head differs. Only one run can have it open. On
+ * success the caller closes it. */
 enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
                                   const char *head, struct pp_error *err);
 
-/* Adds the rows of the next room, and has them written. */
+/* Appends the rows of the next room, and flushes them to the disk. */
 enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
                                  size_t length, struct pp_error *err);
 

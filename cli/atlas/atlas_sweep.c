@@ -1,4 +1,4 @@
-/* atlas_sweep.c - joins the rooms to the file they go to. */
+/* atlas_sweep.c - computes the rooms and appends them to the file. */
 #include "cli/atlas/atlas_sweep.h"
 
 #include <errno.h>
@@ -20,7 +20,7 @@ static const char atlas_form[] =
     "# pepperpot-atlas-1: daylight factors, per cent of the open "
     "sky's horizontal illuminance\n";
 
-/* The head; the caller's to free, NULL when memory is out. */
+/* The text of the head, freed by the caller; NULL: out of memory. */
 static char *atlas_head_text(const struct pp_atlas_making *making,
                              const struct pp_atlas_columns *columns)
 {
@@ -39,7 +39,7 @@ static char *atlas_head_text(const struct pp_atlas_making *making,
     return NULL;
 }
 
-/* The second line. */
+/* Reads the settings from the second line. */
 static bool read_making(struct pp_atlas_making *making, const char *line)
 {
     char sky[16];
@@ -54,7 +54,7 @@ static bool read_making(struct pp_atlas_making *making, const char *line)
     return strcmp(sky, "iso") == 0 || strcmp(sky, "overcast") == 0;
 }
 
-/* Reads how a file was made from its head; PP_BAD_INPUT says what is wrong with it. */
+/* Reads from its head how a file was made; PP_BAD_INPUT says what is wrong with it. */
 static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char *path,
                                       struct pp_error *err)
 {
@@ -78,12 +78,13 @@ static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char
 /* Inputs of rows. */
 struct row_source {
     const struct pp_atlas_making *making;
-    const struct pp_atlas_table *table; /* that the truth is kept of; NULL: traced */
+    const struct pp_atlas_table *table; /* source of simulated values to keep; NULL:
+                                         * they are simulated */
     struct pp_atlas_design design;
     struct pp_atlas_columns columns;
 };
 
-/* Rooms from one to another, and where their rows go. */
+/* A range of rooms, and the destination of their rows. */
 struct sweep {
     const struct row_source *source;
     const struct pp_watch *watch;
@@ -133,7 +134,8 @@ static bool sweep_goes_on(void *data, double done)
     return !watch->look || watch->look(watch->data, done, NAN);
 }
 
-/* Works out the rooms [first, end). *next: the room after the last that was collected. */
+/* Computes the rooms [first, end). *next: the room after the last that was
+ * collected. */
 static enum pp_status run_queue(struct sweep *sweep, int first, int end,
                                 const struct pp_room_options *options, int *next,
                                 struct pp_error *err)
@@ -156,7 +158,7 @@ static enum pp_status run_queue(struct sweep *sweep, int first, int end,
     return status;
 }
 
-/* Works for rank 0, which alone reads and writes files of its own; ends as interrupted. */
+/* Works for rank 0, the only one that reads and writes files; ends as interrupted. */
 static enum pp_status follow_sweep(const struct row_source *source,
                                    const struct pp_room_options *options,
                                    struct pp_error *err)
@@ -215,7 +217,7 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
 
 /* ---- anew ---- */
 
-/* Prints head and rooms. *next: the room after the last. */
+/* Writes head and rooms. *next: the room after the last. */
 static enum pp_status print_anew(FILE *out, const struct row_source *source, int rooms,
                                  const struct pp_room_options *options, int *next,
                                  struct pp_error *err)

@@ -1,5 +1,4 @@
-/* atlas_sweep.h - the rooms of an atlas made, and made anew by hand.
- */
+/* atlas_sweep.h - makes the rooms of an atlas, and renews its hand figures. */
 #ifndef PP_CLI_ATLAS_ATLAS_SWEEP_H
 #define PP_CLI_ATLAS_ATLAS_SWEEP_H
 
@@ -14,12 +13,13 @@ struct pp_atlas_making {
     struct pp_atlas_trace trace;
 };
 
-/* Has the first `rooms` rooms in the output's file: goes on from those that are there. */
+/* Completes the output file to the first `rooms` rooms: continues after those it
+ * has. */
 enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
                                const struct pp_room_options *options);
 
-/* Writes the atlas of `path` with what the methods say today to the output, whole or not
- * at all. */
+/* Writes the atlas of `path` with the present figures of the methods to the output, in
+ * one step. */
 enum pp_exit pp_atlas_sweep_anew(const char *path,
                                  const struct pp_room_options *options);
 

@@ -1,5 +1,5 @@
-/* cmd_atlas.c - the command atlas: how far every method is from the truth, over thousands
- * of designed rooms. */
+/* cmd_atlas.c - the command atlas: errors of every method against simulation, over
+ * thousands of designed rooms. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,7 +36,8 @@ struct map_sheet {
 struct atlas_options {
     struct pp_room_options room; /* error, seed, threads, output, quiet */
     long rooms;                  /* 0: not given */
-    const char *number;          /* of the room whose file is wanted; NULL: none */
+    const char *number;          /* number of the room whose file is requested; NULL:
+                                  * none */
     enum pp_atlas_sky sky;
     bool by_hand, bands, try_bands, accuracy;
     bool map; /* by sheet.kind */
@@ -156,7 +157,7 @@ static enum pp_exit write_bands(const char *path, const char *output)
 }
 
 /* Prints how bands from half of an atlas's rooms hold on its other rooms; PP_EXIT_INPUT
- * where a regime is off by more than chance. */
+ * if a regime is off by more than chance allows. */
 static enum pp_exit try_bands(const char *path, const char *output)
 {
     struct bands_run run = {.path = path};
@@ -296,7 +297,7 @@ static void init_atlas_options(void *values)
         .room = pp_room_options_none, .sheet.method = "exact+bre"};
 }
 
-/* Are just the words there that one of the uses needs? */
+/* Checks that the words given are just those that one of the uses needs. */
 static enum pp_status check_use(const struct atlas_options *options, int files,
                                 struct pp_error *err)
 {

@@ -16,7 +16,7 @@
 
 /* ---- parsing ---- */
 
-/* "8" or "17:30" at *text, moved behind it; hours. */
+/* Reads "8" or "17:30" at *text, and moves *text past it; hours. */
 static bool read_clock(const char **text, double *hour)
 {
     int hours = 0, minutes = 0, used = 0;
@@ -118,7 +118,7 @@ static enum pp_status read_summer(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
-/* "300", "300lx" or "300 lx" of `length` bytes. */
+/* Reads "300", "300lx" or "300 lx", `length` bytes long. */
 static bool read_lux(const char *text, size_t length, double *lx)
 {
     char copy[32];
@@ -246,8 +246,8 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 
 /* ---- the light ---- */
 
-/* Warns of a longitude whose sun is more than 3 h from the clock's: one of the two has
- * the wrong sign. Hours that differ by a day are the same. */
+/* Warns if the longitude's solar time differs from the clock by more than 3 h: one of
+ * the two has the wrong sign. Differences are modulo a day. */
 static void say_far_zone(const struct pp_year_options *options)
 {
     const struct pp_epw *epw = options->epw;

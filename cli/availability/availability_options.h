@@ -22,8 +22,8 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 
 /* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options);
-/* Reads a weather file for the median of its diffuse illuminance over the brightest 4380
- * hours, and for how likely the sun is to shine; says on standard error why it has no
+/* Reads the median of the diffuse illuminance over the brightest 4380 hours and the
+ * probability of sunshine from a weather file; reports on standard error why it has no
  * median. */
 enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
                                             struct pp_sunshine *sunshine);

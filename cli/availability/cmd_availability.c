@@ -1,4 +1,4 @@
-/* cmd_availability.c - the command availability: in how many of the working hours
+/* cmd_availability.c - the command availability: share of the working hours in which
  * daylight gives an illuminance. */
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ struct availability_options {
     enum pp_format format;
 };
 
-/* State of a run. `outside` is the rooms' light, one each. */
+/* State of a run. `outside`: the light of each room. */
 struct availability_run {
     struct availability_options *options;
     const struct pp_rooms *rooms;

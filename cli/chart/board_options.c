@@ -96,7 +96,7 @@ enum pp_status pp_board_options_read_nomogram(const char *text, void *place,
     return pp_fail(err, PP_BAD_INPUT, "average, minimum or rooflight");
 }
 
-/* The sky of a blank, by the words of --sky. */
+/* Sets the sky of a blank diagram from the value of --sky. */
 static enum pp_status set_sky(struct pp_board_options *board, const char *words,
                               struct pp_error *err)
 {

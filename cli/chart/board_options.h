@@ -1,4 +1,4 @@
-/* board_options.h - options of the charts that are worked at the drawing board. */
+/* board_options.h - options of drawing-board charts. */
 #ifndef PP_CLI_CHART_BOARD_OPTIONS_H
 #define PP_CLI_CHART_BOARD_OPTIONS_H
 

@@ -39,7 +39,7 @@ struct chart_task {
     enum pp_chart_format format;
     const struct pp_room_options *room_options;
     const struct pp_chart_words *options;
-    struct pp_rooms rooms, former;       /* former: as they were */
+    struct pp_rooms rooms, former;       /* former: in their former state */
     const struct pp_study_room **before; /* for each room, as struct pp_chart_site's */
     bool finished;                       /* false: a simulation was interrupted */
 };
@@ -51,7 +51,8 @@ static void clear_chart_task(struct chart_task *task)
     pp_rooms_clear(&task->rooms);
 }
 
-/* Number of rooms on the sheet that begins with that one: it, or all of its file. */
+/* Number of rooms on the sheet that begins with that one: one, or all rooms of its
+ * file. */
 static int rooms_on_sheet(const struct chart_task *task, int first)
 {
     const struct pp_rooms *rooms = &task->rooms;
@@ -89,7 +90,8 @@ static enum pp_status pair_rooms(struct chart_task *task, struct pp_error *err)
     return status;
 }
 
-/* The rooms as they were: of --before or, of a whole site, of the file itself. */
+/* Loads the rooms in their former state: from --before or, for a whole site, from the
+ * file itself. */
 static enum pp_exit load_former(struct chart_task *task)
 {
     const struct pp_chart_words *options = task->options;
@@ -127,7 +129,7 @@ static enum pp_exit load(struct chart_task *task, char **files, int file_count)
 
 /* ---- Sheets and files ---- */
 
-/* The sheet that begins with that room. */
+/* Draws the sheet that begins with that room. */
 static enum pp_status draw_chart_sheet(struct chart_task *task,
                                        struct pp_canvas *canvas, int first,
                                        struct pp_error *err)
@@ -144,7 +146,7 @@ static enum pp_status draw_chart_sheet(struct chart_task *task,
                                &choice, &task->finished, err);
 }
 
-/* The sheets that begin with a room before `end`, on one canvas. */
+/* Draws the sheets that begin with rooms [first, end) on one canvas. */
 static enum pp_status draw_sheets(struct chart_task *task, struct pp_canvas *canvas,
                                   int first, int end, struct pp_error *err)
 {
@@ -193,7 +195,7 @@ static enum pp_status draw_charts(struct chart_task *task, int first, int end,
     return status;
 }
 
-/* The sheets that begin with a room from `first` on and before `end`, in one file. */
+/* Draws the sheets that begin with rooms [first, end) into one file. */
 static enum pp_status draw_to_file(struct chart_task *task, int first, int end,
                                    const char *path, struct pp_error *err)
 {
@@ -204,7 +206,8 @@ static enum pp_status draw_to_file(struct chart_task *task, int first, int end,
     return pp_output_close(&output, status, err);
 }
 
-/* "plan.png" with "-3" before its ending; to be freed. NULL when memory is out. */
+/* Name with a number before its ending: "plan-3.png"; freed by the caller. NULL: out of
+ * memory. */
 static char *numbered(const char *path, int number)
 {
     const char *name = strrchr(path, '/');
@@ -216,7 +219,7 @@ static char *numbered(const char *path, int number)
     return length < 0 ? NULL : made;
 }
 
-/* A file for each sheet, in a format that has no pages. */
+/* Draws a file for each sheet, in a format that has no pages. */
 static enum pp_status draw_numbered(struct chart_task *task, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -256,7 +259,7 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
     return PP_EXIT_INTERRUPTED;
 }
 
-/* Most diagrams of the drawing board are drawn from one point. */
+/* Checks the number of points: most drawing-board diagrams are for one point. */
 static enum pp_exit check_points(const struct pp_chart_kind *kind,
                                  const struct pp_rooms *rooms)
 {

@@ -1,4 +1,4 @@
-/* chart_run.h - one chart of each room of a command line, drawn to its files. */
+/* chart_run.h - draws one chart of each room of a command line to its files. */
 #ifndef PP_CLI_CHART_CHART_RUN_H
 #define PP_CLI_CHART_CHART_RUN_H
 
@@ -13,7 +13,8 @@ struct pp_chart_words {
     enum pp_orientation orientation;
     double dpi; /* 0: the canvas's own choice */
     bool list, logarithmic, linear;
-    const char *before;   /* a file with the rooms as they were, or "existing"; NULL */
+    const char *before;   /* a file with the former state of the rooms, or "existing";
+                           * NULL: none */
     bool before_is_state; /* the former rooms are those of the same file in its other
                            * state */
     struct pp_chart_choice choice;

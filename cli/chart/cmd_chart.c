@@ -52,7 +52,7 @@ static enum pp_status read_mirror_line(const char *text, void *place,
     return PP_OK;
 }
 
-/* No paper was asked for: the kind's own. */
+/* Value if no paper is given: the chart kind's default. */
 #define PAPER_UNSAID ((enum pp_paper) - 1)
 
 #define PLACE(member) offsetof(struct pp_chart_words, member)
@@ -279,7 +279,8 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     return NULL;
 }
 
-/* The light outside is asked for where it is drawn, and known without a room. */
+/* Checks that light outside is given only for charts that use it, and is complete
+ * without a room. */
 static enum pp_status check_light(const struct pp_year_options *light,
                                   struct pp_room_options *options,
                                   const struct pp_chart_kind *kind, char **files,

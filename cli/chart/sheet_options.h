@@ -1,4 +1,4 @@
-/* sheet_options.h - the words for a sheet of paper that several commands draw on. */
+/* sheet_options.h - options for the sheet of paper, common to several commands. */
 #ifndef PP_CLI_CHART_SHEET_OPTIONS_H
 #define PP_CLI_CHART_SHEET_OPTIONS_H
 

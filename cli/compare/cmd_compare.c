@@ -1,5 +1,5 @@
-/* cmd_compare.c - the command compare: another program's values beside ours, and where
- * the difference comes from. */
+/* cmd_compare.c - the command compare: another program's values beside ours, and the
+ * causes of the difference. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -313,8 +313,8 @@ static enum pp_status print_compare(const void *data, FILE *out, struct pp_error
     return PP_OK;
 }
 
-/* The one room, or the scene, with the other program's points as its own; of a room's own
- * points, where there are many, such as are evenly spread. */
+/* Replaces the points of the room or scene by those of the other program. If values
+ * belong to many points of the room's own, uses an evenly spread subset. */
 static enum pp_status take_points(struct compare_run *run, struct pp_error *err)
 {
     struct pp_other_values own = {0};
@@ -364,7 +364,7 @@ static enum pp_exit run_comparison(struct compare_run *run)
     return exit_status;
 }
 
-/* Runs with scene files; the other program's values follow them. */
+/* Runs with scene files, which are followed by the other program's values. */
 static enum pp_exit run_in_scene(struct compare_options *options, char **files,
                                  int file_count)
 {

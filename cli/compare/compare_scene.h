@@ -1,5 +1,5 @@
-/* compare_scene.h - scene files of Radiance's that compare takes for a room, and points in
- * them. */
+/* compare_scene.h - Radiance scene files used by compare instead of a room, and points
+ * in them. */
 #ifndef PP_CLI_COMPARE_COMPARE_SCENE_H
 #define PP_CLI_COMPARE_COMPARE_SCENE_H
 
@@ -11,7 +11,7 @@ bool pp_compare_scene_is(const char *file);
 
 struct pp_compare_scene {
     struct pp_scene_description description;
-    char *title; /* the files' names, with blanks between */
+    char *title; /* the files' names, separated by blanks */
     struct pp_receiver *points;
     int count;
 };

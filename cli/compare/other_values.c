@@ -1,4 +1,4 @@
-/* other_values.c - reads the header, then a value a line; every refusal says where. */
+/* other_values.c - reads the header, then a value a line; errors name file and line. */
 #include "cli/compare/other_values.h"
 
 #include <ctype.h>
@@ -66,12 +66,12 @@ struct csv_reading {
     enum csv_column columns[COLUMNS_MOST];
     int column_count; /* 0: the header has not been read */
     bool has[COLUMN_KINDS];
-    const char *separators; /* as the header has them */
+    const char *separators; /* field separators found in the header */
     struct pp_other_values *values;
     int space;
 };
 
-/* The word without blanks and quotes around it, in its place. */
+/* Removes blanks and quotes around the word, in place. */
 static char *trim(char *word)
 {
     word += strspn(word, " \t\r\"");
@@ -82,7 +82,7 @@ static char *trim(char *word)
     return word;
 }
 
-/* Takes the unit behind the name of a coordinate away: "x [m]", "y (m)", "z_m". */
+/* Removes the unit after the name of a coordinate: "x [m]", "y (m)", "z_m". */
 static void drop_metres(char *word)
 {
     static const char *const units[] = {"[m]", "(m)", "_m"};
@@ -160,7 +160,7 @@ static enum pp_status take_header(struct csv_reading *reading, char *text,
     return status == PP_OK ? check_header(reading, err) : status;
 }
 
-/* Where columns are not parted by commas, a comma is a decimal point. */
+/* Converts decimal commas to points, if columns are not separated by commas. */
 static void point_commas(const struct csv_reading *reading, char *word)
 {
     char *comma = reading->separators[0] == ',' ? NULL : strchr(word, ',');
@@ -229,7 +229,8 @@ static enum pp_status take_row(struct csv_reading *reading, char *text,
     return status == PP_OK ? add_other_value(reading, of, err) : status;
 }
 
-/* Is the first line one number? Then there is no header, as in what rtrace writes. */
+/* True if the first line is a single number: then there is no header, as in the output
+ * of rtrace. */
 static bool is_bare(const char *text)
 {
     double value;

@@ -33,7 +33,7 @@ enum pp_other_unit {
 struct pp_other_value {
     struct pp_vec3 place; /* z NAN: the working plane */
     struct pp_vec3 normal;
-    double value; /* as written, 0 up */
+    double value; /* as written, 0 or more */
     int line;
 };
 
@@ -41,7 +41,7 @@ struct pp_other_values {
     struct pp_other_value *list;
     int count;
     bool has_places;
-    enum pp_other_unit unit; /* as the header's name says; unknown where it does not */
+    enum pp_other_unit unit; /* from the header's name; unknown if it has none */
 };
 
 /* PP_BAD_INPUT with file, line and reason. */
@@ -49,15 +49,15 @@ enum pp_status pp_other_values_read(struct pp_other_values *values, const char *
                                     struct pp_error *err);
 void pp_other_values_clear(struct pp_other_values *values);
 
-/* Makes the values' places the room's points; with more than `most`, a subset evenly
- * spread over the list. *chosen, freed by the caller: index of the value at each point,
- * room->receiver_count of them. */
+/* Makes the values' places the room's points; if there are more than `most`, a subset
+ * evenly spread over the list. *chosen, freed by the caller: index of the value at each
+ * point, room->receiver_count of them. */
 enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
                                      const struct pp_other_values *values,
                                      const char *path, int most, struct pp_error *err);
 
-/* Index, of `count` values, of point `point` of `kept`: evenly spread, the first among
- * them. */
+/* Index among `count` values of point `point` of an evenly spread subset of `kept`,
+ * which contains the first. */
 int pp_other_values_spread(int point, int count, int kept);
 
 #endif

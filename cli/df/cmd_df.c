@@ -88,7 +88,8 @@ static void help_on_methods(FILE *out)
                          out);
 }
 
-/* A sum is set out for one point a room; a cache file has the records of one room. */
+/* Checks that explanations are for one point of each room, and a cache file for one
+ * room. */
 static enum pp_exit check_rooms(const struct pp_df_options *options,
                                 const struct pp_rooms *rooms)
 {

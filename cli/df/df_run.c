@@ -42,7 +42,7 @@ static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
     return status;
 }
 
-/* The same methods and simulation on the plane inside its margin. */
+/* Adds averages by the same methods and simulation on the plane inside its margin. */
 static enum pp_status add_margin(struct pp_result *result,
                                  const struct pp_study_room *room,
                                  const struct pp_df_options *options,
@@ -104,8 +104,8 @@ static enum pp_status simulate_room(const void *data, int room,
                             &run->options->engine, err);
 }
 
-/* The hand methods come first: they take milliseconds, and their results are kept
- * whatever happens to the simulation. */
+/* The hand methods are first: they take milliseconds, and their results are kept if the
+ * simulation fails. */
 enum pp_status pp_df_run_compute(void *data, struct pp_error *err)
 {
     struct pp_df_run *run = data;
@@ -193,7 +193,7 @@ struct df_sweep {
     struct pp_df_options *options;
     char **files;
     int file_count;
-    struct pp_rooms *rooms; /* of each run */
+    struct pp_rooms *rooms; /* the rooms of each run */
     struct pp_df_run *runs;
 };
 

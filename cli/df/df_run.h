@@ -1,4 +1,4 @@
-/* df_run.h - the options of the command df, and its results for the rooms loaded. */
+/* df_run.h - the options of the command df, and the results for its rooms. */
 #ifndef PP_CLI_DF_DF_RUN_H
 #define PP_CLI_DF_DF_RUN_H
 
@@ -19,8 +19,8 @@ struct pp_df_options {
     enum pp_format format;
     bool array;
     bool bands, no_bands;
-    bool advise; /* which method to use */
-    bool margin; /* the average inside the plane's margin too */
+    bool advise; /* recommend methods */
+    bool margin; /* also average inside the plane's margin */
 };
 
 /* Reports of all rooms. */
@@ -38,7 +38,7 @@ enum pp_status pp_df_run_print(const void *data, FILE *out, struct pp_error *err
 bool pp_df_run_is_finished(const void *data);
 void pp_df_run_clear(struct pp_df_run *run);
 
-/* The command with --sweep, once for each combination of values. */
+/* Runs the command with --sweep, once for each combination of values. */
 enum pp_exit pp_df_run_sweep(struct pp_df_options *options, char **files,
                              int file_count);
 

@@ -20,7 +20,7 @@ static enum pp_status refuse_engine_choice(struct pp_error *err)
     return pp_fail(err, PP_BAD_INPUT, "%s, or several, separated by commas", names);
 }
 
-/* The engine's place in the list, -1: none has that name. */
+/* Index in the list of engines; -1: no engine has that name. */
 static int find_engine(const char *name, size_t length)
 {
     const struct pp_engine *engine;
@@ -100,7 +100,7 @@ enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simu
         return pp_fail(err, PP_BAD_INPUT, "--interpolate needs --engine cache");
     const char *used = pp_cache_choice_used(&words->cache);
     if (!used && words->cache.options.bounces != pp_irradiance_cache_defaults().bounces)
-        used = "--bounces"; /* the tracer has no limit */
+        used = "--bounces"; /* the tracer has no bounce limit */
     if (used && !cached)
         return pp_fail(err, PP_BAD_INPUT, "%s needs --engine cache", used);
     return pp_cache_choice_settle(&words->cache, err);

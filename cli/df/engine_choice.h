@@ -1,4 +1,5 @@
-/* engine_choice.h - which engines `df --simulate` uses, and how the cache is made. */
+/* engine_choice.h - the engines that `df --simulate` uses, and the options of the
+ * cache. */
 #ifndef PP_CLI_DF_ENGINE_CHOICE_H
 #define PP_CLI_DF_ENGINE_CHOICE_H
 
@@ -6,9 +7,9 @@
 #include "cli/options.h"
 
 struct pp_engine_choice {
-    unsigned engines; /* a bit by the place in the list of engines; 0: path */
+    unsigned engines; /* bit i: engine i of the list; 0: path */
     bool interpolate;
-    double sensor_m; /* radius of the discs that photons are counted on; 0: points */
+    double sensor_m; /* radius of the discs on which photons are counted; 0: points */
     struct pp_cache_choice cache;
 };
 

@@ -1,4 +1,5 @@
-/* formula_option.c - gathers the texts, and has them read before any file is. */
+/* formula_option.c - collects the values of --formula, and parses them before any file
+ * is read. */
 #include "cli/df/formula_option.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* formula_option.h - the option --formula: readers' variants of published formulae. */
+/* formula_option.h - the option --formula: a user's variants of published formulae. */
 #ifndef PP_CLI_DF_FORMULA_OPTION_H
 #define PP_CLI_DF_FORMULA_OPTION_H
 
@@ -6,7 +6,7 @@
 #include "methods/variant.h"
 
 struct pp_formula_words {
-    const char **list; /* as typed; of argv */
+    const char **list; /* as typed; borrowed from argv */
     int count;
     struct pp_variant_list variants;
 };
@@ -14,7 +14,7 @@ struct pp_formula_words {
 /* List for struct pp_option_group, with a struct pp_formula_words as values. */
 extern const struct pp_option pp_formula_option[];
 
-/* Reads the variants, which `options` points to from then on where there are any. */
+/* Parses the variants, if any; `options` then points to them. */
 enum pp_status pp_formula_option_settle(struct pp_formula_words *words,
                                         struct pp_method_options *options,
                                         struct pp_error *err);

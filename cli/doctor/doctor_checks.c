@@ -164,7 +164,7 @@ static bool reads_back(const char *path, const char *text)
     return good;
 }
 
-/* Writes a file in TMPDIR as all commands write theirs, reads it and removes it. */
+/* Writes a file in TMPDIR like any output, reads it and removes it. */
 static void check_writing(struct pp_doctor_check *check)
 {
     static const char text[] = "pepperpot doctor\n";

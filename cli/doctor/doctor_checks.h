@@ -11,16 +11,16 @@
 struct pp_doctor_check {
     const char *name;
     bool passes;
-    char result[600]; /* a figure or place; where it fails, the reason */
+    char result[600]; /* a figure or place; on failure the reason */
 };
 
 enum { PP_DOCTOR_CHECK_COUNT = 8 };
 
-/* Tries all. Takes about a second. */
+/* Runs all checks. Takes about a second. */
 void pp_doctor_checks_run(struct pp_doctor_check list[PP_DOCTOR_CHECK_COUNT]);
 
-/* The test page as a file in memory: a canvas to be destroyed by the caller, and its
- * bytes, which live as long. */
+/* The test page as a file in memory: *canvas is destroyed by the caller; *bytes is
+ * valid as long as it. */
 enum pp_status pp_doctor_checks_page(struct pp_canvas **canvas,
                                      const unsigned char **bytes, size_t *length,
                                      enum pp_chart_format format, struct pp_error *err);

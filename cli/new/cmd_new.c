@@ -15,7 +15,7 @@ struct room_template {
     const char *name, *summary, *text;
 };
 
-/* In the texts, FILE.xml stands for the name of the file. */
+/* In the texts, FILE.xml is a placeholder for the name of the file. */
 static const struct room_template templates[] = {
     {
         "office",
@@ -64,7 +64,7 @@ static void print_templates(FILE *out)
         pp_options_help_word(templates[i].name, templates[i].summary, out);
 }
 
-/* NULL: there is none of that name. */
+/* Template of that name; NULL: there is none. */
 static const struct room_template *find_template(const char *name)
 {
     for (int i = 0; i < TEMPLATES; i++)
@@ -112,7 +112,7 @@ static enum pp_status check_new(void *values, char **words, int count,
     return check_new_file(options, err);
 }
 
-/* Prints the text with the file's name in place of FILE.xml. */
+/* Prints the text with FILE.xml replaced by the file's name. */
 static void print_text(const char *text, const char *file, FILE *out)
 {
     static const char placeholder[] = "FILE.xml";

@@ -1,5 +1,5 @@
-/* main.c - pepperpot, daylight factors by hand and by ray: the list of commands, the
- * program's own options, and its work before and after a command. */
+/* main.c - pepperpot, daylight factors by hand methods and ray tracing: the list of
+ * commands, the program's own options, and the work before and after a command. */
 #include "config.h"
 
 #include <errno.h>
@@ -73,7 +73,7 @@ static enum pp_exit fail_unknown_command(const char *word)
     return PP_EXIT_USAGE;
 }
 
-/* NULL: there is none of that name. */
+/* The command of that name; NULL: there is none. */
 static const struct pp_command *find_command(const char *name)
 {
     for (int i = 0; i < COMMAND_COUNT; i++)
@@ -82,7 +82,7 @@ static const struct pp_command *find_command(const char *name)
     return NULL;
 }
 
-/* Prints the program's help, or that of the command named. */
+/* Prints the program's help, or that of the given command. */
 static enum pp_exit run_help(int argc, char **argv)
 {
     const struct pp_command *command = argc > 0 ? find_command(argv[0]) : NULL;
@@ -131,13 +131,13 @@ static enum pp_exit run_program(int argc, char **argv, const struct pp_ranks *ra
     const struct pp_command *command = find_command(word);
     if (command)
         return pp_command_run(command, argc - 1, argv + 1, ranks);
-    if (names_room_file(word)) /* argv[0] stands for the command's name */
+    if (names_room_file(word)) /* argv[0] serves as the command's name */
         return pp_command_run(&pp_command_df, argc, argv, ranks);
     return fail_unknown_command(word);
 }
 
-/* A standard stream that was closed would lend its number to the next file opened,
- * which would then get our messages. What stands in for it refuses to be used. */
+/* Opens standard streams that were closed. Otherwise the next file opened would get
+ * their number, and our messages. The replacements cannot be read or written. */
 static void occupy_standard_streams(void)
 {
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)
@@ -149,8 +149,8 @@ int main(int argc, char **argv)
 {
     occupy_standard_streams();
     signal(SIGXFSZ,
-           SIG_IGN); /* a file that grows too large is an error of its writing */
-    setlocale(LC_CTYPE, ""); /* the terminal's characters; numbers keep their point */
+           SIG_IGN); /* exceeding the file size limit then fails as a write error */
+    setlocale(LC_CTYPE, ""); /* the terminal's character set; decimal points stay */
 
     struct pp_mpirun mpirun;
     enum pp_exit status = pp_mpirun_begin(&mpirun);

@@ -5,11 +5,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The folder of the running program, ending in '/'; empty if the system does not tell. */
+/* The folder of the running program, ending in '/'; empty if unknown. */
 void pp_program_place_own(char *folder, size_t room);
 
-/* The path of a program that PATH has and this user may run. False: there is none, and
- * path is "". */
+/* Path of a program that is in PATH and executable by this user. False: there is none,
+ * and path is "". */
 bool pp_program_place_on_path(const char *program, char *path, size_t room);
 
 #endif

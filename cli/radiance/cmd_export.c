@@ -63,7 +63,7 @@ static const struct pp_option output_options[] = {
 
 /* ---- folders of several rooms ---- */
 
-enum { FOLDER_MOST = 60 }; /* bytes, and a number behind them */
+enum { FOLDER_MOST = 60 }; /* bytes, without the number appended */
 
 static bool is_taken(const char *folder, char *const *before, int count)
 {
@@ -83,7 +83,7 @@ static bool is_fit(const char *text, int length)
     return c > ' ' && c < 127 && !strchr("/\\:*?\"<>|'`$&;#", c);
 }
 
-/* Folder name for a room, different from those before; the caller's. */
+/* Folder name for a room, different from those before; freed by the caller. */
 static char *folder_of(const struct pp_rooms *rooms, int which, char *const *before)
 {
     const char *name = rooms->list[which].world->name;

@@ -31,17 +31,17 @@ static const char about[] =
     "its first letter and becomes a room file. Missing data and their defaults are "
     "listed on standard error.";
 
-/* Paths of a point in each randomisation, at most. */
+/* Most paths of a point in each randomisation. */
 static const long MOST_SAMPLES = 1 << 26;
 
-/* Between two looks at the clock, the interrupt and the progress bar. */
+/* Time (s) between checks of clock, interrupt and progress bar. */
 static const double slice_s = 0.1;
 
 struct import_options {
     struct pp_room_options room;
     const char *points_file; /* NULL: none */
     bool summary;
-    bool by_chance; /* lamps are not aimed at */
+    bool by_chance; /* lamps are hit by chance only, without next-event estimation */
     enum pp_format format;
 };
 
@@ -72,7 +72,7 @@ static const struct pp_option import_options[] = {
 static const size_t FILE_MOST = (size_t)64 << 20;
 enum { POINTS_MOST = 100000 };
 
-/* Six numbers of a line, which is changed; how many words there are. */
+/* Reads six numbers from a line, which is changed; returns the number of words. */
 static int read_sensor_numbers(char *line, double numbers[6])
 {
     int count = 0;
@@ -115,9 +115,9 @@ static enum pp_status take_sensor_line(struct pp_sensor **list, int *count, int 
     return PP_OK;
 }
 
-/* Reads the file ("-": standard input); *list is the caller's to free. Empty lines and
- * those that begin with "#" are passed over; directions are made unit. A line of
- * anything else is PP_BAD_INPUT, with its number; so is a file without points. */
+/* Reads the file ("-": standard input); the caller frees *list. Empty lines and those
+ * that begin with "#" are skipped; directions are normalised. PP_BAD_INPUT, with the
+ * line number, for any other line, and for a file without points. */
 static enum pp_status read_sensor_points(struct pp_sensor **list, int *count,
                                          const char *path, struct pp_error *err)
 {
@@ -156,7 +156,7 @@ static enum pp_status read_sensor_points(struct pp_sensor **list, int *count,
 
 /* ---- simulation ---- */
 
-/* Until the sensors are done, the time is over, or somebody interrupts. */
+/* Runs until the sensors are done, the time is over, or the user interrupts. */
 static enum pp_status trace_import_sensors(struct pp_sensors *sensors,
                                            struct pp_imported *imported,
                                            const struct pp_room_options *options,
@@ -280,7 +280,7 @@ static bool import_is_finished(const void *data)
     return !run->imported.readings || run->imported.finished;
 }
 
-/* One of the files is XML: a building, not a scene. */
+/* True if one of the files is XML: a building, not a scene. */
 static bool is_building(char **files, int file_count)
 {
     for (int i = 0; i < file_count; i++)

@@ -1,4 +1,5 @@
-/* import_building.h - the command import of a gbXML file: a room file. */
+/* import_building.h - the command import for a gbXML file, which it converts to a room
+ * file. */
 #ifndef PP_CLI_RADIANCE_IMPORT_BUILDING_H
 #define PP_CLI_RADIANCE_IMPORT_BUILDING_H
 

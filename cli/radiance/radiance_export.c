@@ -1,5 +1,5 @@
-/* radiance_export.c - puts together the files of an export: scene, materials,
- * points, script. */
+/* radiance_export.c - writes the files of an export: scene, materials, points,
+ * script. */
 #include "cli/radiance/radiance_export.h"
 
 #include "config.h"
@@ -54,7 +54,7 @@ static enum pp_status add_file(struct pp_output_directory *directory,
     return status;
 }
 
-/* Prints a line of a comment, without characters that would end it. */
+/* Prints a comment line, without characters that would end it. */
 static void print_comment(const char *text, FILE *out)
 {
     for (; *text; text++)
@@ -125,9 +125,9 @@ static const char script[] =
     "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, %s * grey / horizontal\n"
     "    }'\n";
 
-/* The option of oconv that its smallest cells are no larger than a centimetre where the
- * ground is kilometres wide; its own choice is the 16384th part of the scene. A cell in
- * which too much stands is an error. */
+/* Option of oconv with which its smallest cells are at most a centimetre, although the
+ * ground is kilometres wide: by default they are a 16384th of the scene, and oconv
+ * fails if a cell contains too many surfaces. */
 static void resolution_of(const struct pp_rad_room *rad, char *option, size_t size)
 {
     static const double CELL_M = 0.01;
@@ -162,7 +162,7 @@ static enum pp_status add_script(struct pp_output_directory *directory,
             "follow each path to its end without a cache.\n",
             moment ? "Illuminances (lx)" : "Daylight factors (%)",
             moment ? "lux" : "factor");
-    char files[200] = ""; /* those that aren't empty: oconv would complain */
+    char files[200] = ""; /* without empty ones, which oconv warns about */
     for (int i = 0; i < PP_RAD_GROUPS; i++)
         if (rad->first[i + 1] > rad->first[i])
             snprintf(files + strlen(files), sizeof files - strlen(files), " %s",

@@ -1,4 +1,4 @@
-/* radiance_export.h - a room as a directory of Radiance's files. */
+/* radiance_export.h - writes a room as a directory of Radiance files. */
 #ifndef PP_CLI_RADIANCE_RADIANCE_EXPORT_H
 #define PP_CLI_RADIANCE_RADIANCE_EXPORT_H
 

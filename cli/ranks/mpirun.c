@@ -1,4 +1,4 @@
-/* mpirun.c - looks for what mpirun and srun put into the environment of each rank. */
+/* mpirun.c - reads the environment variables that mpirun and srun set for each rank. */
 #include "cli/ranks/mpirun.h"
 
 #include <dlfcn.h>
@@ -13,8 +13,8 @@
 
 #define MODULE "pepperpot-mpi.so"
 
-/* mpirun and srun say how many ranks there are; others only which one this is. A single
- * rank is a process as any other. */
+/* True if there are several ranks. mpirun and srun give their number; other starters
+ * give only the index. A single rank is an ordinary process. */
 static bool is_rank(void)
 {
     static const char *const counts[] = {"PMI_SIZE", "SLURM_STEP_NUM_TASKS",
@@ -26,7 +26,7 @@ static bool is_rank(void)
     return ranked && (!count || atoi(count) > 1);
 }
 
-/* Searched relative to the running program, in the build tree and in an installed tree,
+/* Searches relative to the running program, in the build tree and in an installed tree,
  * which may be staged or moved; then where it was configured to be installed. */
 bool pp_mpirun_module_path(char *path, size_t room)
 {
@@ -42,8 +42,8 @@ bool pp_mpirun_module_path(char *path, size_t room)
     return access(path, R_OK) == 0;
 }
 
-/* The module is a file of its own, so that the program also runs where MPI is not
- * installed. NULL: see dlerror(). */
+/* Loads the module, a separate file, so that the program also runs without MPI. NULL:
+ * see dlerror(). */
 static void *load_module(void)
 {
     char path[PATH_MAX + 64];

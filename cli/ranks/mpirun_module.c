@@ -1,9 +1,9 @@
-/* mpirun_module.c - messages between ranks by MPI: the one file that knows it. Called by
+/* mpirun_module.c - messages between ranks by MPI; no other file uses MPI. Called by
  * one thread of each rank.
  *
- * Open MPI 4 does without a rank that has been killed, where mpirun lets it
- * (--enable-recovery): what is sent to the dead does not arrive, and MPI_Finalize does
- * not wait for them. Hence nothing here waits for another rank.
+ * If mpirun permits it (--enable-recovery), Open MPI 4 continues without a rank that
+ * was killed: messages to it are lost, and MPI_Finalize does not wait for it. Hence
+ * nothing here waits for another rank.
  */
 #include "cli/ranks/mpirun.h"
 
@@ -14,7 +14,7 @@
 
 enum { TAG = 1 };
 
-/* A message on its way, in a list. */
+/* A message being sent, in a list. */
 struct sending {
     struct sending *next;
     MPI_Request request;
@@ -25,7 +25,7 @@ struct post {
     struct sending *sendings;
 };
 
-/* Forgets the messages that have left. */
+/* Frees the messages that have been sent. */
 static void sweep(struct post *post)
 {
     struct sending **place = &post->sendings;
@@ -89,7 +89,7 @@ static enum pp_status post_receive(void *data, int *from, char **bytes, size_t *
     return PP_OK;
 }
 
-/* Messages that are still on their way are to ranks that no longer listen. */
+/* Messages still being sent are to ranks that no longer receive. */
 static void end(void *data)
 {
     struct post *post = data;

@@ -1,4 +1,5 @@
-/* report_bytes.c - numbers as they are in memory, sentences with a zero behind them. */
+/* report_bytes.c - numbers in their binary form in memory, sentences terminated by a
+ * zero. */
 #include "cli/ranks/report_bytes.h"
 
 #include <stdio.h>
@@ -51,7 +52,7 @@ enum pp_status pp_report_bytes_write(const struct pp_report *report, char **byte
     return pp_fail_memory(err);
 }
 
-/* Bytes left to read. */
+/* Unread bytes. */
 struct rest {
     const char *at;
     size_t length;

@@ -1,4 +1,4 @@
-/* room_queue.c - one room an index; the bytes sent are the simulation's columns. */
+/* room_queue.c - one room per index; the bytes sent are the simulation's columns. */
 #include "cli/ranks/room_queue.h"
 
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "model/base/work_queue.h"
 #include "cli/ranks/report_bytes.h"
 
-/* The first byte is whether the time was over. */
+/* Packs the columns; the first byte states whether the time was over. */
 static enum pp_status pack(const struct pp_report *report, bool by_clock, char **bytes,
                            size_t *length, struct pp_error *err)
 {
@@ -65,7 +65,7 @@ static bool no_interrupt_came(void *data, double done)
     return !pp_interrupt_came();
 }
 
-/* Simulates the rooms from `first` on, in this process. */
+/* Simulates the rooms from `first` on in this process alone. */
 static enum pp_status alone(const struct pp_room_queue *queue, int first,
                             struct pp_error *err)
 {
@@ -78,7 +78,7 @@ static enum pp_status alone(const struct pp_room_queue *queue, int first,
 }
 
 /* After a stop, rooms not yet started get the same result as in a single process: the
- * watch of the simulation ends each one as soon as it begins. */
+ * watch ends each simulation at once. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err)
 {

@@ -5,7 +5,7 @@
 #include "model/base/ranks.h"
 #include "model/results/report.h"
 
-/* Results of a room's simulation: columns of its report; true if its time ran out. */
+/* Results of a room's simulation: its report, and whether its time was over. */
 struct pp_room_figures {
     struct pp_report *report;
     bool *by_clock;
@@ -15,7 +15,7 @@ struct pp_room_queue {
     int count;                    /* of rooms; 0: nothing is simulated */
     const struct pp_ranks *ranks; /* NULL: this process alone */
 
-    /* The report of a room; it has the hand methods' columns. */
+    /* The report of a room, which has the hand methods' columns. */
     struct pp_room_figures (*figures)(void *data, int room);
 
     /* Adds the simulation's columns to the report, which may be a copy without any
@@ -25,8 +25,9 @@ struct pp_room_queue {
     void *data;
 };
 
-/* Simulates all rooms; a single one by rank 0, with the threads of its options. Over ranks (work_queue.h) it ends as interrupted for others than 0,
- * which has the columns of all rooms, the same as if it had been alone. */
+/* Simulates all rooms; a single room on rank 0, with the threads of its options. With
+ * ranks (work_queue.h), all but rank 0 end as interrupted; rank 0 has the columns of
+ * all rooms, equal to those of a single process. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err);
 

@@ -1,4 +1,4 @@
-/* cmd_render.c - the command render: a picture of a room's light. */
+/* cmd_render.c - the command render: a picture of the light in a room. */
 #include "cli/command.h"
 #include "cli/render/make_picture.h"
 #include "cli/message.h"
@@ -39,7 +39,7 @@ static enum pp_exit write_output(const struct pp_shown_picture *shown,
     return PP_EXIT_DONE;
 }
 
-/* The standard errors of its pixels, as a picture of numbers. */
+/* Writes the standard errors of the pixels as a picture in a numeric format. */
 static enum pp_exit write_errors(const struct pp_made_picture *made, const char *path)
 {
     struct pp_error err = {0};

@@ -21,7 +21,7 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/opening_store.h"
 
-/* A slice of the work, and the time between two checkpoints. */
+/* Duration of a slice of work, and time between two checkpoints. */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
 
 /* Most directions from a pixel to one window; also limited by the number of its
@@ -44,7 +44,7 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
     while (status == PP_OK && !pp_cache_warm_up_done(warm_up)) {
         status = pp_cache_warm_up_advance(warm_up, slice_s, err);
         pp_progress_show(&progress, pp_cache_warm_up_progress(warm_up), NAN);
-        /* Half a cache would not grow on to the same one. */
+        /* A cache continued from half of its records would differ. */
         if (status == PP_OK && pp_interrupt_came() && !pp_cache_warm_up_done(warm_up))
             status = pp_fail(err, PP_INTERRUPTED,
                              "interrupted while the irradiance cache was built; "
@@ -54,7 +54,7 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
     return status;
 }
 
-/* All of the file; *bytes is the caller's, NULL where there is no file. */
+/* Reads the whole file; the caller frees *bytes. NULL: the file does not exist. */
 static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *length,
                                       struct pp_error *err)
 {
@@ -64,7 +64,7 @@ static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *le
     return pp_read_file(bytes, length, path, CHECKPOINT_MOST, err);
 }
 
-/* Gives the cache the records that the checkpoint keeps. */
+/* Adds the records of the checkpoint to the cache. */
 static enum pp_status take_records(struct pp_irradiance_cache *cache, const char *path,
                                    struct pp_error *err)
 {
@@ -89,7 +89,7 @@ static enum pp_status take_records(struct pp_irradiance_cache *cache, const char
     return status;
 }
 
-/* The cache that the picture is read from. */
+/* Fills the cache from which the picture is made. */
 static enum pp_status fill_cache(struct pp_made_picture *made,
                                  struct pp_render_options *render,
                                  const struct pp_render_choice *choice,
@@ -204,7 +204,7 @@ static enum pp_status save(const struct pp_made_picture *made, const char *path,
     return pp_output_close(&output, status, err);
 }
 
-/* Handles Ctrl-C: saves the finished part if a file is given. */
+/* Handles Ctrl-C: saves the finished part if a file name is given. */
 static enum pp_status interrupted(const struct pp_made_picture *made, const char *path,
                                   struct pp_error *err)
 {
@@ -259,7 +259,7 @@ static void scale_picture(struct pp_picture *picture, double scale)
         picture->rgb[i] = (float)(scale * picture->rgb[i]);
 }
 
-/* The horizontal illuminance outside: as given, of the photographed sky, or 10,000 lx. */
+/* Horizontal illuminance outside: as given, of the photographed sky, or 10,000 lx. */
 static double external_of(const struct pp_room_options *options,
                           const struct pp_sky *sky)
 {
@@ -268,7 +268,8 @@ static double external_of(const struct pp_room_options *options,
     return sky->kind == PP_SKY_PICTURE ? sky->picture->horizontal_lx : 1e4;
 }
 
-/* The picture and its errors, out of shares of Eh into their own units. */
+/* Converts the picture and its errors from shares of Eh to the units of their
+ * quantity. */
 static enum pp_status take_picture(struct pp_made_picture *made,
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,

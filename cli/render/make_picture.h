@@ -1,4 +1,5 @@
-/* make_picture.h - a room's picture, rendered with a bar, checkpoints and Ctrl-C. */
+/* make_picture.h - renders a room's picture, with progress bar, checkpoints and
+ * Ctrl-C. */
 #ifndef PP_CLI_RENDER_MAKE_PICTURE_H
 #define PP_CLI_RENDER_MAKE_PICTURE_H
 
@@ -12,7 +13,7 @@ struct pp_made_picture {
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_opening_store *store;
-    struct pp_irradiance_cache *cache; /* NULL: by paths */
+    struct pp_irradiance_cache *cache; /* NULL: light paths without a cache */
     struct pp_render *render;
     double (*marks)[2];
 };

@@ -1,4 +1,4 @@
-/* picture_format.c - the formats of numbers first, then those that show. */
+/* picture_format.c - the numeric formats, followed by those of charts. */
 #include "cli/render/picture_format.h"
 
 #include <string.h>

@@ -9,7 +9,7 @@
 #include "model/base/text.h"
 #include "model/pictures/raster.h"
 
-/* Size of a sentence that names the formats. */
+/* Size of a sentence that lists the formats. */
 enum { ENDINGS_SIZE = 128 };
 
 struct pp_render_choice pp_render_choice_default(void)
@@ -46,7 +46,7 @@ bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
            || choice->records;
 }
 
-/* First given option for making a room's picture; NULL: none. */
+/* First option given that applies to making a room's picture; NULL: none. */
 static const char *making_said(const struct pp_render_choice *choice,
                                const struct pp_room_options *options)
 {
@@ -100,7 +100,7 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-/* The shown picture is smaller than the saved one. */
+/* Checks the size: a displayed picture must be smaller than a saved one. */
 static enum pp_status check_size(const struct pp_render_choice *choice, bool shown,
                                  struct pp_error *err)
 {
@@ -144,7 +144,8 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-/* Standard errors are numbers, and want paths to compare. */
+/* Checks the options of standard errors: they need a numeric format and several
+ * paths. */
 static enum pp_status check_errors(const struct pp_render_choice *choice,
                                    struct pp_error *err)
 {

@@ -37,12 +37,12 @@ struct pp_levels {
 
 struct pp_exposure {
     enum pp_tone_way way;
-    double white; /* by hand: in the quantity's unit */
+    double white; /* set by the user, in the quantity's unit */
     bool said;
 };
 
 struct pp_picture_size {
-    int width, height; /* 0: not said */
+    int width, height; /* 0: not given */
 };
 
 struct pp_quantity_choice {
@@ -65,14 +65,14 @@ enum pp_window_light {
 struct pp_render_choice {
     enum pp_view_choice view;
     struct pp_coordinates from, towards, direction, up;
-    double angle_deg; /* 0: not said */
-    double across_m;  /* 0: not said */
+    double angle_deg; /* 0: not given */
+    double across_m;  /* 0: not given */
     struct pp_picture_size size;
 
     struct pp_quantity_choice quantity;
     enum pp_pixel_filter filter;
-    int samples; /* 0: not said, until checked */
-    bool paths;  /* by paths alone, not through a cache */
+    int samples; /* 0: not given, before the check */
+    bool paths;  /* light paths only, without a cache */
     enum pp_window_light windows;
     struct pp_cache_choice cache;
     const char *checkpoint;
@@ -80,24 +80,24 @@ struct pp_render_choice {
 
     struct pp_exposure exposure;
     bool false_colour;
-    struct pp_levels range, levels; /* range: none or two */
+    struct pp_levels range, levels; /* range: empty or two values */
     bool linear, no_contours;
-    bool records; /* the cache's, marked on a sheet */
-    bool grid;    /* altitudes and bearings over a fisheye */
+    bool records; /* mark the cache's records on a sheet */
+    bool grid;    /* draw altitudes and bearings over a fisheye */
 
     const char *format; /* as typed; NULL: by the file's name */
     struct pp_paper_choice paper;
     enum pp_orientation orientation;
-    double dpi; /* 0: not said */
+    double dpi; /* 0: not given */
     const char *from_picture;
 };
 
-/* Default options; the caller clears them. */
+/* Default options; pp_render_choice_clear frees them. */
 struct pp_render_choice pp_render_choice_default(void);
 void pp_render_choice_clear(struct pp_render_choice *choice);
 
-/* Do the options make sense together, with `file_count` room files (an illuminance
- * outside of 0: not said)? Settles the samples and the options of the cache. */
+/* Checks that the options are consistent for `file_count` room files (an illuminance
+ * outside of 0: not given). Sets the samples and the options of the cache. */
 enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);
@@ -108,7 +108,7 @@ enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err);
 
-/* True if it is laid out on a sheet, false if shown pixel for pixel. */
+/* True if it is placed on a sheet, false if written pixel for pixel. */
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
                                const struct pp_picture_format *format);
 

@@ -51,8 +51,8 @@ static enum pp_view_kind view_kind(enum pp_view_choice view)
     return PP_VIEW_PARALLEL;
 }
 
-/* Typed values replace the room's own; a height that was not typed stays.
- */
+/* Replaces the room's default view by the given values; a height that is not given
+ * stays. */
 static enum pp_status take_typed(struct pp_view_place *place,
                                  const struct pp_render_choice *choice,
                                  struct pp_error *err)
@@ -97,13 +97,14 @@ static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world
     return PP_OK;
 }
 
-/* A picture's other side, at a share of the first. */
+/* The other side of a picture (pixels), rounded and limited. */
 static int side(double pixels)
 {
     return (int)fmin(fmax(lrint(pixels), 1.0), PP_PICTURE_SIDE_MOST);
 }
 
-/* Metres across and down; the picture's size so that its pixels are square. */
+/* Width and height of the view (m), and the picture's size, such that its pixels are
+ * square. */
 static void size_parallel(struct pp_picture_size *size, double *across, double *down,
                           const struct pp_render_choice *choice,
                           const struct pp_view_place *place)
@@ -119,14 +120,14 @@ static void size_parallel(struct pp_picture_size *size, double *across, double *
         *size = (struct pp_picture_size){LONG_SIDE, side(LONG_SIDE * shape)};
     else
         *size = (struct pp_picture_size){side(LONG_SIDE / shape), LONG_SIDE};
-    /* All of the room, whatever the picture's shape. */
+    /* The whole room, whatever the picture's aspect ratio. */
     double asked = (double)size->height / size->width;
     if (choice->across_m == 0.0 && asked < shape)
         *across *= shape / asked;
     *down = *across * asked;
 }
 
-/* Angles across and down, so that pixels are square. */
+/* Horizontal and vertical angle, such that pixels are square. */
 static void size_angles(struct pp_picture_size *size, double *across, double *down,
                         const struct pp_render_choice *choice)
 {

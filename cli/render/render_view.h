@@ -1,4 +1,4 @@
-/* render_view.h - from the words of the command line to a camera in a room. */
+/* render_view.h - converts the view options to a camera in a room. */
 #ifndef PP_CLI_RENDER_RENDER_VIEW_H
 #define PP_CLI_RENDER_RENDER_VIEW_H
 

@@ -1,4 +1,5 @@
-/* show_picture.c - writes a picture as numbers, as PNG, or drawn on a sheet. */
+/* show_picture.c - writes a picture in a numeric format, as PNG, or drawn on a
+ * sheet. */
 #include "cli/render/show_picture.h"
 
 #include <math.h>
@@ -69,7 +70,7 @@ enum pp_status pp_show_picture_read(struct pp_shown_picture *shown,
     return status;
 }
 
-/* ---- into one ---- */
+/* ---- to a file ---- */
 
 enum pp_status pp_show_picture_numbers(const struct pp_shown_picture *shown,
                                        const struct pp_number_format *format, FILE *out,
@@ -95,7 +96,7 @@ static enum pp_status tone_raster(struct pp_raster *raster,
         .way = choice->exposure.said ? choice->exposure.way : PP_TONE_AUTOMATIC,
         .white = choice->exposure.white,
         .unit = pp_quantity_words(shown->quantity).scale,
-        /* A picture without angles is looked at as if it were 50 degrees wide. */
+        /* A picture without angles is assumed to be 50 degrees wide. */
         .degree_pixels = fmax(shown->picture.width / (angle ? across_deg : 50.0), 1.0)};
     struct pp_tone tone;
     enum pp_status status = pp_tone_prepare(&tone, &shown->picture, &options, err);
@@ -127,7 +128,7 @@ static enum pp_status write_png(FILE *out, const struct pp_shown_picture *shown,
  * side. */
 static const double smooth_share = 1.0 / 250.0, shortest_share = 1.0 / 25.0;
 
-/* Lengths and north, of a parallel view. */
+/* Sets the scale of lengths and the north arrow, for a parallel view. */
 static void lay_lengths(struct pp_picture_sheet *sheet,
                         const struct pp_shown_picture *shown)
 {
@@ -142,7 +143,7 @@ static void lay_lengths(struct pp_picture_sheet *sheet,
         -atan2(pp_vec_dot(north, camera->right), pp_vec_dot(north, camera->up));
 }
 
-/* Daylight factors and illuminances allow for decorations, luminances don't. */
+/* Daylight factors and illuminances account for decorations, luminances do not. */
 static void note_decorations(struct pp_picture_sheet *sheet,
                              const struct pp_shown_picture *shown)
 {
@@ -159,7 +160,7 @@ static void note_decorations(struct pp_picture_sheet *sheet,
                     shown->world->decorations);
 }
 
-/* Title, subtitle and notes; the scale of lengths. */
+/* Sets title, subtitle and notes, and the scale of lengths. */
 static void write_picture_words(struct pp_picture_sheet *sheet,
                                 const struct pp_shown_picture *shown,
                                 const struct pp_render_choice *choice)
@@ -195,7 +196,7 @@ static void write_picture_words(struct pp_picture_sheet *sheet,
     note_decorations(sheet, shown);
 }
 
-/* Are there pixels beyond the ends of the scale? */
+/* Notes whether pixels are beyond the ends of the scale. */
 static void look_beyond(struct pp_picture_sheet *sheet,
                         const struct pp_picture *picture, double unit)
 {
@@ -225,7 +226,7 @@ static void choose_levels(struct pp_picture_sheet *sheet,
             sheet->levels[sheet->level_count++] = all[i];
 }
 
-/* Raster, scale and level lines. */
+/* Adds raster, scale and level lines. */
 static enum pp_status lay_false_colours(struct pp_picture_sheet *sheet,
                                         const struct pp_shown_picture *shown,
                                         const struct pp_render_choice *choice,

@@ -1,5 +1,5 @@
-/* cmd_report.c - the command report: rooms, their drawings, figures and verdicts as one
- * page of HTML, or as sheets of a PDF. */
+/* cmd_report.c - the command report: rooms with drawings, figures and verdicts as one
+ * HTML page, or as sheets of a PDF. */
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,7 +70,7 @@ static const struct pp_option full_option[] = {
     {0},
 };
 
-/* From the last dot of the file's own name; NULL: it has no ending. */
+/* Ending of the file name, from its last dot; NULL: none. */
 static const char *ending_of(const char *path)
 {
     const char *slash = path ? strrchr(path, '/') : NULL;
@@ -78,7 +78,7 @@ static const char *ending_of(const char *path)
     return name ? strrchr(name, '.') : NULL;
 }
 
-/* By --format, or by the ending of its name: is the report a PDF? */
+/* True if the report is a PDF: by --format, or by the ending of its name. */
 static bool is_pdf(const struct pp_assess_words *words)
 {
     const char *ending = ending_of(words->room.output);
@@ -96,7 +96,7 @@ static bool is_safe(const char *word)
                   == '\0';
 }
 
-/* Behind a space; in quotes where a shell would take it otherwise. */
+/* Prints a word after a space, with quotes if a shell needs them. */
 static void put_word(const char *word, FILE *out)
 {
     fputc(' ', out);
@@ -110,7 +110,7 @@ static void put_word(const char *word, FILE *out)
     fputc('\'', out);
 }
 
-/* An option and its word, where that was given. */
+/* Prints an option and its value, if given. */
 static void put_option(const char *option, const char *word, FILE *out)
 {
     if (!word)
@@ -164,8 +164,8 @@ static void put_simulation(const struct pp_study_options *study, FILE *out)
     fprintf(out, " --seed %llu", (unsigned long long)study->seed);
 }
 
-/* All that bears on the figures: what is judged, of which files and rooms, how it is
- * simulated; as a shell takes it. To be freed; NULL when memory is out. */
+/* The command line with all options that affect the figures: criteria, files, rooms,
+ * simulation; quoted for a shell. Freed by the caller; NULL: out of memory. */
 static char *made_words(const struct pp_assess_run *run)
 {
     char *text = NULL;
@@ -290,8 +290,8 @@ static enum pp_status print_site_report(const void *data, FILE *out,
     return status;
 }
 
-/* A name whose ending asks for another format than those there are, unless --format says
- * which it is. */
+/* PP_BAD_INPUT if the ending of the name is that of an unknown format, unless --format
+ * is given. */
 static enum pp_status check_report_options(void *values, char **files, int file_count,
                                            struct pp_error *err)
 {

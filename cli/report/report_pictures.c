@@ -14,13 +14,13 @@ struct drawing_task {
     struct pp_report_pictures *pictures;
     const struct pp_assess_run *run;
     bool to_place;
-    const struct pp_study_room **before; /* of each room; NULL: none */
+    const struct pp_study_room **before; /* former state of each room; NULL: none */
 };
 
 /* ---- one picture ---- */
 
-/* A chart of a room, or of a site that begins with it; NULL in *canvas where there is
- * nothing to draw. */
+/* Draws a chart of a room, or of a site that begins with it; *canvas is NULL if there
+ * is nothing to draw. */
 static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
                                  const struct pp_study_room *room,
                                  const struct pp_study_options *options,
@@ -38,7 +38,7 @@ static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
     enum pp_status status = pp_canvas_create(canvas, &sheet, err);
     if (status != PP_OK)
         return status;
-    /* A section may put points of its own in place of the room's. */
+    /* A section may replace the room's points by its own. */
     drawn.receivers =
         malloc(((size_t)room->receiver_count + 1) * sizeof *room->receivers);
     if (drawn.receivers) {
@@ -66,8 +66,8 @@ static enum pp_status grow_pictures(struct pp_report_pictures *pictures,
                            : status;
 }
 
-/* Options for the drawings of a room: simulated if its figures are, to twice their error.
- * An end by the clock is a tenth of that of the figures. */
+/* Options for the drawings of a room: simulated if its figures are, with twice their
+ * error. A time limit is a tenth of that for the figures. */
 static struct pp_study_options drawing_options(const struct drawing_task *task,
                                                int room)
 {
@@ -82,8 +82,8 @@ static struct pp_study_options drawing_options(const struct drawing_task *task,
     return options;
 }
 
-/* room: whose the picture is; PP_SITE_WHOLE. The chart is of `choice`, beginning with room
- * `first`. */
+/* Adds the chart of `choice`, beginning with room `first`. room: to which the picture
+ * belongs; PP_SITE_WHOLE: to the site. */
 static enum pp_status add_drawing(struct drawing_task *task, int room, int first,
                                   const char *kind, const char *title,
                                   struct pp_chart_choice choice, struct pp_error *err)
@@ -116,7 +116,7 @@ static int rooms_of_site(const struct pp_rooms *rooms, int first)
     return count;
 }
 
-/* Is there more to see than a room by itself? */
+/* True if the site has more to show than a single room. */
 static bool is_site(const struct drawing_task *task, int first, int count)
 {
     bool outside = count > 1;
@@ -143,8 +143,9 @@ static enum pp_status draw_site(struct drawing_task *task, int first, int count,
 
 /* ---- of a room ---- */
 
-/* The line of the window that has least of the sun that a criterion requires, or least sun
- * where none is required; 0: the criterion is of the room; -1: sunlight is not assessed. */
+/* Line of the window with the least sun relative to a criterion's requirement, or the
+ * least sun if nothing is required; 0: the criterion is of the room; -1: sunlight is
+ * not assessed. */
 static int least_sunny(const struct pp_assessment *room)
 {
     int line = -1;

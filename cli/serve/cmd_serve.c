@@ -35,7 +35,7 @@ struct serve_choice {
     bool open;
     const char *listen, *jobs;
     struct token_place token;
-    struct pp_serve_options serve; /* hosts alone, from the words */
+    struct pp_serve_options serve; /* hosts only, from the options */
 };
 
 static enum pp_status read_port(const char *text, void *place, struct pp_error *err)
@@ -112,7 +112,7 @@ static enum pp_status check_serve(void *values, char **words, int count,
     return PP_OK;
 }
 
-/* The first line of the token's file; the caller frees it. */
+/* Reads the first line of the token's file; the caller frees it. */
 static enum pp_status read_token(char **token, const char *file, struct pp_error *err)
 {
     enum { TOKEN_BYTES = 4096 };
@@ -123,7 +123,8 @@ static enum pp_status read_token(char **token, const char *file, struct pp_error
     return status;
 }
 
-/* 128 random bits by which the page gets the room that the server was started with. */
+/* Makes 128 random bits, with which the page fetches the room that the server was
+ * started with. */
 static bool make_key(char key[33])
 {
     unsigned char bytes[16];

@@ -33,7 +33,8 @@ static const char about[] =
     "--envelope finds the largest building on its plot. FILE is a room file; - is "
     "standard input.";
 
-/* In place of a text of `file` the same as it has to be at `path`. */
+/* Replaces a text of `file` by the text needed at `path`, with relative file names
+ * adapted. */
 static enum pp_status move_text(char **text, size_t *length, const char *file,
                                 const char *path, struct pp_error *err)
 {
@@ -47,7 +48,7 @@ static enum pp_status move_text(char **text, size_t *length, const char *file,
     return status;
 }
 
-/* The room file with all that was sized. */
+/* Writes the room file with all sized openings. */
 static enum pp_status write_sized_file(const struct pp_size_results *results,
                                        const char *file, const char *path,
                                        struct pp_error *err)
@@ -97,9 +98,9 @@ struct size_run {
     struct pp_size_results results;
 };
 
-/* All rooms. Of several, one that has no window says so, and those that lack the very
- * window that is asked for (--line, --wall) are left out; it is an error where no room
- * has any. */
+/* Sizes all rooms. Of several rooms, one without windows gets a reason, and those that
+ * lack the window given by --line or --wall are left out; it is an error if no room has
+ * one. */
 static enum pp_status compute_sizes(void *data, struct pp_error *err)
 {
     struct size_run *run = data;
@@ -179,7 +180,7 @@ struct size_sweep {
     struct pp_size_options *options;
     char **files;
     int file_count;
-    struct pp_rooms *rooms; /* of each run */
+    struct pp_rooms *rooms; /* the rooms of each run */
     struct size_run *runs;
 };
 
@@ -258,7 +259,7 @@ struct block_run {
     struct pp_plot_envelope envelope;
 };
 
-/* PP_BAD_INPUT where the file has not one block so called. */
+/* PP_BAD_INPUT unless the file has exactly one block of that name. */
 static enum pp_status check_block_name(const char *file,
                                        const struct pp_building *building,
                                        const char *name, struct pp_error *err)

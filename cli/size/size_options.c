@@ -110,7 +110,7 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
     return status == PP_OK ? status : pp_fail(err, status, "--by: %s", fault.message);
 }
 
-/* Nothing that is about windows to be sized goes with --obstruction or --envelope. */
+/* PP_BAD_INPUT if options of windows are combined with --obstruction or --envelope. */
 static enum pp_status settle_block(struct pp_size_options *options,
                                    struct pp_error *err)
 {
@@ -172,7 +172,7 @@ const char *pp_size_options_block(const struct pp_size_options *options)
     return options->envelope ? options->envelope : options->obstruction;
 }
 
-/* An option of a block's rule that was given without a block; NULL: none. */
+/* First option of a block's rule that is given without a block; NULL: none. */
 static const char *stray_rule(const struct pp_size_options *options)
 {
     const struct pp_retained_sky_rule *rule = &options->rule;
@@ -186,7 +186,7 @@ static const char *stray_rule(const struct pp_size_options *options)
                                                   : NULL;
 }
 
-/* A criterion is judged by figures of its own, at points of its own. */
+/* Checks a criterion, which has figures and points of its own. */
 static enum pp_status settle_criterion(struct pp_size_options *options,
                                        struct pp_error *err)
 {

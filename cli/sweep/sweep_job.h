@@ -8,9 +8,9 @@
 #include "pepperpot.h"
 
 struct pp_sweep_job {
-    struct pp_room_options *room; /* whose sweep it is */
+    struct pp_room_options *room; /* its sweep gives the runs */
     enum pp_format format;
-    /* Loads the rooms of a run, whose values are chosen in room->sweep. */
+    /* Loads the rooms of a run, with the current values of room->sweep. */
     enum pp_exit (*load)(void *data, int run);
     enum pp_status (*compute)(void *data, int run, struct pp_error *err);
     bool (*is_finished)(const void *data, int run);
@@ -18,10 +18,10 @@ struct pp_sweep_job {
     enum pp_status (*print)(const void *data, int run, FILE *out, struct pp_error *err);
     /* Prints all runs as text. */
     enum pp_status (*print_text)(const void *data, FILE *out, struct pp_error *err);
-    void *data; /* the command's own */
+    void *data; /* passed to the functions */
 };
 
-/* A wrong value in any run is reported before anything is computed. */
+/* Runs the sweep. A wrong value in any run is reported before anything is computed. */
 enum pp_exit pp_sweep_job_run(const struct pp_sweep_job *job);
 
 #endif

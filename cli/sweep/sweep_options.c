@@ -9,7 +9,7 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* Position of the "=" behind an address, which has a point in it; NULL: there is none. */
+/* Position of the "=" after an address, which contains a dot; NULL: there is none. */
 static const char *behind_address(const char *text)
 {
     const char *equals = strchr(text, '=');

@@ -1,5 +1,5 @@
-/* against_radiance.c - a report a room, with a column of the simulation and one of rtrace, and
- * both printed. */
+/* against_radiance.c - makes a report for each room, with columns of the simulation and
+ * of rtrace, and prints both. */
 #include "cli/validate/against_radiance.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ struct against_run {
     const struct pp_room_options *options;
     enum pp_format format;
     const struct pp_rooms *rooms;
-    struct pp_result *results; /* one a room */
+    struct pp_result *results; /* one for each room */
     int count;
 };
 
@@ -53,7 +53,7 @@ static struct pp_room_figures against_room_figures(void *data, int index)
     return (struct pp_room_figures){&result->report, &result->by_clock};
 }
 
-/* Nothing of a simulation that was stopped is compared. */
+/* Simulates a room; a stopped simulation is not compared. */
 static enum pp_status simulate_against_room(const void *data, int index,
                                             struct pp_report *report, bool *by_clock,
                                             struct pp_error *err)
@@ -184,7 +184,7 @@ static enum pp_status print_against_radiance(const void *data, FILE *out,
 
 /* ---- all rooms ---- */
 
-/* Prepares all that needs no simulation. */
+/* Prepares everything that needs no simulation. */
 static enum pp_status begin_against_run(struct against_run *run,
                                         const struct pp_study_room *room,
                                         struct pp_error *err)

@@ -1,5 +1,5 @@
-/* against_radiance.h - daylight factors of the simulation beside those of Radiance's
- * rtrace, of the same rooms: exported, worked out by the script that goes with them. */
+/* against_radiance.h - daylight factors by simulation beside those by Radiance's
+ * rtrace, of the same rooms: exported, and computed by the script in the export. */
 #ifndef PP_CLI_VALIDATE_AGAINST_RADIANCE_H
 #define PP_CLI_VALIDATE_AGAINST_RADIANCE_H
 
@@ -7,14 +7,14 @@
 #include "reports/parts/format.h"
 #include "cli/rooms.h"
 
-/* Traces, runs and prints. Where oconv or rtrace is not on PATH that is said, and
- * nothing is done: PP_EXIT_MACHINE. */
+/* Simulates, runs rtrace and prints. PP_EXIT_MACHINE, with a message, if oconv or
+ * rtrace is not in PATH. */
 enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
                                  const struct pp_room_options *options,
                                  enum pp_format format);
 
-/* The same as a suite. page: a file for the page, or NULL. PP_EXIT_INPUT where more lies
- * outside than may. */
+/* Does the same as a suite. page: file for the page, or NULL. PP_EXIT_INPUT if more
+ * cases than allowed are outside their limits. */
 enum pp_exit pp_against_radiance_suite(const struct pp_rooms *rooms,
                                        const struct pp_room_options *options,
                                        enum pp_format format, const char *page);

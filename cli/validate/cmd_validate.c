@@ -1,5 +1,5 @@
-/* cmd_validate.c - the command validate: formulae against simulation, and the
- * program against analytic answers. */
+/* cmd_validate.c - the command validate: formulae against simulation, and the program
+ * against known results. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -50,9 +50,9 @@ struct validate_options {
     struct pp_formula_words formulae;
     const char *against; /* the other program; NULL: none */
     enum pp_format format;
-    const char *page;             /* for what a suite found; NULL: not wanted */
-    const struct pp_suite *suite; /* NULL: of rooms */
-    int words;                    /* operands before the files */
+    const char *page;             /* file for a suite's results; NULL: none */
+    const struct pp_suite *suite; /* NULL: compares rooms */
+    int words;                    /* number of operands before the files */
 };
 
 #define PLACE(member) offsetof(struct validate_options, member)
@@ -77,7 +77,7 @@ static const struct pp_option page_option[] = {
 struct engines_run {
     const struct pp_room_options *options;
     const struct pp_rooms *rooms;
-    struct pp_result *results; /* one a room */
+    struct pp_result *results; /* one for each room */
     int count;
 };
 
@@ -145,9 +145,9 @@ static bool engines_are_finished(const void *data)
     return true;
 }
 
-/* Runs every engine in every room, over ranks where there are some, and compares their
- * results. page: a file for the page, or NULL. PP_EXIT_INPUT where more results than
- * allowed are outside their limits. */
+/* Runs every engine in every room, over ranks if there are any, and compares their
+ * results. page: file for the page, or NULL. PP_EXIT_INPUT if more results than allowed
+ * are outside their limits. */
 static enum pp_exit validate_engines(const struct pp_rooms *rooms,
                                      const struct pp_room_options *options,
                                      enum pp_format format, const char *page)
@@ -165,7 +165,7 @@ static enum pp_exit validate_engines(const struct pp_rooms *rooms,
 
 /* ---- rooms ---- */
 
-/* Loads the rooms and compares them with what they are to be compared with. */
+/* Loads the rooms and runs the selected comparison. */
 static enum pp_exit compare_loaded_rooms(struct validate_options *options, char **files,
                                          int file_count)
 {
@@ -213,7 +213,7 @@ static void init_validate_options(void *values)
         (struct validate_options){.room = pp_room_options_none};
 }
 
-/* The option that is about a room; NULL: none is there. */
+/* First option given that applies to rooms only; NULL: none. */
 static const char *said_of_rooms(const struct validate_options *options)
 {
     const struct pp_study_options *study = &options->room.study;
@@ -229,7 +229,7 @@ static const char *said_of_rooms(const struct validate_options *options)
                                          : NULL;
 }
 
-/* Reads the first operand, if it is no file. */
+/* Reads the first operand, if it is not a file. */
 static void take_word(struct validate_options *options, char **operands, int count)
 {
     options->suite = count == 0 ? &pp_suite_quick : pp_suite_find(operands[0]);
@@ -250,7 +250,8 @@ static int list_suites(const char *names[SUITES_MOST])
     return count;
 }
 
-/* A suite's name that is mistyped: no file, and like one of them. */
+/* PP_BAD_INPUT for a mistyped name of a suite: not a file, and similar to one of
+ * them. */
 static enum pp_status check_word(const char *word, struct pp_error *err)
 {
     const char *names[SUITES_MOST];

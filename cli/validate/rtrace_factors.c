@@ -23,7 +23,8 @@ bool pp_rtrace_is_there(void)
            && pp_program_place_on_path("oconv", path, sizeof path);
 }
 
-/* The script's factors, *text the caller's; its messages go to standard error. */
+/* Runs the script and returns its output in *text, freed by the caller; its messages go
+ * to standard error. */
 static enum pp_status run_script(const char *directory, char **text,
                                  struct pp_error *err)
 {
@@ -60,7 +61,7 @@ static enum pp_status run_script(const char *directory, char **text,
                                : pp_fail(err, PP_SYSTEM, "rtrace failed");
 }
 
-/* The fourth word of each line: PP_RTRACE_REPEATS lines a point. */
+/* Reads the fourth word of each line: PP_RTRACE_REPEATS lines per point. */
 static enum pp_status read_factors(struct pp_reading *readings, int count, char *text,
                                    struct pp_error *err)
 {
@@ -83,7 +84,7 @@ static enum pp_status read_factors(struct pp_reading *readings, int count, char 
     return PP_OK;
 }
 
-/* The room with each point as often as it is asked. */
+/* Exports the room with each point repeated. */
 static enum pp_status export_repeated(const char *path,
                                       const struct pp_study_room *room,
                                       struct pp_error *err)

@@ -1,6 +1,5 @@
-/* rtrace_factors.h - daylight factors of a room's points by Radiance's rtrace, through what
- * is exported of the room and the script that goes with that.
- */
+/* rtrace_factors.h - daylight factors at a room's points by Radiance's rtrace, from the
+ * export of the room and its script. */
 #ifndef PP_CLI_VALIDATE_RTRACE_FACTORS_H
 #define PP_CLI_VALIDATE_RTRACE_FACTORS_H
 
@@ -10,14 +9,15 @@
 #include "model/results/reading.h"
 #include "studies/study_room.h"
 
-/* Each point is asked so often: rtrace has no standard error, their spread gives one. */
+/* Number of runs for each point: rtrace has no standard error, their scatter gives
+ * one. */
 enum { PP_RTRACE_REPEATS = 16 };
 
 /* True if Radiance's oconv and rtrace are on PATH. */
 bool pp_rtrace_is_there(void);
 
-/* The readings of the room's receivers, fractions. Works in a directory of its own below
- * TMPDIR, which is removed. PP_SYSTEM where a program fails, PP_INTERRUPTED. */
+/* The readings of the room's receivers, fractions. Works in a temporary directory below
+ * TMPDIR, which it removes. PP_SYSTEM if a program fails, PP_INTERRUPTED. */
 enum pp_status pp_rtrace_factors(struct pp_reading *readings,
                                  const struct pp_study_room *room,
                                  struct pp_error *err);

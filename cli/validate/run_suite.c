@@ -53,7 +53,8 @@ static enum pp_exit write_page(const struct pp_known_result *result, const char 
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
-/* Says how many are outside, if more than may be. */
+/* Reports the number of cases outside their limits, if it exceeds the allowed
+ * number. */
 static enum pp_exit judge_suite(const struct pp_known_result *result)
 {
     struct pp_suite_score score = pp_suite_score(result->suite, &result->cases);

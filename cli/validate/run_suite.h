@@ -1,4 +1,4 @@
-/* run_suite.h - runs a suite, prints what came out and writes its page. */
+/* run_suite.h - runs a suite, prints its results and writes its page. */
 #ifndef PP_CLI_VALIDATE_RUN_SUITE_H
 #define PP_CLI_VALIDATE_RUN_SUITE_H
 
@@ -7,23 +7,23 @@
 #include "reports/parts/format.h"
 #include "studies/research/validation/suite.h"
 
-/* Where a suite's cases come from. */
+/* Source of a suite's cases. */
 struct pp_suite_source {
     const struct pp_suite *suite;
     enum pp_status (*find)(void *data, struct pp_known_cases *cases,
                            struct pp_error *err);
-    bool (*is_finished)(const void *data); /* as in job.h; NULL: nothing stops it */
+    bool (*is_finished)(const void *data); /* as in job.h; NULL: it cannot be stopped */
     void *data;
 };
 
-/* page: a file for the page, or NULL. PP_EXIT_INPUT where more answers are outside their
- * limits than may be; of the quick suite PP_EXIT_MACHINE: such a build is not to be
- * trusted. */
+/* page: file for the page, or NULL. PP_EXIT_INPUT if more results than allowed are
+ * outside their limits; for the quick suite PP_EXIT_MACHINE, since such a build is
+ * unreliable. */
 enum pp_exit pp_run_suite(const struct pp_suite_source *source,
                           const struct pp_room_options *options, enum pp_format format,
                           const char *page);
 
-/* The same of a suite that has its own rooms. */
+/* Does the same for a suite with its own rooms. */
 enum pp_exit pp_run_suite_known(const struct pp_suite *suite,
                                 const struct pp_room_options *options,
                                 enum pp_format format, const char *page);

@@ -1,5 +1,5 @@
-/* validate_rooms.c - all that is traced, room by room and world by world, is one list of
- * reports, which ranks share; rank 0 does the comparison. */
+/* validate_rooms.c - all simulations, of rooms and of their methods' worlds, form one
+ * list of reports, shared by the ranks; rank 0 does the comparison. */
 #include "cli/validate/validate_rooms.h"
 
 #include <stdlib.h>
@@ -16,11 +16,11 @@
 #include "studies/research/validation/own_world.h"
 #include "studies/research/validation/room_cases.h"
 
-/* One report that is traced: of a room, or of a world of its methods. */
+/* One report to simulate: of a room, or of a world of its methods. */
 struct traced_report {
     struct pp_report *report;
     int room;
-    int own; /* number of the world; -1: the room's */
+    int own; /* index of the world; -1: the room's */
 };
 
 struct rooms_run {
@@ -29,8 +29,8 @@ struct rooms_run {
     const struct pp_rooms *rooms;
     struct pp_results results;
     struct pp_validation validation;
-    struct pp_own_worlds **worlds; /* one list a room */
-    struct traced_report *traced;  /* each room and its worlds behind it */
+    struct pp_own_worlds **worlds; /* one list for each room */
+    struct traced_report *traced;  /* each room, followed by its worlds */
     int traced_count;
 };
 
@@ -47,7 +47,7 @@ static enum pp_status begin_rooms_run(struct rooms_run *run, struct pp_error *er
                : pp_fail_memory(err);
 }
 
-/* Hand methods first: they take milliseconds. */
+/* Evaluates the hand methods first: they take milliseconds. */
 static enum pp_status work_by_hand(struct rooms_run *run, struct pp_error *err)
 {
     struct pp_results *results = &run->results;
@@ -90,7 +90,7 @@ static struct pp_room_figures validated_room_figures(void *data, int index)
                                     &run->results.list[traced->room].by_clock};
 }
 
-/* After a stop a room has what there is so far, and the worlds behind it have nothing. */
+/* After a stop a room has the results so far, and the worlds after it have none. */
 static enum pp_status simulate_validated_room(const void *data, int index,
                                               struct pp_report *report, bool *by_clock,
                                               struct pp_error *err)

@@ -8,14 +8,14 @@
 #include "cli/rooms.h"
 #include "reports/parts/format.h"
 
-/* Traces the rooms and the worlds that their methods have in mind, over ranks where there
- * are some, and prints. What time there is for a room, each of its worlds gets a share
- * of. */
+/* Simulates the rooms and the worlds that their methods assume, over ranks if there are
+ * any, and prints. The time for a room is shared by its worlds. */
 enum pp_exit pp_validate_rooms(const struct pp_rooms *rooms,
                                const struct pp_room_options *options,
                                enum pp_format format);
 
-/* page: a file for the page, or NULL. PP_EXIT_INPUT where more lies outside than may. */
+/* page: file for the page, or NULL. PP_EXIT_INPUT if more cases than allowed are
+ * outside their limits. */
 enum pp_exit pp_validate_rooms_suite(const struct pp_rooms *rooms,
                                      const struct pp_room_options *options,
                                      enum pp_format format, const char *page);
