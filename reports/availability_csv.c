@@ -1,5 +1,5 @@
-/* availability_csv.c - puts one place, method, illuminance and period on each line of a
- * CSV. */
+/* availability_csv.c - writes one line of CSV for each place, method, illuminance and
+ * period. */
 #include "reports/availability_csv.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* availability_csv.h - how often daylight does, as CSV. */
+/* availability_csv.h - availability of daylight, as CSV. */
 #ifndef PP_REPORTS_AVAILABILITY_CSV_H
 #define PP_REPORTS_AVAILABILITY_CSV_H
 

@@ -14,7 +14,7 @@ static const char *const origins[] = {
     [PP_LIGHT_OVERCAST] = "overcast skies",
 };
 
-/* An object on one line, added under a key. */
+/* Adds an object, printed on one line, under a key. */
 static struct json_object *line_under(struct json_object *object, const char *key)
 {
     struct json_object *line = json_object_new_object();
@@ -60,9 +60,9 @@ static bool add_availability_value(struct json_object *object, double value,
            && (isfinite(value) || pp_json_text(object, "why", why));
 }
 
-/* Adds the results of one place by one method: the daylight factor, and by illuminance
- * the daylight factor that it needs and how often it is reached. `row` is its first of
- * sheet->illuminance_count. */
+/* Adds the results of one place by one method: the daylight factor, and for each
+ * illuminance the daylight factor needed and the share of hours that reach it. `row`:
+ * the first of sheet->illuminance_count rows. */
 static bool add_method(struct json_object *object,
                        const struct pp_availability_sheet *sheet,
                        const struct pp_availability_row *row)
@@ -90,7 +90,7 @@ static bool add_method(struct json_object *object,
     return good;
 }
 
-/* The rows of one place; true where it has none. */
+/* Adds the rows of one place; true if it has none. */
 static bool add_place(struct json_object *object,
                       const struct pp_availability_sheet *sheet, int place)
 {

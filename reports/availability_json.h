@@ -1,4 +1,4 @@
-/* availability_json.h - how often daylight does, as JSON of format
+/* availability_json.h - availability of daylight, as JSON of format
  * pepperpot-availability-1. */
 #ifndef PP_REPORTS_AVAILABILITY_JSON_H
 #define PP_REPORTS_AVAILABILITY_JSON_H

@@ -1,5 +1,5 @@
-/* availability_result.h - hours in which daylight suffices in rooms, with data of the
- * run: the input of the availability reports. */
+/* availability_result.h - availability of daylight in rooms, with data of the run: the
+ * input of the availability reports. */
 #ifndef PP_REPORTS_AVAILABILITY_RESULT_H
 #define PP_REPORTS_AVAILABILITY_RESULT_H
 
@@ -20,7 +20,7 @@ struct pp_availability_result {
 struct pp_availability_results {
     struct pp_availability_result *list;
     int count;
-    bool several; /* as a list, even if there is only one */
+    bool several; /* print a list, even of a single room */
     bool more_than_one_file;
     const struct pp_study_options *options; /* not owned */
 };

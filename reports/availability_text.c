@@ -1,4 +1,5 @@
-/* availability_text.c - prints the light outside, the periods, and a table a method. */
+/* availability_text.c - prints the light outside, the periods, and one table per
+ * method. */
 #include "reports/availability_text.h"
 
 #include <math.h>
@@ -108,7 +109,7 @@ static void print_light(const struct pp_availability_sheet *sheet, int width, FI
 
 /* ---- the room ---- */
 
-/* The table's row of a place: points, the median, the average last. */
+/* Row of a place in the table: points first, then the median, and the average last. */
 static int table_row(const struct pp_availability_sheet *sheet, int place)
 {
     int points = sheet->report->receiver_count;
@@ -137,8 +138,9 @@ static void put_df(char cell[PP_CELL_BYTES], const struct pp_reading *df, bool u
         snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * df->value);
 }
 
-/* Fills a column from the rows of one method and illuminance: the daylight factor (what
- * -2), the illuminance needed outside (-1), or a period's share. */
+/* Fills a column from the rows of one method and illuminance. what: -2 for the daylight
+ * factor, -1 for the illuminance needed outside, else the index of a period, for its
+ * share. */
 static void fill_column(struct pp_table_column *column,
                         const struct pp_availability_sheet *sheet, const char *method,
                         double lx, int what, bool utf8)
@@ -180,7 +182,7 @@ static bool add_columns(struct pp_table *table,
     return good;
 }
 
-/* A table a method. */
+/* Prints one table per method. */
 static bool print_method(const struct pp_availability_sheet *sheet, const char *method,
                          int width, bool utf8, FILE *out)
 {
@@ -209,7 +211,7 @@ static bool print_method(const struct pp_availability_sheet *sheet, const char *
     return good;
 }
 
-/* Why a method has no value somewhere, once for each reason. */
+/* Prints each reason why a method lacks a value, once. */
 static void print_reasons(const struct pp_availability_sheet *sheet, int width,
                           FILE *out)
 {

@@ -1,4 +1,4 @@
-/* availability_text.h - how often daylight does, as text for people. */
+/* availability_text.h - availability of daylight, as text. */
 #ifndef PP_REPORTS_AVAILABILITY_TEXT_H
 #define PP_REPORTS_AVAILABILITY_TEXT_H
 
@@ -7,7 +7,7 @@
 
 #include "reports/availability_result.h"
 
-/* Text `width` columns wide (60 or more); utf8: with a true plus-minus sign. */
+/* Text `width` columns wide (60 or more); utf8: uses the character ±. */
 enum pp_status pp_availability_text(const struct pp_availability_results *results,
                                     int width, bool utf8, FILE *out,
                                     struct pp_error *err);

@@ -1,5 +1,5 @@
-/* block_height_report.h - how high a block may be (studies/sizing/block_height.h), as text
- * and JSON. */
+/* block_height_report.h - the greatest height of a block
+ * (studies/sizing/block_height.h), as text and JSON. */
 #ifndef PP_REPORTS_BLOCK_HEIGHT_REPORT_H
 #define PP_REPORTS_BLOCK_HEIGHT_REPORT_H
 

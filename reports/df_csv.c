@@ -1,4 +1,4 @@
-/* df_csv.c - puts one reading on each line of a CSV. */
+/* df_csv.c - writes one reading per line of CSV. */
 #include "reports/df_csv.h"
 
 #include <math.h>
@@ -6,9 +6,9 @@
 #include "reports/parts/format.h"
 #include "reports/parts/print_band.h"
 
-/* Writes one reading and its band (NULL: not requested), of a receiver or (NULL) of the
- * mean named `place`. With external_lux above 0 another field has the illuminance under
- * external_lux. */
+/* Writes one reading and its band (NULL: not requested), of a receiver or, if that is
+ * NULL, of the mean named `place`. With external_lux above 0, another field has the
+ * illuminance, the reading times external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver, const char *place,
                      const struct pp_reading *reading, const struct pp_band_ends *band,
@@ -43,8 +43,8 @@ static void put_line(const struct pp_result *result, const struct pp_column *col
     fputs("\r\n", out);
 }
 
-/* All columns at a receiver (`index`), or (-1) their averages, and with `margin` those
- * inside the margin. */
+/* Writes all columns at receiver `index`; with -1 their averages and, with `margin`,
+ * those inside the margin. */
 static void put_lines(const struct pp_results *results, const struct pp_result *result,
                       int index, bool margin, FILE *out)
 {

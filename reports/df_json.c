@@ -17,7 +17,7 @@
 #include "model/light/sky.h"
 #include "studies/engines/engine.h"
 
-/* Adds a step in the units of the output: per cent and degrees. */
+/* Adds a step, with per cent and degrees as units. */
 static bool add_step(struct json_object *object, const struct pp_world *world,
                      const struct pp_calculation_step *step)
 {
@@ -56,8 +56,8 @@ static bool add_steps(struct json_object *object, const struct pp_world *world,
     return good;
 }
 
-/* Adds the corrections that a method's figures include; nothing for a pair, which is of
- * two. */
+/* Adds the corrections that a method's figures include; nothing for a pair, which
+ * consists of two methods. */
 static bool add_contents(struct json_object *object, const char *name)
 {
     char contents[160];
@@ -68,10 +68,10 @@ static bool add_contents(struct json_object *object, const char *name)
     return pp_json_text(object, "contains", contents);
 }
 
-/* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }; name is the
- * column's; with "band": [1.1, 1.6] where that is known. With truth, another engine's reading
- * there, "apart": how far the two are apart. With external_lux over 0, the illuminance that
- * is its share. */
+/* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }, with "band": [1.1,
+ * 1.6] if known. name: the column's. With truth, another engine's reading at the same
+ * place, adds "apart": the distance of both. With external_lux over 0, adds the
+ * illuminance. */
 static struct json_object *entry(const struct pp_world *world,
                                  const struct pp_reading *reading, const char *name,
                                  const struct pp_reading *truth,
@@ -111,8 +111,8 @@ static struct pp_band_ends band_of(const struct pp_column *column, int index)
                                          : pp_band_none();
 }
 
-/* Column that an engine's daylight factors are compared with; NULL: they are the truth,
- * or no engine's. */
+/* Column with which an engine's daylight factors are compared; NULL: it is a reference
+ * itself, or not an engine's. */
 static const struct pp_column *truth_for(const struct pp_report *report,
                                          const struct pp_column *column)
 {
@@ -123,8 +123,8 @@ static const struct pp_column *truth_for(const struct pp_report *report,
                : NULL;
 }
 
-/* Adds "sc" ... "df" with each method's value there; a component without any value is
- * left out. */
+/* Adds "sc" ... "df" with each method's value at a place; a component without any value
+ * is left out. */
 static bool add_readings(struct json_object *object, const struct pp_report *report,
                          int index, double external_lux)
 {

@@ -11,7 +11,8 @@
 
 enum { CELL = 7, BAND_CELL = 12, EDGE = 8, SHARE = 6, WORDS = 96 };
 
-/* `columns` wide as it is seen: bytes of one sign are one column. */
+/* Prints a cell padded to `columns` on the terminal: a multibyte character is one
+ * column. */
 static void put_padded(const char *cell, int columns, FILE *out)
 {
     int bytes = (int)strlen(cell), shown = 0;
@@ -20,7 +21,7 @@ static void put_padded(const char *cell, int columns, FILE *out)
     fprintf(out, "%*s%s", columns > shown ? columns - shown : 0, "", cell);
 }
 
-/* ---- like the plan ---- */
+/* ---- arranged like the plan ---- */
 
 static bool has_points(const struct pp_report *report, const struct pp_column *column)
 {
@@ -37,7 +38,7 @@ struct layer {
     const struct pp_column *column;
     const struct pp_lattice *lattice;
     bool bands;
-    int cell; /* columns of the terminal that a point takes */
+    int cell; /* width of a point's cell, in columns of the terminal */
 };
 
 static void put_point(const struct layer *layer, int at, char cell[WORDS])
@@ -134,7 +135,7 @@ static void put_line(const struct pp_column *column, int name, int wide, bool ut
     }
     if (isfinite(plane->uniformity))
         fprintf(out, "%9.4f", plane->uniformity);
-    else /* it is dark everywhere */
+    else /* dark everywhere */
         put_padded("-", 9, out);
     for (int k = 0; k < PP_PLANE_LEVELS; k++)
         fprintf(out, "%5.0f%%", 100.0 * plane->over[k]);

@@ -16,8 +16,8 @@ struct pp_result {
     const struct pp_mistakes *doubts; /* warnings; NULL: none; not owned */
     bool has_advice;
     struct pp_advice advice; /* recommended method, if requested */
-    bool by_clock; /* the simulation was stopped by --time, so that another run gives
-                       * other digits */
+    bool by_clock; /* the simulation was stopped by --time, so that another run may give
+                    * other digits */
 };
 
 struct pp_results {
@@ -25,7 +25,7 @@ struct pp_results {
     int count;
     bool several; /* printed as a list, even if there is only one */
     bool more_than_one_file;
-    bool bands; /* of all methods in text, and in CSV, too? */
+    bool bands; /* print bands of all methods in text, and bands in CSV */
     const struct pp_study_options *options; /* not owned */
 };
 

@@ -1,6 +1,6 @@
-/* df_steps.c - calculations set out as on paper: a formula on a line of its own, its value
- * below; figures that were read or put in on one line each, the value on the right.
- */
+/* df_steps.c - calculations in the layout of a hand calculation: a formula on a line of
+ * its own, its value below; figures that were read or given on one line each, the value
+ * on the right. */
 #include "reports/df_steps.h"
 
 #include <ctype.h>
@@ -14,9 +14,9 @@
 #include "model/results/step_text.h"
 
 enum {
-    HEAD = 4,   /* columns before a heading, */
-    SYMBOL = 6, /* a symbol or formula, */
-    MORE = 10,  /* the rest of a long formula, */
+    HEAD = 4,   /* columns before a heading */
+    SYMBOL = 6, /* before a symbol or formula */
+    MORE = 10,  /* before the rest of a long formula */
     WHAT = 15,  /* words */
     VALUE_WIDTH = 11,
     UNIT_WIDTH = 4,
@@ -37,7 +37,7 @@ static void print_formula(const struct pp_calculation_step *step, int width, boo
 
 /* ---- steps ---- */
 
-/* Length of the words that fits on a line, broken at a blank. */
+/* Length of the part of the words that fits on a line, broken at a blank. */
 static int fitting(const char *words, int room)
 {
     int length = (int)strlen(words);
@@ -91,8 +91,8 @@ static void print_list(const struct pp_steps *steps, const struct pp_world *worl
     }
 }
 
-/* Prints the corrections that a method's figures include; pairs are of two methods, each
- * with words of its own. */
+/* Prints the corrections that a method's figures include; for a pair, those of both
+ * methods. */
 static void print_contents(const char *name, int width, FILE *out)
 {
     const struct pp_method *method = pp_method_find(name);

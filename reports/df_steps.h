@@ -1,4 +1,4 @@
-/* df_steps.h - calculations set out as on paper, as text. */
+/* df_steps.h - calculations in the layout of a hand calculation, as text. */
 #ifndef PP_REPORTS_DF_STEPS_H
 #define PP_REPORTS_DF_STEPS_H
 
@@ -7,8 +7,8 @@
 
 #include "model/results/report.h"
 
-/* Prints the steps of the figures of the report's first point, method by method, one step
- * a line; nothing if no steps were requested. */
+/* Prints the steps of the figures at the report's first point, method by method, one
+ * step per line; nothing if no steps were requested. */
 void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
 #endif

@@ -35,7 +35,7 @@ static const char off_brief[] = "off, %";
 static const char apart_title[] = "apart, in se";
 static const char band_title[] = "95 % band";
 
-/* ---- numbers as people read them ---- */
+/* ---- printed numbers ---- */
 
 /* Per cent with two decimals; a dash where there is no value. */
 static void put_value(char cell[PP_CELL_BYTES], const struct pp_reading *reading)
@@ -46,7 +46,7 @@ static void put_value(char cell[PP_CELL_BYTES], const struct pp_reading *reading
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* Writes a value with its standard error, rounded up to the digits shown. */
+/* Writes a value with its standard error, which is rounded up to the printed digits. */
 static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                         bool utf8)
 {
@@ -57,8 +57,8 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
     pp_text_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
 }
 
-/* Writes the distance of a value from the traced one, in per cent of that; a dash where
- * the traced one is too uncertain. */
+/* Writes the deviation of a value from the simulated one, in per cent of that; a dash
+ * if the simulated one is too uncertain. */
 static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                          const struct pp_reading *traced)
 {
@@ -72,7 +72,8 @@ static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *read
         snprintf(cell, PP_CELL_BYTES, fabs(off) < 99.95 ? "%+.1f" : "%+.0f", off);
 }
 
-/* Writes the distance of two simulated values, in standard errors of their difference. */
+/* Writes the distance between two simulated values, in standard errors of their
+ * difference. */
 static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                       const struct pp_reading *truth)
 {
@@ -83,7 +84,7 @@ static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* Lux, in three significant digits or whole ones. */
+/* Lux, with three significant digits or as a whole number. */
 static void put_lux(char cell[PP_CELL_BYTES], double lux)
 {
     if (!isfinite(lux)) {
@@ -131,7 +132,7 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     return true;
 }
 
-/* Adds the distance of an engine's column. */
+/* Adds the distances between an engine's column and the reference. */
 static bool add_apart(struct pp_table *table, const struct pp_report *report,
                       const struct pp_column *column, const struct pp_column *truth)
 {
@@ -169,7 +170,7 @@ static bool add_bands(struct pp_table *table, const struct pp_report *report,
     return true;
 }
 
-/* Illuminances: daylight factors times the external illuminance. */
+/* Adds illuminances: daylight factors times the external illuminance. */
 static bool add_illuminances(struct pp_table *table, const struct pp_report *report,
                              const struct pp_column *column, const char *title,
                              double external_lux)
@@ -185,7 +186,7 @@ static bool add_illuminances(struct pp_table *table, const struct pp_report *rep
     return true;
 }
 
-/* Has a column nothing but dashes to show where another method stands in for its own? */
+/* True if a column would have dashes only and another method replaces it. */
 static bool is_stood_in_for(const struct pp_report *report,
                             const struct pp_column *column)
 {
@@ -197,8 +198,8 @@ static bool is_stood_in_for(const struct pp_report *report,
     return report->stand_in != NULL;
 }
 
-/* lux_title: of the columns with illuminances; external_lux 0: none. Bands stand beside the
- * first method's daylight factors, or beside all. */
+/* lux_title: of the columns with illuminances; external_lux 0: none. Bands are beside
+ * the first method's daylight factors, or beside all. */
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
                        double external_lux, const char *lux_title, bool all_bands,
                        bool utf8)
@@ -239,7 +240,7 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     return true;
 }
 
-/* Has the column points of no known error, which are not sampled but interpolated? */
+/* True if the column has points without a known error, which are interpolated. */
 static bool is_interpolated(const struct pp_report *report,
                             const struct pp_column *column)
 {
@@ -301,7 +302,7 @@ static void print_simulation(const struct pp_result *result,
 
 /* ---- a room ---- */
 
-/* The sentence above a table that has no points but the average. */
+/* Prints the sentence above a table that has the average but no points. */
 static bool add_no_places(struct pp_table *table, const struct pp_report *report,
                           FILE *out)
 {
@@ -311,8 +312,8 @@ static bool add_no_places(struct pp_table *table, const struct pp_report *report
     return pp_table_add(table, NULL, NULL, "       ") != NULL;
 }
 
-/* A grid's daylight factors are laid out like the plan, and of the components the averages
- * are enough. */
+/* A grid's daylight factors are arranged like the plan; of the components only the
+ * averages are printed. */
 static enum pp_status print_table(const struct pp_report *report,
                                   const struct pp_study_options *options,
                                   bool all_bands, int width, bool utf8, FILE *out,
@@ -347,7 +348,7 @@ static enum pp_status print_table(const struct pp_report *report,
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-/* The averages inside the margin, of daylight factors. */
+/* Prints the averages of daylight factors inside the margin. */
 static void print_margin(const struct pp_report *report, bool utf8, int width,
                          FILE *out)
 {

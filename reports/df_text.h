@@ -1,5 +1,5 @@
-/* df_text.h - daylight factors of rooms, as text for people: a table of the points in per
- * cent of the unobstructed horizontal illuminance, and notes below it. */
+/* df_text.h - daylight factors of rooms, as text: a table of the points in per cent of
+ * the unobstructed horizontal illuminance, and notes below it. */
 #ifndef PP_REPORTS_DF_TEXT_H
 #define PP_REPORTS_DF_TEXT_H
 
@@ -8,8 +8,8 @@
 
 #include "reports/df_result.h"
 
-/* Text `width` columns wide where that is possible (60 or more); utf8: with a true
- * plus-minus sign. */
+/* Text `width` columns wide if possible (60 or more); utf8: uses the character
+ * ±. */
 enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8,
                           FILE *out, struct pp_error *err);
 

@@ -19,7 +19,7 @@ static void put_factor(double factor, FILE *out)
         fprintf(out, "  %8s", "");
 }
 
-/* The change in its column, wrapped, with the figures behind its first line. */
+/* Prints the change in its column, wrapped, with the figures after its first line. */
 static void print_gain(const struct pp_gain *gain, const struct pp_gains *gains,
                        int width, FILE *out)
 {

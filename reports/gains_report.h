@@ -1,5 +1,5 @@
-/* gains_report.h - the limiting factors of a room, and the gains by changing them: the
- * end of its assessment. */
+/* gains_report.h - the causes that limit a room's daylight, and the gains by changing
+ * them: the end of its assessment. */
 #ifndef PP_REPORTS_GAINS_REPORT_H
 #define PP_REPORTS_GAINS_REPORT_H
 
@@ -13,7 +13,7 @@
 void pp_gains_report(const struct pp_gains *gains, int width, FILE *out);
 
 /* Adds "gains": { "method", "average", "darkest", "holds_back", "changes": [] }, values
- * in per cent. False when memory is out. */
+ * in per cent. False: out of memory. */
 bool pp_gains_report_json(struct json_object *object, const struct pp_gains *gains);
 
 #endif

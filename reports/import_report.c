@@ -10,7 +10,8 @@
 #include "reports/parts/table.h"
 #include "model/base/read_file.h"
 
-/* Lux of an irradiance; and daylight factor in per cent, NAN where there is no sky. */
+/* Illuminance (lx) of an irradiance; daylight factor in per cent, NAN if there is no
+ * sky. */
 static double lux(double irradiance)
 {
     return PP_IMPORT_EFFICACY * irradiance;
@@ -22,11 +23,11 @@ static double factor(const struct pp_imported *imported, double irradiance)
     return horizontal > 0.0 ? 100.0 * irradiance / horizontal : NAN;
 }
 
-/* ---- the scene in few words ---- */
+/* ---- counts of the scene's parts ---- */
 
 struct census {
     long shapes[PP_SHAPE_DISTANT + 1];
-    long suns; /* of the distant ones: concentrated */
+    long suns; /* distant sources that are concentrated */
     struct pp_vec3 low, high;
     bool bounded;
 };

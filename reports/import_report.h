@@ -20,7 +20,7 @@ struct pp_imported {
     bool summarised; /* true if the summary is requested */
 };
 
-/* The efficacy that lux are worked out with, lm/W [WS98]. */
+/* Luminous efficacy used for illuminances, lm/W [WS98]. */
 #define PP_IMPORT_EFFICACY 179.0
 
 enum pp_status pp_import_report(const struct pp_imported *imported,

@@ -1,5 +1,6 @@
-/* plot_envelope_report.h - the largest envelope on a plot (studies/sizing/plot_envelope.h), as
- * text with a plan of its heights, as CSV, a line a cell, and as JSON. */
+/* plot_envelope_report.h - the largest envelope on a plot
+ * (studies/sizing/plot_envelope.h), as text with a plan of its heights, as CSV with one
+ * line per cell, and as JSON. */
 #ifndef PP_REPORTS_PLOT_ENVELOPE_REPORT_H
 #define PP_REPORTS_PLOT_ENVELOPE_REPORT_H
 
@@ -13,7 +14,8 @@ enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
                                        const struct pp_plot_envelope_task *task,
                                        int width, FILE *out, struct pp_error *err);
 
-/* Cells with their heights, by the attributes of a room file's block. */
+/* Writes cells with their heights, with the attributes of a block in a room file as
+ * columns. */
 enum pp_status pp_plot_envelope_report_csv(const struct pp_plot_envelope *found,
                                            const struct pp_plot_envelope_task *task,
                                            FILE *out, struct pp_error *err);

@@ -1,4 +1,4 @@
-/* retained_sky_table.h - the sky that windows or rooms have and retain
+/* retained_sky_table.h - the sky before and after at windows or rooms
  * (studies/sizing/retained_sky.h), in words, as a table and as JSON. */
 #ifndef PP_REPORTS_RETAINED_SKY_TABLE_H
 #define PP_REPORTS_RETAINED_SKY_TABLE_H
@@ -13,21 +13,21 @@
 void pp_retained_sky_table_say(char *text, size_t size,
                                const struct pp_retained_sky_rule *rule);
 
-/* A line each. altitudes_rad: of a plane for each, INFINITY: it has none; NULL: there are
- * no planes. False when memory is out. */
+/* Adds one line for each place. altitudes_rad: of a plane for each, INFINITY: none;
+ * NULL: there are no planes. False: out of memory. */
 bool pp_retained_sky_table_fill(struct pp_table *table,
                                 const struct pp_retained_sky *dues,
                                 enum pp_retained_sky_of of, int deciding,
                                 const double *altitudes_rad);
 
-/* Adds "windows" or "rooms", an object each. */
+/* Adds "windows" or "rooms", with one object each. */
 bool pp_retained_sky_table_json(struct json_object *object,
                                 const struct pp_retained_sky *dues,
                                 enum pp_retained_sky_of of, int deciding,
                                 const double *altitudes_rad);
 
-/* Below a table: where the components of windows down to the floor are taken, if not at
- * their middle; `width` columns. */
+/* Prints below a table at which point the components of full-height windows are
+ * calculated, if not at their centre; `width` columns. */
 void pp_retained_sky_table_point(const struct pp_retained_sky_rule *rule, int width,
                                  FILE *out);
 

@@ -19,7 +19,7 @@ enum { LABEL = 15, TEXT_BYTES = 640 };
 
 static const double same_m = 1e-9;
 
-/* "2.00 %", with as many digits as a small one needs. */
+/* "2.00 %", with more digits for small values. */
 static void append_per_cent(char text[TEXT_BYTES], double share)
 {
     double value = 100.0 * share;
@@ -109,7 +109,7 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result 
             result->answer.verdict == PP_SIZE_REACHED ? "as below" : "likewise");
 }
 
-/* Does append_size speak of several windows? */
+/* True if the text of append_size is about several windows. */
 static bool is_plural(const struct pp_size_room_result *result,
                       enum pp_size_change change)
 {
@@ -171,7 +171,7 @@ static void append_answer(char text[TEXT_BYTES],
     }
 }
 
-/* Element of an opening as in the room file; the caller's. */
+/* Element of an opening as in the room file; freed by the caller. */
 static enum pp_status element_of(char **element,
                                  const struct pp_size_room_result *result,
                                  struct pp_text_edit edit, struct pp_error *err)
@@ -183,7 +183,7 @@ static enum pp_status element_of(char **element,
 
 /* ---- Text ---- */
 
-/* An element on the lines that it has in the file, all indented alike. */
+/* Prints an element on the same lines as in the file, all with the same indent. */
 static void put_element(const char *element, FILE *out)
 {
     for (bool more = true; more;) {

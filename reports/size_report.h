@@ -1,4 +1,4 @@
-/* size_report.h - the window that reaches a target, as text for people and as JSON. */
+/* size_report.h - the window that reaches a target, as text and as JSON. */
 #ifndef PP_REPORTS_SIZE_REPORT_H
 #define PP_REPORTS_SIZE_REPORT_H
 
@@ -10,14 +10,14 @@
 struct pp_size_results {
     struct pp_size_room_result *list;
     int count;
-    bool several; /* as a list, even if there is only one */
+    bool several; /* print a list, even of a single room */
     bool more_than_one_file;
     const struct pp_size_request *request; /* not owned */
 };
 
 enum pp_status pp_size_report(const struct pp_size_results *results, int width,
                               bool utf8, FILE *out, struct pp_error *err);
-/* The length (m) of an opening that a change is about. */
+/* The length (m) of an opening that is affected by a change. */
 double pp_size_report_length(struct pp_opening_place place, enum pp_size_change change);
 
 enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,

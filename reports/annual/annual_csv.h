@@ -1,4 +1,4 @@
-/* annual_csv.h - the years of rooms as CSV: a figure a line. */
+/* annual_csv.h - annual results of rooms as CSV: one figure per line. */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_CSV_H
 #define PP_REPORTS_ANNUAL_ANNUAL_CSV_H
 

@@ -1,8 +1,8 @@
 /* annual_hourly.h - the illuminances of every hour and point, with open blinds.
  *
- *     .csv   a line an hour: month, day, hour, sun, light outside, points
- *     .ill   DAYSIM's: month day hour (at its middle) and the points, apart by spaces
- *     .npy   NumPy's: float32, [point][hour]
+ *     .csv   one line per hour: month, day, hour, sun, light outside, points
+ *     .ill   DAYSIM: month day hour (at its middle) and the points, separated by spaces
+ *     .npy   NumPy: float32, [point][hour]
  */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_HOURLY_H
 #define PP_REPORTS_ANNUAL_ANNUAL_HOURLY_H
@@ -13,17 +13,17 @@
 #include "model/results/sheets/annual_sheet.h"
 
 enum pp_annual_hourly_format {
-    PP_ANNUAL_HOURLY_NONE, /* the name ends otherwise */
+    PP_ANNUAL_HOURLY_NONE, /* the name has another ending */
     PP_ANNUAL_HOURLY_CSV,
     PP_ANNUAL_HOURLY_ILL,
     PP_ANNUAL_HOURLY_NPY,
 };
 
-/* By the end of a file's name. */
+/* Format by the ending of a file's name. */
 enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name);
 
-/* Writes the coefficients as Radiance's matrix: a row a point; a column for the ground,
- * then one a patch, as of reinhart.cal; lx over cd/m2. */
+/* Writes the coefficients as a Radiance matrix: one row per point; a column for the
+ * ground, then one per patch in the order of reinhart.cal; lx over cd/m2. */
 void pp_annual_hourly_put_matrix(const struct pp_annual_sheet *sheet, FILE *out);
 
 void pp_annual_hourly_put(const struct pp_annual_sheet *sheet,

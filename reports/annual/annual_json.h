@@ -1,8 +1,8 @@
-/* annual_json.h - the years of rooms as JSON, "pepperpot-annual-1".
+/* annual_json.h - annual results of rooms as JSON, "pepperpot-annual-1".
  *
- * Autonomies, shares and useful daylight are in per cent, illuminances in lx. Every figure
- * is an object with its value and standard error "se"; one that does not exist has the
- * value null and "why".
+ * Autonomies, shares and useful daylight are in per cent, illuminances in lx. Every
+ * figure is an object with its value and standard error "se"; a missing figure has the
+ * value null and the reason "why".
  */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_JSON_H
 #define PP_REPORTS_ANNUAL_ANNUAL_JSON_H

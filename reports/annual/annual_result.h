@@ -1,4 +1,4 @@
-/* annual_result.h - the years of rooms, the input of the annual reports. */
+/* annual_result.h - annual results of rooms, the input of the annual reports. */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_RESULT_H
 #define PP_REPORTS_ANNUAL_ANNUAL_RESULT_H
 
@@ -14,20 +14,21 @@ struct pp_annual_result {
 struct pp_annual_results {
     struct pp_annual_result *list;
     int count;
-    bool several; /* as a list, even if there is only one */
+    bool several; /* print a list, even of a single room */
     bool more_than_one_file;
 };
 
-/* A figure by its name in reports: "udi-good", "per cent". */
+/* A figure and its name in reports: "udi-good", "per cent". */
 struct pp_annual_figure_name {
-    const char *name;  /* in JSON and CSV; without the target of autonomies */
+    const char *name;  /* name in JSON and CSV; for autonomies without the target */
     const char *title; /* for readers; NULL: not in the table of points */
-    int index;         /* in struct pp_annual_figures */
-    double unit;       /* factor of the value as printed */
+    int index;         /* of the member in struct pp_annual_figures */
+    double unit;       /* factor on the value for printing */
     int digits;        /* as printed */
 };
 
-/* All but autonomies, which come by illuminance; the last has no name. */
+/* All figures but autonomies, which have one for each illuminance; the last name is
+ * NULL. */
 extern const struct pp_annual_figure_name pp_annual_result_names[];
 
 /* Index of the autonomy, or the continuous autonomy, at a sheet's target i. */

@@ -1,4 +1,4 @@
-/* annual_text.h - the years of rooms for people, as text. */
+/* annual_text.h - annual results of rooms, as text. */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_TEXT_H
 #define PP_REPORTS_ANNUAL_ANNUAL_TEXT_H
 
@@ -7,7 +7,7 @@
 #include "model/base/error.h"
 #include "reports/annual/annual_result.h"
 
-/* Lines of at most `width` columns; utf8: with characters beyond ASCII. */
+/* Lines of at most `width` columns; utf8: uses characters beyond ASCII. */
 enum pp_status pp_annual_text(const struct pp_annual_results *results, int width,
                               bool utf8, FILE *out, struct pp_error *err);
 

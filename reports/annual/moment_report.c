@@ -11,7 +11,7 @@
 #define FIGURE(name)                                                                   \
     ((int)(offsetof(struct pp_annual_figures, name) / sizeof(struct pp_annual_value)))
 
-/* Components in one hour. */
+/* Components of the illuminance in one hour. */
 static const struct {
     const char *name;
     int index;
@@ -96,7 +96,7 @@ static bool add_moment_parts(struct json_object *to,
            && pp_json_text(df, "why", why_no_factor);
 }
 
-/* The rooms, and the time as typed. */
+/* The rooms, and the time as typed by the user. */
 struct moment_rooms {
     const struct pp_annual_results *results;
     const char *when;

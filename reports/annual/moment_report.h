@@ -1,9 +1,9 @@
-/* moment_report.h - the illuminances of rooms in one moment, as text, JSON and CSV.
+/* moment_report.h - the illuminances of rooms at one moment, as text, JSON and CSV.
  *
- * when: the time as typed; NULL: the sun was given without one.
+ * when: the time as typed; NULL: the sun was given without a time.
  *
- * JSON is that of df, "pepperpot-df-1", with components in lux and without daylight
- * factors, which are of the standard skies.
+ * JSON has the format of df, "pepperpot-df-1", with components in lux and without
+ * daylight factors, which are defined for standard skies only.
  */
 #ifndef PP_REPORTS_ANNUAL_MOMENT_REPORT_H
 #define PP_REPORTS_ANNUAL_MOMENT_REPORT_H

@@ -1,5 +1,5 @@
-/* assess_csv.c - puts findings, or rights of light, on lines; factors and shares in per
- * cent. */
+/* assess_csv.c - writes findings, or rights of light, as lines; factors and shares in
+ * per cent. */
 #include "reports/assess/assess_csv.h"
 
 #include <math.h>
@@ -65,7 +65,7 @@ enum pp_status pp_assess_csv(const struct pp_assessments *all, FILE *out,
 
 /* ---- rights of light ---- */
 
-/* Fields stay empty of a room that is not judged. */
+/* Writes the areas of a room; empty fields if it is not judged. */
 static void put_areas(const struct pp_lit_change *lit, FILE *out)
 {
     const double areas[] = {

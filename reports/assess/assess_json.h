@@ -1,4 +1,4 @@
-/* assess_json.h - rooms held against the criteria, as JSON of format pepperpot-assess-1. */
+/* assess_json.h - assessments of rooms, as JSON of format pepperpot-assess-1. */
 #ifndef PP_REPORTS_ASSESS_ASSESS_JSON_H
 #define PP_REPORTS_ASSESS_ASSESS_JSON_H
 

@@ -27,7 +27,7 @@ enum shown {
     VERDICT,
     MIRRORED,
     BY_MIRROR_IMAGE,
-    /* of rights of light */
+    /* for rights of light */
     AREA,
     SHARE,
     LOST,
@@ -36,10 +36,10 @@ enum shown {
 };
 
 struct heading {
-    const char *group; /* NULL: a key */
+    const char *group; /* title of the group; NULL: a key column */
     const char *words;
     enum shown shown;
-    bool compares; /* left out where nothing is compared */
+    bool compares; /* left out if nothing is compared */
 };
 
 static const char sky[] = "vertical sky component, %",
@@ -185,7 +185,7 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         put_lit(cell, row->lit, shown);
 }
 
-/* A last line has the sum; NULL: there is none. */
+/* Prints a table. sum: for a last line; NULL: none. */
 static enum pp_status print_table(const char *title, const struct heading *headings,
                                   const struct pp_site_row *rows, int count,
                                   const struct pp_lit_change *sum, int width, FILE *out,
@@ -208,7 +208,7 @@ static enum pp_status print_table(const char *title, const struct heading *headi
         if ((h->compares && !compares) || (h->shown == REF && !has_ref)
             || (h->group == mirror_image && !mirrored))
             continue;
-        /* Findings and their bounds take the line: rooms go by their references. */
+        /* Findings and bounds need the width: rooms are given by their references. */
         const bool by_ref = h->shown == ROOM && headings == of_others && all_have;
         const enum shown shown = by_ref ? REF : h->shown;
         struct pp_table_column *column =
@@ -232,8 +232,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-/* The criteria of the rows, with their sources; and how figures of daylight came about,
- * of the first room that has any. */
+/* Prints the criteria of the rows with their sources, and the basis of daylight
+ * figures, from the first room that has any. */
 static void print_foot(const struct pp_site_table *table, int width, FILE *out)
 {
     enum { LISTS = 6 };
@@ -263,7 +263,7 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
-/* The count of windows and rooms, and the losses of windows in bands. */
+/* Prints the count of windows and rooms, and the losses of windows in bands. */
 static void print_count(const struct pp_assessments *all, int width, FILE *out)
 {
     const struct pp_br209_count count = pp_br209_count_of(all->list, all->count);

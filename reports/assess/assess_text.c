@@ -1,5 +1,5 @@
-/* assess_text.c - lays out assessments: a row a finding with its verdict at the end, and
- * notes below the row. */
+/* assess_text.c - lays out assessments: one row per finding with its verdict at the
+ * end, and notes below the row. */
 #include "reports/assess/assess_text.h"
 
 #include <math.h>
@@ -25,8 +25,8 @@ struct layout {
 
 /* ---- cells ---- */
 
-/* Writes the verdict, rounded so that only a practically certain one is called
- * certain. */
+/* Writes the verdict, with a probability that is rounded up to certainty only if it is
+ * practically certain. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
     const char *word = pp_finding_verdict(finding->verdict);
@@ -60,8 +60,8 @@ static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *find
         snprintf(cells[LUX], CELL, "%.0f lx", layout->external_lux * finding->figure);
 }
 
-/* All columns but the first are as wide as they need to be, and no narrower than a row
- * of most criteria needs, so that these stand below each other. */
+/* All columns but the first are as wide as needed, but at least as wide as in most
+ * criteria, so that columns of different criteria are aligned. */
 static void lay_out_columns(struct layout *layout,
                             const struct pp_finding_list *findings)
 {
@@ -86,8 +86,8 @@ static void lay_out_columns(struct layout *layout,
 
 /* ---- rows ---- */
 
-/* Bytes of the text that fit a line of `columns`, without the blank behind them; a line
- * does not break between a number and its %. */
+/* Number of bytes of the text that fit a line of `columns`, without the blank after
+ * them; a line does not break between a number and its %. */
 static int fitting(const char *text, int columns)
 {
     int length = 0, fits = 0, used = 0;
@@ -108,7 +108,8 @@ static void put_note(const char *text, const struct layout *layout, FILE *out)
     pp_print_wrapped(text, NOTE_INDENT, NOTE_INDENT, layout->width, out);
 }
 
-/* All cells but the first, right-aligned but for the verdict; no blanks at the end. */
+/* Prints all cells but the first, right-aligned except the verdict; no blanks at the
+ * end. */
 static void print_cells(char cells[COLUMNS][CELL], const struct layout *layout,
                         int blanks, FILE *out)
 {
@@ -162,7 +163,7 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
         fprintf(out, "%*s", INDENT, "");
         pp_print_wrapped(findings->basis, INDENT, INDENT, layout.width, out);
     }
-    /* Notes that hold for several findings on end are printed once, below the last. */
+    /* Notes common to several consecutive findings are printed once, below the last. */
     for (int i = 0; i < findings->count; i++) {
         struct pp_finding finding = findings->list[i];
         bool said_again = i + 1 < findings->count
@@ -220,7 +221,7 @@ static void print_simulation(const struct pp_assessment *assessment,
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
 
-/* Prints the bands in brackets behind figures by hand, or why there are none. */
+/* Explains the bands in brackets after hand figures, or prints why there are none. */
 static void print_bands(const struct pp_assessment *assessment,
                         const struct layout *layout, FILE *out)
 {

@@ -1,4 +1,4 @@
-/* assess_text.h - rooms held against the criteria, as text for people. */
+/* assess_text.h - assessments of rooms, as text. */
 #ifndef PP_REPORTS_ASSESS_ASSESS_TEXT_H
 #define PP_REPORTS_ASSESS_ASSESS_TEXT_H
 
@@ -9,7 +9,7 @@
 struct pp_assessments {
     struct pp_assessment *list;
     int count;
-    bool several; /* as a list, even if there is only one */
+    bool several; /* print a list, even of a single room */
     bool more_than_one_file;
     const struct pp_study_options *options; /* not owned */
 };

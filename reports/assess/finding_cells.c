@@ -30,10 +30,10 @@ static const char *unit_of(enum pp_figure kind, bool utf8)
     return "";
 }
 
-enum { DECIMALS_MORE = 4 }; /* at most, than a figure usually has */
+enum { DECIMALS_MORE = 4 }; /* most decimals added to the usual ones */
 
-/* Decimals more than usual that figure and bound need so that, as printed, they are to
- * each other as they are: 0.2963 is less than 0.3, 0.30 is not. */
+/* Number of additional decimals with which figure and bound compare in print as they do
+ * exactly: 0.2963 is less than 0.3, 0.30 is not. */
 static int decimals_more(const struct pp_finding *finding, int decimals)
 {
     double scale = pp_figure_scale(finding->kind);

@@ -1,5 +1,5 @@
-/* finding_cells.h - a finding's figure and bound as cells of a table: as many decimals as
- * it takes that, as printed, they are to each other as they are. */
+/* finding_cells.h - a finding's figure and bound as cells of a table, with enough
+ * decimals that they compare in print as they do exactly. */
 #ifndef PP_REPORTS_ASSESS_FINDING_CELLS_H
 #define PP_REPORTS_ASSESS_FINDING_CELLS_H
 
@@ -14,7 +14,7 @@ enum { PP_FINDING_CELL = 40 }; /* bytes */
 void pp_finding_cells_figure(char cell[PP_FINDING_CELL],
                              const struct pp_finding *finding, bool utf8);
 
-/* ">= 0.3"; empty where there is no bound or no figure. */
+/* ">= 0.3"; empty if there is no bound or no figure. */
 void pp_finding_cells_wanted(char cell[PP_FINDING_CELL],
                              const struct pp_finding *finding, bool utf8);
 

@@ -10,7 +10,7 @@
 
 enum { TEXT = 1600, REGIME = 400, NAMED_POINTS = 4 };
 
-/* Deviation of a middle from 1 that is reported as a bias. */
+/* Least deviation of a median ratio from 1 that is reported as a bias. */
 static const double bias_least = 0.05;
 
 /* "the average use exact+bre, corrected 2.2 %", "17 points (1.5,0.5: 3.1 %; ...) use

@@ -1,4 +1,4 @@
-/* atlas_bands_csv.c - puts the bands of an atlas on lines, to four digits. */
+/* atlas_bands_csv.c - writes the bands of an atlas as lines, with four digits. */
 #include "reports/atlas/atlas_bands_csv.h"
 
 #include <math.h>
@@ -62,7 +62,7 @@ static void put_conditions(const struct pp_band_regime *regime, FILE *out)
     fputc('\n', out);
 }
 
-/* Nothing of a feature that the atlas does not have. */
+/* Writes the span of a feature; nothing if the atlas does not have the feature. */
 static void put_span(int feature, const struct pp_atlas_bands *bands, FILE *out)
 {
     const struct pp_atlas_span *span = &bands->spans[feature];

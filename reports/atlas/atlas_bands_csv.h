@@ -1,5 +1,5 @@
-/* atlas_bands_csv.h - the bands of an atlas as the table that is compiled into the program,
- * tables/atlas_bands.csv. */
+/* atlas_bands_csv.h - the bands of an atlas in the form of tables/atlas_bands.csv,
+ * which is compiled into the program. */
 #ifndef PP_REPORTS_ATLAS_ATLAS_BANDS_CSV_H
 #define PP_REPORTS_ATLAS_ATLAS_BANDS_CSV_H
 

@@ -1,4 +1,4 @@
-/* atlas_bands_text.c - lays the trials of bands out, column by column. */
+/* atlas_bands_text.c - prints the trials of bands, column by column. */
 #include "reports/atlas/atlas_bands_text.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* atlas_bands_text.h - how the bands of an atlas do on rooms that they were not made from.
- */
+/* atlas_bands_text.h - test of an atlas's bands on rooms that were not used to fit
+ * them. */
 #ifndef PP_REPORTS_ATLAS_ATLAS_BANDS_TEXT_H
 #define PP_REPORTS_ATLAS_ATLAS_BANDS_TEXT_H
 

@@ -79,7 +79,7 @@ static bool same_band_entry(const struct pp_band_record *a,
            && strcmp(a->column, b->column) == 0;
 }
 
-/* skies: of the table's run. */
+/* skies: those of the rooms in the table's run. */
 static void put_component(enum pp_component component,
                           const struct pp_band_table *table, const char *skies,
                           FILE *out)

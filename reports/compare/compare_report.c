@@ -77,8 +77,8 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
-/* Difference that the explanation leaves; NAN, for a dash, where it explains no light: nothing
- * beyond its error. */
+/* Remaining difference, per cent; NAN, printed as a dash, if the explained value is
+ * within its error of 0. */
 static double left_percent(double theirs, double explained, double error)
 {
     return explained > fmax(error, 1e-9) ? 100.0 * (theirs / explained - 1.0) : NAN;
@@ -149,7 +149,7 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
     }
 }
 
-/* Appends the unexplained rest, and its pattern. */
+/* Appends the unexplained remainder, and its pattern. */
 static void append_left(char text[TEXT_BYTES], const struct pp_compared *compared)
 {
     const struct pp_likelihood *noise = &compared->search.sets[0].likelihood;
@@ -200,7 +200,7 @@ static void append_missing(char text[TEXT_BYTES])
     pp_text_append(text, TEXT_BYTES, ". Such mistakes can look like the causes above.");
 }
 
-/* Advice on the noise; NULL: there is little. */
+/* Advice on the noise; NULL: there is little noise. */
 static const char *cure_of_noise(const struct pp_likelihood *noise)
 {
     return noise->sigma < PP_COMPARE_NOISY ? NULL

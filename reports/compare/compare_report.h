@@ -1,5 +1,5 @@
-/* compare_report.h - another program's values beside ours, and where the difference comes
- * from: as text, and as JSON of format pepperpot-compare-1. */
+/* compare_report.h - another program's values beside ours, and the causes of the
+ * difference: as text, and as JSON of format pepperpot-compare-1. */
 #ifndef PP_REPORTS_COMPARE_COMPARE_REPORT_H
 #define PP_REPORTS_COMPARE_COMPARE_REPORT_H
 
@@ -10,17 +10,19 @@
 /* Result of compare. */
 struct pp_compare_result {
     const struct pp_compare_subject *subject; /* not owned */
-    const char *other;   /* the other program's file; NULL: ours alone, as if */
-    const char *variant; /* words; NULL: none */
-    int given;           /* how many points the file has */
+    const char *other;   /* file with the other program's values; NULL: only ours, with
+                          * a variant */
+    const char *variant; /* its switches; NULL: no variant */
+    int given;           /* number of points in the file */
     const double
-        *plain; /* ours as they are, with variant and without a file; not owned */
+        *plain; /* our values without the variant, if there is a variant and no file;
+                 * not owned */
     const struct pp_cause *const *causes;
     int cause_count;
-    struct pp_compared compared; /* without a file: ours, errors and count alone */
+    struct pp_compared compared; /* without a file: only ours, errors and count */
 };
 
-/* Noise (logarithm) of what is left from which something is to be done about it. */
+/* Least noise (logarithm) of the remainder for which advice is given. */
 #define PP_COMPARE_NOISY 0.015
 
 void pp_compare_report(const struct pp_compare_result *result, int width, FILE *out);

@@ -18,7 +18,7 @@ static const char more_style[] =
     "figure svg{width:auto;max-width:100%;max-height:10.5cm}"
     "h2,h3,.g,.r td,tr:nth-child(-n+2){break-after:avoid}}\n";
 
-/* "class", of the tone of a cell in a column. */
+/* The attribute "class" for the tone of a cell in a column. */
 static const char *class_of(enum pp_document_column_kind kind, enum pp_tone tone)
 {
     if (tone == PP_TONE_GOOD)

@@ -11,7 +11,8 @@
 
 /* ---- the methods ---- */
 
-/* Is the method a column of that name, or a part of a pair: of "exact+bre"? */
+/* True if the method has a column of that name, or is a part of the pair: of
+ * "exact+bre". */
 static bool is_part(const char *column, const char *method)
 {
     size_t length = strlen(method);
@@ -21,7 +22,7 @@ static bool is_part(const char *column, const char *method)
     return false;
 }
 
-/* Has any room a figure by it? */
+/* True if any room has a figure by the method. */
 static bool is_used(const struct pp_assessments *all, const char *method)
 {
     for (int i = 0; i < all->count; i++)

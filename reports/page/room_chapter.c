@@ -58,7 +58,7 @@ static void put_facts(struct pp_document *document, const struct pp_assessment *
 
 /* ---- averages ---- */
 
-/* Has any of the averages a standard error, or a band? */
+/* True if any of the averages has a standard error, or a band. */
 static bool any_sampled(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++)

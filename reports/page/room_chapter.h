@@ -1,5 +1,5 @@
-/* room_chapter.h - a room's chapter of a report, and the cells and pictures that other parts
- * of it share. Inside reports/page/ only. */
+/* room_chapter.h - a room's chapter of a report, with cells and pictures used by other
+ * chapters too. Inside reports/page/ only. */
 #ifndef PP_REPORTS_PAGE_ROOM_CHAPTER_H
 #define PP_REPORTS_PAGE_ROOM_CHAPTER_H
 
@@ -9,11 +9,11 @@
 void pp_room_chapter(struct pp_document *document, const struct pp_site_report *report,
                      int room);
 
-/* The pictures of that room; PP_SITE_WHOLE: of the site. */
+/* Adds the pictures of that room; PP_SITE_WHOLE: of the site. */
 void pp_room_chapter_pictures(struct pp_document *document,
                               const struct pp_site_report *report, int room);
 
-/* A cell with a number, or a dash for one that is not finite; or with a verdict. */
+/* Adds a cell with a number (a dash if it is not finite), or with a verdict. */
 void pp_room_chapter_number(struct pp_document *document, double value, int decimals);
 void pp_room_chapter_verdict(struct pp_document *document,
                              const struct pp_finding *finding);

@@ -120,7 +120,7 @@ static void put_verdicts(struct pp_document *document, const struct pp_assessmen
 
 /* ---- the site ---- */
 
-/* Is anything known of the time before? */
+/* True if any former value is known. */
 static bool has_before(const struct pp_site_row *rows, int count)
 {
     for (int i = 0; i < count; i++)
@@ -207,7 +207,7 @@ static void put_areas(struct pp_document *document, const char *name,
     }
 }
 
-/* A room's areas, and of several rooms the sum. */
+/* Adds the rooms' areas and, for several rooms, their sum. */
 static void put_rights(struct pp_document *document, const struct pp_site_table *table)
 {
     const struct pp_lit_change unknown = pp_lit_area_change(NAN, NAN, NAN);

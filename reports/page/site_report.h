@@ -6,7 +6,7 @@
 #include "model/room/project.h"
 #include "reports/assess/assess_text.h"
 
-/* Drawing, whose number is its index in the list. */
+/* A drawing; its number is its index in the list. */
 struct pp_site_picture {
     int room; /* index of its room among the assessments; PP_SITE_WHOLE: of the whole
                * site */
@@ -25,15 +25,15 @@ struct pp_site_report {
     const struct pp_site_picture *pictures; /* in the order of the rooms */
     int picture_count;
 
-    /* Work for a key (or "KEY, page 3"), and the key as listed; NULL: none. */
+    /* Source for a key (or "KEY, page 3"), and the key as listed; NULL: none. */
     const char *(*work_of)(const char *place, const char **key);
 };
 
-/* Writes the verdicts, and drawings of the site and of windows and rooms before and
- * after. A chapter for each room follows: inputs and assumptions, drawings, daylight
- * factors by hand with their bands and simulated with their standard errors, verdicts,
- * and possible improvements. The last chapter is on how it was made. The caller clears
- * document in any case. */
+/* Makes a document with the verdicts, and with drawings of the site and of windows and
+ * rooms before and after. A chapter for each room follows: inputs and assumptions,
+ * drawings, daylight factors by hand with their bands and simulated with their standard
+ * errors, verdicts, and possible improvements. The last chapter describes how the
+ * report was made. The caller clears document in any case. */
 enum pp_status pp_site_report(struct pp_document *document,
                               const struct pp_site_report *report,
                               struct pp_error *err);

@@ -1,4 +1,4 @@
-/* figure_unit.h - in which units findings are printed. */
+/* figure_unit.h - units in which findings are printed. */
 #ifndef PP_REPORTS_PARTS_FIGURE_UNIT_H
 #define PP_REPORTS_PARTS_FIGURE_UNIT_H
 
@@ -7,7 +7,7 @@
 /* Factor for printing a figure: factors and shares in per cent, angles in degrees. */
 double pp_figure_scale(enum pp_figure kind);
 
-/* "%", "degrees", "m2"; "" of a plain number. Static. */
+/* "%", "degrees", "m2"; "" for a dimensionless number. Static. */
 const char *pp_figure_unit(enum pp_figure kind);
 
 #endif

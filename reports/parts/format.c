@@ -1,4 +1,4 @@
-/* format.c - quotes fields of CSV, and tells valid UTF-8 from other bytes. */
+/* format.c - quotes fields of CSV, and checks bytes for valid UTF-8. */
 #include "reports/parts/format.h"
 
 #include <math.h>
@@ -52,7 +52,8 @@ void pp_format_csv_number(double number, FILE *out)
         fprintf(out, "%.10g", number + 0.0);
 }
 
-/* The first character's code, or -1 for a byte that starts none; its length. */
+/* Code of the first character, or -1 for a byte that starts none; *length: its
+ * bytes. */
 static int32_t decode(const char *text, int *length)
 {
     int32_t code = -1;
@@ -61,7 +62,8 @@ static int32_t decode(const char *text, int *length)
     return code;
 }
 
-/* True for a control character (C0, DEL or C1) and for no character at all. */
+/* True for a control character (C0, DEL or C1), and for a code that is not a
+ * character. */
 static bool is_unfit(int32_t code)
 {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028
@@ -82,7 +84,7 @@ int pp_format_utf8_width(const char *text)
     int width = 0, length;
     for (; *text; text += length) {
         if (*text >= ' ' && *text <= '~') {
-            length = 1; /* ASCII: no need to ask */
+            length = 1; /* ASCII, without decoding */
             width++;
             continue;
         }

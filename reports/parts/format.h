@@ -1,5 +1,5 @@
-/* format.h - words and figures as reports write them: names of components, fields of CSV,
- * and the width of text in UTF-8. */
+/* format.h - texts and numbers in reports: names of components, fields of CSV, and the
+ * width of text in UTF-8. */
 #ifndef PP_REPORTS_PARTS_FORMAT_H
 #define PP_REPORTS_PARTS_FORMAT_H
 
@@ -17,7 +17,7 @@ extern const char *const pp_component_titles[PP_COMPONENT_COUNT];
  * there is none. */
 void pp_format_cell(double value, const char *format, int width, FILE *out);
 
-/* The fields that every CSV is put together with [RFC4180]. */
+/* Fields of CSV [RFC4180]. */
 
 /* Writes a field, in quotes if it contains a separator; NULL is an empty one. A text that
  * a spreadsheet would run as a formula, because it begins with = + - or @ and is no
@@ -28,19 +28,20 @@ void pp_format_csv_field(const char *text, FILE *out);
  * is not finite. */
 void pp_format_csv_number(double number, FILE *out);
 
-/* Text that others wrote (names, paths), made fit to print. */
+/* Text from users (names, paths), made safe to print. */
 
-/* Bytes of the first character; 1 for a byte that starts no valid one; 0 at the end. */
+/* Number of bytes of the first character; 1 for a byte that starts no valid one; 0 at
+ * the end. */
 int pp_format_utf8_length(const char *text);
 
-/* Columns that text takes on a terminal, as pp_format_utf8_put prints it. */
+/* Width of text on a terminal, in columns, as printed by pp_format_utf8_put. */
 int pp_format_utf8_width(const char *text);
 
 /* Prints text with control characters and bytes that are not UTF-8 as \x1b, so that
  * nothing in it can move the cursor or start a new line. */
 void pp_format_utf8_put(FILE *out, const char *text);
 
-/* A copy with U+FFFD for each byte that is not UTF-8; NULL when memory is out. */
+/* A copy with U+FFFD for each byte that is not UTF-8; NULL: out of memory. */
 char *pp_format_utf8_repair(const char *text);
 
 #endif

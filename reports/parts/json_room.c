@@ -21,7 +21,7 @@ static double openings_m2(const struct pp_world *world, int face)
     return area;
 }
 
-/* A face of the envelope; its area is without its openings. */
+/* Object of a face of the envelope; its area excludes its openings. */
 static struct json_object *face_of(const struct pp_world *world, int index)
 {
     const struct pp_surface *face = &world->surfaces[index];
@@ -122,7 +122,7 @@ static struct json_object *facade_of(const struct pp_world *world, int index)
     return pp_json_whole(object, good);
 }
 
-/* Adds an array of `count` objects, each by make. */
+/* Adds an array of `count` objects, each made by `make`. */
 static bool add_list(struct json_object *object, const char *key, int count,
                      struct json_object *(*make)(const struct pp_world *, int),
                      const struct pp_world *world)

@@ -1,5 +1,5 @@
-/* json_room.h - the assumed data of a room, as JSON: enough to make a report of the
- * results without the room file. */
+/* json_room.h - the data assumed for a room, as JSON: enough to report the results
+ * without the room file. */
 #ifndef PP_REPORTS_PARTS_JSON_ROOM_H
 #define PP_REPORTS_PARTS_JSON_ROOM_H
 
@@ -9,8 +9,8 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* Adds "model": areas (m2), lengths (m), reflectances and transmittances as fractions as in
- * a room file, slopes and angles in degrees. False: memory is out. */
+/* Adds "model": areas (m2), lengths (m), reflectances and transmittances as fractions
+ * as in a room file, slopes and angles in degrees. False: out of memory. */
 bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
                       const struct pp_outside_light *light);
 

@@ -51,7 +51,7 @@ void pp_print_wrapped(const char *text, int column, int indent, int width, FILE 
     fputc('\n', out);
 }
 
-/* Receiver of the facts. */
+/* Callback that receives the facts, and its data. */
 struct listener {
     pp_print_fact *tell;
     void *closure;

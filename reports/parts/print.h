@@ -1,6 +1,5 @@
-/* print.h - the parts that all reports for people share: the title of a room, the facts
- * assumed of it, and wrapped sentences. As text.
- */
+/* print.h - parts common to all text reports: the title of a room, the facts assumed
+ * for it, and wrapped sentences. */
 #ifndef PP_REPORTS_PARTS_PRINT_H
 #define PP_REPORTS_PARTS_PRINT_H
 
@@ -9,22 +8,22 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* The room's name and its file, on a line. */
+/* Prints the room's name and its file, on one line. */
 void pp_print_title(const struct pp_world *world, const char *file, FILE *out);
 
-/* The assumptions on the room (sky, working plane, surfaces, glass), one a line; the first
- * part of a report. */
+/* Prints the assumptions on the room (sky, working plane, surfaces, glass), one per
+ * line; the first part of a report. */
 void pp_print_assumed(const struct pp_world *world,
                       const struct pp_outside_light *light, int width, FILE *out);
 
-/* Receives one fact: "room", "5.00 x 4.50 m, ...". */
+/* Function that receives one fact: "room", "5.00 x 4.50 m, ...". */
 typedef void pp_print_fact(void *closure, const char *label, const char *text);
 
-/* Hands them on, one by one. */
+/* Passes the facts to `fact`, one by one. */
 void pp_print_facts(const struct pp_world *world, const struct pp_outside_light *light,
                     pp_print_fact *fact, void *closure);
 
-/* Words of text from column `column` on, wrapped at `width`; further lines are indented
+/* Prints text from column `column` on, wrapped at `width`; further lines are indented
  * by `indent`. Ends the line. */
 void pp_print_wrapped(const char *text, int column, int indent, int width, FILE *out);
 

@@ -1,4 +1,5 @@
-/* print_band.c - two ends with a dash between, and a list of two. */
+/* print_band.c - prints a band as two numbers with a dash between, and as a JSON list
+ * of two. */
 #include "reports/parts/print_band.h"
 
 #include <stdio.h>
@@ -7,8 +8,8 @@
 #include "model/base/text.h"
 #include "reports/parts/print.h"
 
-/* Bands that end below this are practically zero, half a unit of the last printed
- * decimal, and say nothing: 0.0021 % had 0.00207 to 0.00208 %. */
+/* Bands whose upper end is below this are not printed: half a unit of the last printed
+ * decimal is practically zero, and 0.0021 % had 0.00207 to 0.00208 %. */
 static const double LEAST_END = 5e-5;
 
 static bool is_shown(struct pp_band_ends band)
@@ -16,7 +17,7 @@ static bool is_shown(struct pp_band_ends band)
     return pp_band_is_known(band) && band.high >= LEAST_END;
 }
 
-/* Bands are accurate to two or three digits: decimals that show both ends so. */
+/* Decimals that show both ends with the accuracy of bands, two or three digits. */
 static int decimals_of(double high)
 {
     return high < 1e-4 ? 4 : high < 0.09995 ? 2 : 1;
@@ -41,7 +42,7 @@ struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
     return is_shown(band) ? band : pp_band_none();
 }
 
-/* Rounds to four digits, more than the accuracy. */
+/* Rounds to four digits, more than the accuracy of bands. */
 static double four_digits(double value)
 {
     char text[32];

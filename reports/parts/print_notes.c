@@ -1,4 +1,4 @@
-/* print_notes.c - gathers the reasons of missing values, each once, with its
+/* print_notes.c - collects the reasons for missing values, each once, with its
  * columns. */
 #include "reports/parts/print_notes.h"
 
@@ -38,7 +38,7 @@ bool pp_print_notes_is_zero(const struct pp_report *report, enum pp_component co
     return any;
 }
 
-/* Why there is no value in that row, or NULL. */
+/* Reason why there is no value in that row, or NULL. */
 static const char *why_at(const struct pp_report *report,
                           const struct pp_column *column, int row)
 {
@@ -87,7 +87,7 @@ static int count_rows(const struct pp_report *report, const struct pp_column *co
     return count;
 }
 
-/* Is the column's name in a list of names with commas? A method's components share its
+/* True if the name is in a list separated by commas; components of a method share its
  * reasons. */
 static bool is_listed(const char *names, const char *name)
 {
@@ -98,8 +98,8 @@ static bool is_listed(const char *names, const char *name)
     return false;
 }
 
-/* True if the reason begins with the name of one of its columns ("bre: ..."). Those of
- * pairs do, and belong to one of their parts. */
+/* True if the reason begins with the name of one of its columns ("bre: ..."). Reasons
+ * of pairs do, as they come from one of the methods. */
 static bool names_itself(const char *names, const char *why)
 {
     char first[64];
@@ -140,7 +140,7 @@ static void print_note(const struct pp_report *report, const char *why, int widt
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
-/* "- average-df: decorations are not counted ...", where they would be. */
+/* Prints "- average-df: decorations are not counted ...", if there are decorations. */
 static void note_decorations(const struct pp_report *report, int width, FILE *out)
 {
     char text[512] = "";
@@ -172,7 +172,7 @@ static bool leaves_decorations(const struct pp_report *report)
     return false;
 }
 
-/* Has any hand method a daylight factor for any row? */
+/* True if any hand method has a daylight factor for any row. */
 static bool says_something(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++) {

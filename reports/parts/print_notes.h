@@ -1,4 +1,4 @@
-/* print_notes.h - notes below the table of a report: why values are missing. */
+/* print_notes.h - notes below the table of a report: the reasons for missing values. */
 #ifndef PP_REPORTS_PARTS_PRINT_NOTES_H
 #define PP_REPORTS_PARTS_PRINT_NOTES_H
 
@@ -7,14 +7,14 @@
 
 #include "model/results/report.h"
 
-/* The reading of row `row` of a table: a point's, or the average's in the last one.
- * NULL where the column has nothing to say of points. */
+/* The reading for row `row` of a table: that of a point, or in the last row of the
+ * average. NULL if the column has no values at points. */
 const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
                                                 const struct pp_column *column,
                                                 int row);
 
-/* Is all of a component 0, as externally reflected light is where nothing stands
- * outside? Then a note does for its columns. */
+/* True if all values of a component are 0, as for externally reflected light without
+ * surroundings: a note then replaces its columns. */
 bool pp_print_notes_is_zero(const struct pp_report *report,
                             enum pp_component component);
 

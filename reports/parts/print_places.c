@@ -1,4 +1,4 @@
-/* print_places.c - finds which coordinates change from point to point, and names
+/* print_places.c - finds the coordinates that differ between points, and names
  * them. */
 #include "reports/parts/print_places.h"
 
@@ -8,7 +8,7 @@
 #include "reports/parts/print.h"
 #include "model/base/text.h"
 
-/* The inside face of the wall that all windows are in, or NULL. */
+/* The inside face of the wall that contains all windows, or NULL. */
 static const struct pp_surface *window_wall(const struct pp_world *world)
 {
     const struct pp_surface *wall = NULL;
@@ -60,7 +60,7 @@ static double from_wall(const struct pp_surface *wall, const struct pp_receiver 
                       wall->outline.normal);
 }
 
-/* The coordinate that is the distance from the window wall, or -1. */
+/* Index of the coordinate that is the distance from the window wall, or -1. */
 static int axis_from_wall(const struct pp_report *report, const struct pp_surface *wall)
 {
     for (int axis = 0; axis < 2; axis++) {
@@ -75,8 +75,8 @@ static int axis_from_wall(const struct pp_report *report, const struct pp_surfac
     return -1;
 }
 
-/* Coordinates that change from point to point get a column; where none does, x and y.
- */
+/* True if the coordinate gets a column: if it differs between points; if none does, x
+ * and y. */
 static bool is_shown(const struct pp_report *report, int axis)
 {
     bool one_place = axis < 2 && is_constant(report, 0) && is_constant(report, 1)

@@ -1,4 +1,4 @@
-/* print_places.h - where the points of a report lie, for its table. */
+/* print_places.h - the positions of a report's points, for its table. */
 #ifndef PP_REPORTS_PARTS_PRINT_PLACES_H
 #define PP_REPORTS_PARTS_PRINT_PLACES_H
 

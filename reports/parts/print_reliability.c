@@ -1,4 +1,5 @@
-/* print_reliability.c - the sentences of a reliability as notes, and its parts as JSON. */
+/* print_reliability.c - prints the sentences on reliability as notes, and its parts as
+ * JSON. */
 #include "reports/parts/print_reliability.h"
 
 #include "reports/parts/json.h"

@@ -8,8 +8,8 @@
 
 #include "studies/reliability.h"
 
-/* Notes, each behind a dash: the methods with another ground, where the figures cannot be
- * relied on; nothing where there is neither. */
+/* Prints notes, each after a dash: methods with another ground reflectance, and where
+ * the figures cannot be relied on; nothing if there is neither. */
 void pp_print_reliability(const struct pp_reliability *reliability, int width,
                           FILE *out);
 

@@ -1,4 +1,4 @@
-/* table.c - measures columns, breaks headings, and prints panels that fit the line. */
+/* table.c - measures columns, breaks headings, and prints panels that fit the width. */
 #include "reports/parts/table.h"
 
 #include <stdlib.h>
@@ -11,7 +11,7 @@ enum {
     INDENT = 2,
     GAP = 2,       /* between columns */
     GROUP_GAP = 3, /* between groups */
-    HEADING = 6,   /* headings are broken to be no wider than that, or than the cells */
+    HEADING = 6,   /* width to which headings are broken, unless cells are wider */
     HEADING_LINES = 6,
 };
 
@@ -45,7 +45,7 @@ struct pp_table_column *pp_table_add(struct pp_table *table, const char *group,
     return column;
 }
 
-/* The part of a heading up to where it may be broken: before "+" or a blank, behind
+/* Length of a heading up to where it may be broken: before "+" or a blank, after
  * "-". */
 static int fragment(const char *text)
 {
@@ -56,8 +56,8 @@ static int fragment(const char *text)
     return length;
 }
 
-/* Breaks a heading into lines no wider than `width` as far as that goes; returns how
- * many. Each line is a piece of heading, not ended by a zero. */
+/* Breaks a heading into lines no wider than `width` if possible; returns their number.
+ * Each line is a part of heading, not terminated by a zero. */
 static int break_heading(const char *heading, int width,
                          const char *lines[HEADING_LINES], int lengths[HEADING_LINES])
 {
@@ -78,7 +78,7 @@ static int break_heading(const char *heading, int width,
     return count;
 }
 
-/* Columns that one line of a heading takes on the terminal. */
+/* Width of one line of a heading on the terminal, in columns. */
 static int piece_width(const char *piece, int length)
 {
     char text[sizeof((struct pp_table_column *)0)->heading];
@@ -97,13 +97,13 @@ static int cells_width(const struct pp_table *table,
     return width;
 }
 
-/* Sets the columns' widths: of the cells and of the heading's longest piece. */
+/* Sets the columns' widths: the widest cell, or the longest part of the heading. */
 static bool same_group(const struct pp_table_column *a, const struct pp_table_column *b)
 {
     return a->group == b->group;
 }
 
-/* The column behind the group that starts at or holds `first`. */
+/* Index after the group that contains column `first`. */
 static int group_end(const struct pp_table *table, int first)
 {
     int end = first + 1;
@@ -114,7 +114,7 @@ static int group_end(const struct pp_table *table, int first)
 }
 
 /* Widens the first column of a group that is narrower than its short title, so that
- * titles stay apart. */
+ * titles do not touch. */
 static void widen_groups(struct pp_table *table)
 {
     for (int i = table->key_count, next; i < table->column_count; i = next) {
@@ -145,7 +145,7 @@ static void measure_columns(struct pp_table *table)
     widen_groups(table);
 }
 
-/* The gap before column i where column `first` stands next to the keys. */
+/* The gap before column i in a panel whose first column after the keys is `first`. */
 static int gap_before(const struct pp_table *table, int i, int first)
 {
     if (i == 0)
@@ -163,8 +163,8 @@ static int keys_width(const struct pp_table *table)
     return width;
 }
 
-/* The column behind the last that fits in a panel which begins with `first`: whole
- * groups; or, of a group too wide for any panel, the columns that fit. */
+/* Index after the last column that fits in a panel that begins with `first`: whole
+ * groups or, for a group wider than a panel, the columns that fit. */
 static int panel_end(const struct pp_table *table, int first, int width)
 {
     int used = keys_width(table);
@@ -188,8 +188,8 @@ static int panel_end(const struct pp_table *table, int first, int width)
     return end;
 }
 
-/* Lines that go out without blanks at their ends: blanks wait until something follows.
- */
+/* Writes lines without trailing blanks: blanks are written only before further
+ * text. */
 struct writer {
     FILE *out;
     int blanks;
@@ -235,7 +235,7 @@ static void put_aligned(struct writer *writer, const char *text, int length,
     writer->blanks += column->width - (length > 0 ? columns : 0);
 }
 
-/* Columns of a table that stand side by side: the keys, and first to end - 1. */
+/* Columns of a table that are printed side by side: the keys, and [first, end). */
 struct panel {
     const struct pp_table *table;
     int first, end;
@@ -252,7 +252,7 @@ static void put_gap(struct writer *writer, const struct panel *panel, int i)
     writer->blanks += gap_before(panel->table, i, panel->first);
 }
 
-/* Group titles, and below them the rules that show how far each reaches. */
+/* Prints group titles, and rules below them over the width of the group. */
 static void print_groups(const struct panel *panel, struct writer *writer)
 {
     const struct pp_table *table = panel->table;
@@ -278,7 +278,7 @@ static void print_groups(const struct panel *panel, struct writer *writer)
     }
 }
 
-/* Headings stand on the last of their lines. */
+/* Prints headings, aligned at their last line. */
 static void print_headings(const struct panel *panel, struct writer *writer)
 {
     const struct pp_table *table = panel->table;
@@ -346,9 +346,9 @@ static void print_panel(const struct panel *panel, FILE *out)
     }
 }
 
-/* ---- Keys shortened, so that a table fits its line ---- */
+/* ---- shortening of keys, so that a table fits the width ---- */
 
-/* Takes characters from the middle of a cell, for two dots, so that it is `columns`
+/* Replaces characters in the middle of a cell by two dots, so that it is `columns`
  * wide. */
 static void shorten(char cell[PP_CELL_BYTES], int columns)
 {
@@ -370,7 +370,7 @@ static void shorten(char cell[PP_CELL_BYTES], int columns)
     snprintf(cell, PP_CELL_BYTES, "%.*s..%s", head, text, text + tail);
 }
 
-/* True if cells of column k that differ still do so at that width. */
+/* True if different cells of column k remain different at that width. */
 static bool tells_apart(const struct pp_table *table, int k, int columns)
 {
     const struct pp_table_column *column = &table->columns[k];

@@ -1,6 +1,5 @@
-/* table.h - a table of text for people: columns in groups, as wide as they need to be,
- * side by side as far as the line goes and then in a further panel below.
- */
+/* table.h - a table of text: columns in groups, as wide as needed, side by side up to
+ * the line's width and then in a further panel below. */
 #ifndef PP_REPORTS_PARTS_TABLE_H
 #define PP_REPORTS_PARTS_TABLE_H
 
@@ -10,12 +9,12 @@
 enum { PP_CELL_BYTES = 64 };
 
 struct pp_table_column {
-    const char *group; /* not owned; the same pointer is the same group; NULL: keys */
-    const char *group_short; /* where `group` is wider than its columns */
-    char heading[48];        /* broken before "+" and behind "-" to be narrow */
+    const char *group;       /* not owned; equal pointers are one group; NULL: keys */
+    const char *group_short; /* used if `group` is wider than its columns */
+    char heading[48];        /* may be broken before "+" and after "-" */
     char (*cells)[PP_CELL_BYTES];
     int width;
-    bool is_words; /* to the left; numbers are to the right */
+    bool is_words; /* left-aligned; numbers are right-aligned */
 };
 
 struct pp_table {
@@ -24,24 +23,24 @@ struct pp_table {
     int key_count; /* columns at the start that every panel repeats */
     int row_count;
     const char *last_label; /* replaces the keys of the last row, below a rule; NULL:
-                             * the last row is like the others */
+                             * the last row is an ordinary one */
 };
 
 void pp_table_init(struct pp_table *table, int row_count);
 void pp_table_clear(struct pp_table *table);
 
-/* A new column with empty cells; NULL when memory is out. Columns of a group follow one
- * another. The pointer is good until the next call. */
+/* Adds a column with empty cells; NULL: out of memory. Columns of a group must be
+ * consecutive. The pointer is valid until the next call. */
 struct pp_table_column *pp_table_add(struct pp_table *table, const char *group,
                                      const char *group_short, const char *heading);
 
 /* Shortens the words of keys in their middle ("south, l..winter"), the widest first, so
- * that all of the table stands side by side on lines of `width`; cells that differ do so
- * still. Nothing is done to a table that cannot be made to fit so. */
+ * that the whole table fits lines of `width`; different cells remain different. Does
+ * nothing if the table cannot be made to fit. */
 void pp_table_fit(struct pp_table *table, int width);
 
-/* Prints it, each line indented by two; no line is wider than `width` unless a single
- * group is. */
+/* Prints the table, each line indented by two; no line is wider than `width` unless a
+ * single group is. */
 void pp_table_print(struct pp_table *table, int width, FILE *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* sweep_assess.c - criteria of a sweep: rows of findings, columns of runs. */
+/* sweep_assess.c - criteria of a sweep: one row per finding, one column per run. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,11 +10,11 @@
 
 enum { KEYS = 4 };
 
-/* A finding that some run has: of that room, criterion and name. */
+/* A finding that occurs in some run, identified by room, criterion and name. */
 struct finding_row {
     const char *room, *criterion;
     const struct pp_finding *finding;
-    int place; /* of the room in its run */
+    int place; /* index of the room in its run */
 };
 
 static bool is_same_row(const struct finding_row *a, const struct finding_row *b)
@@ -69,7 +69,8 @@ static void gather_finding(void *data, const struct finding_row *row)
         rows->list[rows->count++] = *row;
 }
 
-/* "1.07", with a sign before it where it is not met or undecided. */
+/* Writes "1.07", preceded by a sign if the target is not met or the verdict
+ * undecided. */
 static void write_finding(void *data, const struct finding_row *row)
 {
     struct finding_rows *rows = data;
@@ -85,7 +86,7 @@ static void write_finding(void *data, const struct finding_row *row)
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* The target, or the unit of a figure that has none. */
+/* Writes the target, or the unit of a figure without a target. */
 static void write_target(char cell[PP_CELL_BYTES], const struct pp_finding *finding,
                          bool utf8)
 {
@@ -117,8 +118,8 @@ static bool add_assess_keys(struct pp_table *table, const struct finding_rows *r
     return true;
 }
 
-/* The swept values of each run, as heads of groups that may stand in panels below each
- * other. */
+/* The swept values of each run, as titles of column groups, which may be in several
+ * panels. */
 struct run_heads {
     char (*texts)[PP_CELL_BYTES];
 };

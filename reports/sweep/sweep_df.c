@@ -1,11 +1,11 @@
-/* sweep_df.c - daylight factors of a sweep: rows of rooms and points, columns of
- * methods. */
+/* sweep_df.c - daylight factors of a sweep: one row per room and point, one column per
+ * method. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "reports/sweep/sweep_text.h"
 
-/* Row of a table: a room of a run, and its point (its average: receiver_count). */
+/* Row of a table: a room of a run, and its point (receiver_count: the average). */
 struct df_row {
     const struct pp_result *result;
     int point;
@@ -82,7 +82,7 @@ static bool add_place_column(struct pp_table *table, const struct df_rows *rows)
     return true;
 }
 
-/* The method's column of the table, from `first` on; a new one where there is none. */
+/* The method's column of the table, from index `first` on; added if there is none. */
 static struct pp_table_column *method_column(struct pp_table *table, int first,
                                              const char *name)
 {

@@ -27,7 +27,7 @@ static enum pp_status print_run(char **text, pp_sweep_output_run *print,
 
 /* ---- CSV ---- */
 
-/* Position behind the record's line end; a line end in quotes is within a field. */
+/* Position after the record's line end; a line end in quotes belongs to a field. */
 static const char *behind_record(const char *at)
 {
     bool quoted = false;

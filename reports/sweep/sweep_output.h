@@ -11,8 +11,8 @@
 typedef enum pp_status pp_sweep_output_run(const void *data, int run, FILE *out,
                                            struct pp_error *err);
 
-/* The lines of all runs under one head, each with the swept values before it. All runs
- * have the same head. */
+/* Writes the lines of all runs under one header, each preceded by the swept values. All
+ * runs have the same header. */
 enum pp_status pp_sweep_output_csv(const struct pp_sweep *sweep,
                                    pp_sweep_output_run *print, const void *data,
                                    FILE *out, struct pp_error *err);

@@ -1,4 +1,4 @@
-/* sweep_size.c - sizes of a sweep: rows of rooms. */
+/* sweep_size.c - sizes of a sweep: one row per room. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -26,8 +26,8 @@ enum pp_status pp_sweep_size_text(const struct pp_sweep *sweep,
                                   const struct pp_size_results *const *runs, int width,
                                   bool utf8, FILE *out, struct pp_error *err);
 
-/* Adds the key columns with the swept values; `of_run` has the run of each row. False:
- * out of memory. */
+/* Adds the key columns with the swept values; of_run[i]: the run of row i. False: out
+ * of memory. */
 bool pp_sweep_text_keys(struct pp_table *table, const struct pp_sweep *sweep,
                         const int *of_run);
 

@@ -1,4 +1,4 @@
-/* validate_dots.c - SVG by hand: a row a part, a dot a case. */
+/* validate_dots.c - writes SVG directly: one row per part, one dot per case. */
 #include "reports/validate/validate_dots.h"
 
 #include <math.h>
@@ -22,7 +22,8 @@ enum { ROWS = 3 };
 
 static const char *const rows[ROWS] = {"difference", "assumption", "formula"};
 
-/* Fraction of the open sky, below which a share of it says nothing. */
+/* Least expected value (fraction of the open sky) to which a relative difference is
+ * meaningful. */
 static const double LEAST = 1e-4;
 
 static double dots_of_case(const struct pp_known_case *one, int row)
@@ -55,7 +56,7 @@ static double median_of(double *values, int count)
     return (values[(count - 1) / 2] + values[count / 2]) / 2.0;
 }
 
-/* Dots of one value stand under one another: seven heights, by the order of the cases. */
+/* Dots of equal values are spread over seven heights, by the order of the cases. */
 static void put_dot(double share, int number, int middle, FILE *out)
 {
     double y = middle + 2.0 * (number * 3 % 7 - 3);

@@ -1,5 +1,5 @@
-/* validate_dots.h - where the errors of hand methods come from, as dot charts for a page.
- */
+/* validate_dots.h - the two parts of hand methods' errors, as dot charts for a
+ * page. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_DOTS_H
 #define PP_REPORTS_VALIDATE_VALIDATE_DOTS_H
 

@@ -12,7 +12,7 @@
 
 enum { NAME_WIDTH = 40 };
 
-/* Figures in columns; a longer name has a line of its own before them. */
+/* Prints figures in columns; a longer name is on a line of its own before them. */
 static void print_case(const struct pp_known_case *one, FILE *out)
 {
     bool fits = strlen(one->what) <= NAME_WIDTH;
@@ -56,7 +56,7 @@ static void print_head(const struct pp_known_result *result, bool parts, FILE *o
                 "differ", "limit");
 }
 
-/* The room, where it is another than before. */
+/* Prints the room, if it differs from the previous one. */
 static void print_known_room(const struct pp_known_case *one, const char **file,
                              const char **room, FILE *out)
 {

@@ -15,7 +15,7 @@ struct pp_known_result {
 
 /* Prints each case with the result, the expected value, their difference, its limit and
  * the verdict, by group, and the number of correct ones. The last sentence is wrapped
- * at `width`; lines before it take up to 80 columns. */
+ * at `width`; lines before it have up to 80 columns. */
 void pp_validate_known_text(const struct pp_known_result *result, int width, FILE *out);
 enum pp_status pp_validate_known_json(const struct pp_known_result *result, FILE *out,
                                       struct pp_error *err);

@@ -1,5 +1,5 @@
 /* validate_page.c - the verdict, a table of the groups with their histograms, and all
- * cases, folded away. */
+ * cases, initially folded. */
 #include "reports/validate/validate_page.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static const double BIN_MOST = 1.5;
 /* Dimensions of a histogram, in pixels. */
 enum { BIN_WIDTH = 6, BAR_HEIGHT = 40, AXIS_HEIGHT = 14 };
 
-/* The cases of one group, which need not stand together. */
+/* The cases of one group, which need not be adjacent. */
 struct group {
     const char *name;
     int count, wrong, unjudged;
@@ -71,8 +71,8 @@ static void count_case(struct group *group, const struct pp_known_case *one)
     }
 }
 
-/* The first groups, up to GROUPS_MOST, which is more than any suite has, and than there are
- * methods; their number. */
+/* Finds the groups, up to GROUPS_MOST, which is more than any suite or the methods
+ * need; returns their number. */
 enum { GROUPS_MOST = 256 };
 
 static int gather_case_groups(struct group groups[GROUPS_MOST],
@@ -154,7 +154,7 @@ static void put_groups(const struct group *groups, int count, FILE *out)
     fputs("</tbody></table></div>\n", out);
 }
 
-/* The errors of methods, in their two parts. */
+/* Writes the errors of methods, in their two parts. */
 static void put_parts(const struct group *groups, int count,
                       const struct pp_known_cases *cases, FILE *out)
 {
@@ -222,7 +222,7 @@ static void put_cases(const struct pp_known_cases *cases, const char *group,
     fputs("</tbody></table></div>\n", out);
 }
 
-/* Why there are cases without a verdict, each reason once. */
+/* Writes the reasons why cases have no verdict, each once. */
 static void put_reasons(const struct pp_known_cases *cases,
                         const struct pp_suite_score *score, FILE *out)
 {

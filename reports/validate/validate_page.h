@@ -1,5 +1,5 @@
 /* validate_page.h - results of a suite as one self-contained page of HTML: no network,
- * no script; light and dark, on paper and on narrow screens. */
+ * no script; light or dark, for paper and narrow screens. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_PAGE_H
 #define PP_REPORTS_VALIDATE_VALIDATE_PAGE_H
 

@@ -16,7 +16,7 @@ const char pp_validate_parts_note[] =
 
 /* ---- text ---- */
 
-/* The heads of two groups of columns. */
+/* Prints the heads of two groups of columns. */
 static void print_heads(const char *title, const char *average, const char *bias,
                         int noise_width, FILE *out)
 {
@@ -114,7 +114,7 @@ void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE 
     }
 }
 
-/* ---- for programs ---- */
+/* ---- JSON and CSV ---- */
 
 /* Adds the parts under names that start with `begin` ("assumption" and so on). */
 static bool add_parts(struct json_object *object, const char *begin,
@@ -137,7 +137,7 @@ static bool add_parts(struct json_object *object, const char *begin,
     return good;
 }
 
-/* Errors are not worked out for several rooms. */
+/* Parts without errors, which are not computed over several rooms. */
 static struct pp_error_parts without_errors(double assumption, double formula)
 {
     return (struct pp_error_parts){assumption, NAN, formula, NAN};

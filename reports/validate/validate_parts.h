@@ -1,5 +1,6 @@
-/* validate_parts.h - the assumption's and the formula's part of the differences that
- * `validate` found (studies/research/validation/own_world.h), within its text, JSON and CSV. */
+/* validate_parts.h - the parts of the differences found by `validate` that are due to
+ * assumption and formula (studies/research/validation/own_world.h), within its text,
+ * JSON and CSV. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
 #define PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
 
@@ -8,14 +9,15 @@
 #include "reports/parts/json.h"
 #include "studies/research/validation/comparison.h"
 
-/* Tables of the components in which a method has a world of its own, with the parts of
- * the average's difference and of the bias; nothing, and false, where none has. */
+/* Prints tables of the components for which a method assumes a world of its own, with
+ * the parts of the average's difference and of the bias; nothing, and false, if there
+ * are none. */
 bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out);
 
-/* The same over all rooms. */
+/* Prints the same tables over all rooms. */
 void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE *out);
 
-/* Note on the tables' contents, for the end of a text with any. */
+/* Note on the contents of the tables, for the end of a text that has any. */
 extern const char pp_validate_parts_note[];
 
 /* Adds the known parts to the object of a comparison; false: out of memory. */
@@ -24,7 +26,7 @@ bool pp_validate_parts_json(struct json_object *object,
 bool pp_validate_parts_json_all(struct json_object *object,
                                 const struct pp_overall *one);
 
-/* The fields at the end of a line, each behind a comma, and their names. */
+/* The fields at the end of a line, each after a comma, and their names. */
 extern const char pp_validate_parts_csv_names[];
 void pp_validate_parts_csv(const struct pp_comparison *one, FILE *out);
 

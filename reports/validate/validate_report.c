@@ -10,7 +10,7 @@
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 
-/* ---- rooms, as text ---- */
+/* ---- text for each room ---- */
 
 enum { NAME_WIDTH = 20 };
 
@@ -43,7 +43,8 @@ static void print_comparison(const struct pp_comparison *one,
     fputc('\n', out);
 }
 
-/* Without obstructions outside, all agree that their light is zero. */
+/* True if a component is zero by all methods and the simulation, as without
+ * obstructions outside. */
 static bool is_nothing(const struct pp_comparison *list, int count,
                        enum pp_component component)
 {
@@ -80,7 +81,8 @@ static void print_component(const struct pp_comparison *list, int count,
     }
 }
 
-/* "- bre: why", once for each reason; a reason may begin with its method's name. */
+/* Prints "- bre: why", once for each reason; a reason may begin with its method's
+ * name. */
 static void print_refusals(const struct pp_comparison *list, int count, int width,
                            FILE *out)
 {
@@ -103,7 +105,7 @@ static void print_refusals(const struct pp_comparison *list, int count, int widt
     }
 }
 
-/* Returns whether there were parts of the differences to be told. */
+/* Prints one room. Returns whether it printed parts of the differences. */
 static bool print_compared_room(const struct pp_result *result,
                                 const struct pp_comparison *list, int count, int width,
                                 FILE *out)
@@ -213,7 +215,7 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
     }
 }
 
-/* ---- rooms, for programs ---- */
+/* ---- JSON and CSV for rooms ---- */
 
 static struct json_object *comparison_object(const struct pp_comparison *one,
                                              const struct pp_report *report)

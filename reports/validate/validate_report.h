@@ -10,7 +10,7 @@
 /* Rooms, each with its comparisons, and the comparison over all of them. */
 struct pp_validation {
     const struct pp_results *results;
-    struct pp_comparison **rooms; /* one list a result */
+    struct pp_comparison **rooms; /* one list for each result */
     int *counts;
     struct pp_overall *overall;
     int overall_count;

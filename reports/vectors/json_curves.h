@@ -8,7 +8,7 @@
 #include "model/geometry/curve.h"
 #include "model/geometry/region.h"
 
-/* Each adds a value under a key; false: memory is out. */
+/* Each function adds a value under a key; false: out of memory. */
 
 /* Metres, each to 0.1 mm. */
 bool pp_json_curves_lengths(struct json_object *object, const char *key,
@@ -19,7 +19,7 @@ bool pp_json_curves_lengths(struct json_object *object, const char *key,
 bool pp_json_curves_list(struct json_object *object, const char *key,
                          const struct pp_curve_list *curves, double scale);
 
-/* [[x, y, ...]]: the rings of a figure, holes clockwise. */
+/* [[x, y, ...]]: the rings of a region, holes clockwise. */
 bool pp_json_curves_region(struct json_object *object, const char *key,
                            const struct pp_region *region);
 

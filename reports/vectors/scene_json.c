@@ -13,7 +13,7 @@ static const char *const roles[PP_ROLE_COUNT] = {
     [PP_BLOCK] = "block",   [PP_FACADE] = "facade", [PP_SKYLINE] = "skyline",
 };
 
-/* Adds an object on one line to a list; NULL: memory is out. */
+/* Adds an object on one line to a list; NULL: out of memory. */
 static struct json_object *scene_item(struct json_object *list)
 {
     struct json_object *item = json_object_new_object();
@@ -23,7 +23,7 @@ static struct json_object *scene_item(struct json_object *list)
     return item;
 }
 
-/* Adds an empty list under a key; NULL: memory is out. */
+/* Adds an empty list under a key; NULL: out of memory. */
 static struct json_object *scene_list(struct json_object *object, const char *key)
 {
     struct json_object *list = json_object_new_array();
