@@ -1,5 +1,4 @@
-/* room_section.c - scale of a section; cut faces, openings, working plane, lines of
- * sight. */
+/* room_section.c - scale of a section; cut faces, openings, plane, lines of sight. */
 #include "charts/room/room_section.h"
 #include "charts/room/room_elevation.h"
 
@@ -140,8 +139,7 @@ static bool is_cut(const struct pp_section_cut *cut, int opening)
     return false;
 }
 
-/* Draws glass beside the section that is seen edge-on: a dashed gap in the line of its
- * face. */
+/* Draws glass seen edge-on beside the section: a dashed gap in its face's line. */
 static void draw_edge_on(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
