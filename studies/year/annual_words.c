@@ -142,7 +142,7 @@ static void name_groups(struct pp_annual_sheet *sheet, const struct pp_world *wo
     }
 }
 
-/* Compares the coordinates of the weather file and of the room (degrees). */
+/* Degrees between the place of the file and the room's. */
 static void compare_places(struct pp_annual_sheet *sheet, const struct pp_world *world,
                            const struct pp_epw *epw)
 {

@@ -1,4 +1,4 @@
-/* weather_year.c - converts records to skies: the sun's position, and the Perez sky. */
+/* weather_year.c - records to skies: the sun's place, and the Perez sky of it. */
 #include "studies/year/weather_year.h"
 
 #include <math.h>
@@ -178,7 +178,7 @@ enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
 struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
                                            double north_rad)
 {
-    /* The y axis has the bearing north_rad, the x axis 90 degrees more. */
+    /* The y axis has the bearing north_rad, x that and 90 degrees. */
     struct pp_perez_sky turned = *sky;
     double c = cos(north_rad), s = sin(north_rad);
     turned.sun.x = sky->sun.x * c - sky->sun.y * s;
