@@ -95,8 +95,9 @@ static int count_work(const struct pp_server *server)
     return pp_work_line_count(server->studies) + pp_work_line_count(server->programs);
 }
 
-/* Takes no more requests, lets work end for a while, stops the rest, and sends what there
- * is. False: work in this process did not stop in time; it goes with the process. */
+/* Accepts no more requests, gives work time to end, stops the rest, and sends the
+ * available answers. False: work in this process did not stop in time, and ends with
+ * the process. */
 static bool end_server(struct pp_server *server)
 {
     MHD_socket listening = MHD_quiesce_daemon(server->daemon);

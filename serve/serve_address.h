@@ -1,10 +1,10 @@
-/* serve_address.h - who can reach an address. */
+/* serve_address.h - tests whether an address can be reached from outside. */
 #ifndef PP_SERVE_SERVE_ADDRESS_H
 #define PP_SERVE_SERVE_ADDRESS_H
 
 #include <stdbool.h>
 
-/* Is it an address of this machine alone? NULL is 127.0.0.1. */
+/* True if the address can be reached from this machine only. NULL is 127.0.0.1. */
 bool pp_serve_address_is_loopback(const char *address);
 
 #endif

@@ -7,7 +7,7 @@
 #include "serve/answers/asked_room.h"
 #include "serve/work/program_words.h"
 
-/* Answers with the child's output, which it takes over, or with what went wrong. */
+/* Answers with the child's output, of which it takes ownership, or with the error. */
 static void answer_child(struct pp_task *task, struct pp_child_result *result,
                          const char *type)
 {
@@ -46,7 +46,7 @@ bool pp_answer_program(struct pp_task *task)
     return true;
 }
 
-/* { "gbxml": "<gbXML ...>" }: a room file of it. */
+/* { "gbxml": "<gbXML ...>" }: converts it to a room file. */
 bool pp_answer_program_import(struct pp_task *task)
 {
     static const char *const words[] = {"pepperpot", "import", "-", NULL};

@@ -1,4 +1,4 @@
-/* answer_program.h - the endpoints that answer by a command of the program: chart, assess,
+/* answer_program.h - the endpoints served by a command of the program: chart, assess,
  * size, availability, report, import. Inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_ANSWER_PROGRAM_H
 #define PP_SERVE_ANSWERS_ANSWER_PROGRAM_H

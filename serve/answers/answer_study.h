@@ -1,4 +1,4 @@
-/* answer_study.h - the endpoints that answer by the library at once: df, plan, check.
+/* answer_study.h - the endpoints served by the library directly: df, plan, check.
  * Inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_ANSWER_STUDY_H
 #define PP_SERVE_ANSWERS_ANSWER_STUDY_H

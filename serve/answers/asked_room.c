@@ -142,7 +142,7 @@ struct json_object *pp_asked_room_mistakes(const struct pp_asked_room *asked)
     return list;
 }
 
-/* Answers with what is wrong with the room. */
+/* Answers with the errors of the room. */
 static void fail_mistakes(struct pp_task *task, const struct pp_asked_room *asked,
                           const struct pp_error *err)
 {

@@ -15,19 +15,20 @@ struct pp_asked_room {
     struct pp_study *study;
 };
 
-/* Are the request's options among these, and the body's members room, options and no more?
- * If not, the answer is set. names ends with NULL. */
+/* True if the request's options are among these, and the body has the members room and
+ * options only. If false, the answer is set. names ends with NULL. */
 bool pp_asked_room_options(struct pp_task *task, const char *const *names);
 
-/* An option of a kind; NULL: it is not there. False: it is of another kind, and the answer
- * is set. */
+/* Gets an option of a JSON type; NULL: it is not there. False: it has another type, and
+ * the answer is set. */
 bool pp_asked_room_option(struct json_object **option, struct pp_task *task,
                           const char *name, enum json_type type);
 
-/* Is it a sky without a file: no photograph? If not, the answer is set. NULL is one. */
+/* True if the sky needs no file (a photograph does); NULL is allowed. If false, the
+ * answer is set. */
 bool pp_asked_room_sky(struct pp_task *task, const char *sky);
 
-/* An option that is a number from `least` to `most`; `usual` where it is not there. False: the
+/* Gets a number from `least` to `most`; `usual` if the option is missing. False: the
  * answer is set. */
 bool pp_asked_room_number(double *number, struct pp_task *task, const char *name,
                           double usual, double least, double most);

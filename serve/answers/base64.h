@@ -1,4 +1,4 @@
-/* base64.h - bytes as letters. Inside serve/ only. */
+/* base64.h - bytes as base64 text. Inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_BASE64_H
 #define PP_SERVE_ANSWERS_BASE64_H
 

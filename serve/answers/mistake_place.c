@@ -51,7 +51,7 @@ static struct text_span line_span(const char *text, const char *end, int line)
     return span;
 }
 
-/* The next tag from `at` on, from its "<" to behind its ">"; comments are passed by. At the
+/* The next tag from `at` on, from "<" to ">" inclusive; comments are skipped. At the
  * end of the text: an empty span. */
 static struct text_span tag_behind(const char *at, const char *end)
 {

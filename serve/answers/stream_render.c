@@ -22,7 +22,8 @@ struct render {
     int pass, width, height;
 };
 
-/* "640x480", within limits; taken out of the options. False: the answer is set. */
+/* Reads "640x480", within limits, and removes it from the options. False: the answer is
+ * set. */
 static bool take_size(struct render *render, struct pp_task *task)
 {
     struct json_object *size, *options = NULL;

@@ -11,8 +11,8 @@
 
 #include "serve/answers/asked_room.h"
 
-/* Between two looks whether somebody still waits. The first is shorter: a first estimate
- * soon. */
+/* Time (s) between checks whether the client still waits; shorter at first, for an
+ * early first estimate. */
 static const double first_slice_s = 0.01, slice_s = 0.04;
 
 struct trace {

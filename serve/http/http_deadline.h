@@ -1,9 +1,9 @@
-/* http_deadline.h - ends connections that take too long over their requests. Inside serve/
+/* http_deadline.h - ends connections whose requests take too long. Inside serve/
  * only.
  *
- * A client that sends a byte a second never stands still, so that a limit on standing still
- * does not end it. Each connection has a fixed time from its beginning, or from the end of
- * its last answer, to the end of its next request.
+ * A client that sends a byte a second is never idle, so a limit on idle time does not
+ * end it. Each connection has a fixed time from its beginning, or from the end of its
+ * last answer, to the end of its next request.
  */
 #ifndef PP_SERVE_HTTP_HTTP_DEADLINE_H
 #define PP_SERVE_HTTP_HTTP_DEADLINE_H
@@ -18,15 +18,16 @@ struct pp_http_deadline;
 struct pp_http_deadlines *pp_http_deadline_list_create(void); /* NULL: no memory */
 void pp_http_deadline_list_destroy(struct pp_http_deadlines *list);
 
-/* A connection begins, on that socket; NULL: there are too many. */
+/* Begins a connection on that socket; NULL: there are too many. */
 struct pp_http_deadline *pp_http_deadline_begin(struct pp_http_deadlines *list,
                                                 int socket);
-/* It waits for a request from now on; or no longer, since that is complete. */
+/* Starts the connection's time for a request, or stops it when the request is
+ * complete. */
 void pp_http_deadline_wait(struct pp_http_deadlines *list, struct pp_http_deadline *one,
                            bool waits);
 void pp_http_deadline_end(struct pp_http_deadlines *list, struct pp_http_deadline *one);
 
-/* Shuts the sockets whose time is over. */
+/* Shuts down the sockets whose time is over. */
 void pp_http_deadline_look(struct pp_http_deadlines *list);
 
 #endif

@@ -1,4 +1,4 @@
-/* http_guard.h - which requests are let in, by their headers alone. Inside serve/ only. */
+/* http_guard.h - accepts or refuses requests by their headers. Inside serve/ only. */
 #ifndef PP_SERVE_HTTP_HTTP_GUARD_H
 #define PP_SERVE_HTTP_HTTP_GUARD_H
 
@@ -18,7 +18,8 @@ struct pp_http_headers {
  * not compared: a proxy may have another. */
 bool pp_http_guard_host(const struct pp_serve_options *options, const char *host);
 
-/* Do both texts agree? The time does not depend on where they differ. wanted NULL: yes. */
+/* True if both texts are equal; the time does not depend on where they differ. wanted
+ * NULL: true. */
 bool pp_http_guard_same(const char *wanted, const char *given);
 
 /* Returns 0, or the status to refuse the request with, and *why. is_page: the path is of the

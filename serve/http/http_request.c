@@ -22,7 +22,7 @@ struct http_request {
 
 /* ---- answers ---- */
 
-/* Nothing but the page's own files runs, is shown or is connected to. */
+/* Only the page's own files may run, be displayed, or be connected to. */
 static const char content_policy[] =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: "
     "blob:; "
@@ -62,7 +62,7 @@ static enum MHD_Result refuse(struct MHD_Connection *connection, unsigned status
     return send_response(connection, status, "application/json", response);
 }
 
-/* Hands on what there is of a stream. */
+/* Copies the available part of a stream to the response. */
 static ssize_t read_stream(void *data, uint64_t position, char *buffer, size_t most)
 {
     struct pp_task *task = data;
@@ -182,7 +182,8 @@ static enum MHD_Result begin_request(struct pp_server *server,
 
 /* ---- the end of a request ---- */
 
-/* Tasks of one page, or of one machine where none is named, take turns with others'. */
+/* Client of a connection: its page, or its machine if none is named. Clients are served
+ * in turn. */
 static uint64_t client_of(struct MHD_Connection *connection)
 {
     uint64_t hash = 1469598103934665603u; /* FNV-1a */

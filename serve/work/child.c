@@ -85,7 +85,8 @@ static bool spawn_child(pid_t *child, const struct pp_task *task,
     return true;
 }
 
-/* Reads what is there; closes the pipe at its end. False: too much, or no memory. */
+/* Reads the available output; closes the pipe at its end. False: too much output, or
+ * out of memory. */
 static bool take_output(int *pipe, char **bytes, size_t *length, size_t most)
 {
     enum { BLOCK = 64 << 10 };

@@ -14,7 +14,7 @@ enum { PP_CHILD_WORDS_MOST = 64, PP_CHILD_SECONDS_MOST = 120 };
 
 enum pp_child_end {
     PP_CHILD_DONE,      /* it has ended by itself, with `status` */
-    PP_CHILD_CANCELLED, /* nobody waits for it any more */
+    PP_CHILD_CANCELLED, /* the client no longer waits for it */
     PP_CHILD_LIMIT,     /* it took too long, or wrote too much */
     PP_CHILD_FAILED     /* it could not be started, or died */
 };

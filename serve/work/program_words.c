@@ -8,8 +8,8 @@
 #include "serve/answers/asked_room.h"
 #include "serve/stores/weather_store.h"
 
-/* A command, the options that a request may give it, between blanks, and its formats: the
- * first is the default one. None of the options names a file. */
+/* A command, the options that a request may set (separated by blanks), and its formats,
+ * the default one first. None of the options names a file. */
 static const struct {
     const char *command, *options, *formats;
 } commands[] = {

@@ -1,9 +1,9 @@
-/* task.h - the work that a request asks for, and its answer. Inside serve/ only.
+/* task.h - the work for a request, and its answer. Inside serve/ only.
  *
  * A task belongs to the thread that reads requests until it is submitted to a line
- * (work_line.h). From then on a worker runs it, in slices, while its connection is suspended.
- * The answer is whole, or a stream of events that begins before the work ends. Both the
- * request and the line own the task: the last to release it frees it.
+ * (work_line.h). From then on a worker runs it, in slices, while its connection is
+ * suspended. The answer is one whole, or a stream of events that begins before the work
+ * ends. Both the request and the line own the task: the last to release it frees it.
  */
 #ifndef PP_SERVE_WORK_TASK_H
 #define PP_SERVE_WORK_TASK_H
@@ -52,7 +52,7 @@ struct pp_task *pp_task_create(struct pp_server *server, pp_task_run *run,
                                const char *command, struct json_object *body);
 void pp_task_release(struct pp_task *task); /* NULL is allowed */
 
-/* Is nobody there any more to have the answer? Looks at the socket, too. */
+/* True if the client has closed its connection; checks the socket, too. */
 bool pp_task_is_cancelled(struct pp_task *task);
 void pp_task_cancel(struct pp_task *task);
 
