@@ -16,20 +16,21 @@ struct pp_assess_options {
     const struct pp_study_options *study; /* not owned */
     const char
         *criteria; /* names with commas between, judged whatever the room's use and
-                           * country; NULL: the profile's */
+                    * country; NULL: the profile's */
     const struct pp_profile *profile; /* not owned; NULL: all */
     const char *place; /* a capital of the standard's table; NULL: the room's site */
-    double median_lux; /* instead; 0: not given */
-    double french_m;   /* as an inquiry's */
-    double least_altitude_rad;          /* as an inquiry's */
-    bool of_weather;                    /* is that median a weather file's? */
+    double median_lux; /* used instead of the site's; 0: not given */
+    double french_m;   /* as in struct pp_inquiry */
+    double least_altitude_rad;          /* as in struct pp_inquiry */
+    bool of_weather;                    /* true if median_lux comes from a weather
+                                         * file */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
     const struct pp_rooms_before
         *mirrored;              /* the rooms of the same files with the mirror
-                                             * image outside; not owned; NULL: none */
-    bool verdicts_only;         /* no improvements are searched */
+                                 * image outside; not owned; NULL: none */
+    bool verdicts_only;         /* improvements are not searched for */
     struct pp_grid_choice grid; /* the grid of the plane; empty: the file's, or the
-                                 * default one, halved as far as the verdicts need */
+                                 * default one, halved as often as the verdicts need */
     bool
         trace_again; /* may pp_assessment_judge simulate on a finer grid, by `study`? */
 };
@@ -47,7 +48,7 @@ struct pp_assessment {
     const struct pp_study_room *mirrored; /* not owned; NULL */
     int *mirrored_pairs;
     bool has_factors; /* true if any selected criterion uses them */
-    bool has_average; /* and that of the average? */
+    bool has_average; /* true if any selected criterion uses the average */
     struct pp_plane_grid grid;
     struct pp_report report; /* daylight factors on the grid */
     struct pp_median median;
@@ -65,12 +66,12 @@ enum { PP_CRITERIA_MOST = 64 };
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
                                     struct pp_error *err);
 
-/* An assessment of a room, of which nothing is judged yet: its grid, the hand methods'
- * daylight factors there, the place's median, and of the rooms before (may be NULL) the
- * one that this one is, as pp_room_before_find has it. The grid is fine enough for
- * verdicts by hand. Whoever wants to judge by traced factors adds them to
- * assessment->report (plane_trace.h) before pp_assessment_judge.
- * To be cleared in any case. */
+/* Begins the assessment of a room, without verdicts: its grid, the hand methods'
+ * daylight factors there, the site's median illuminance, and the room's counterpart in
+ * `before` (may be NULL; pp_room_before_find). The grid is fine enough for verdicts by
+ * hand methods. For verdicts by simulation, add simulated factors to
+ * assessment->report (plane_trace.h) before pp_assessment_judge. To be cleared in any
+ * case. */
 enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_study_room *room, int room_count,
                                    const struct pp_rooms_before *before,

@@ -12,7 +12,7 @@
 enum pp_figure {
     PP_FIGURE_FACTOR, /* a fraction of the open-sky horizontal illuminance */
     PP_FIGURE_SHARE,  /* a fraction of anything else; printed in per cent, as factors */
-    PP_FIGURE_RATIO,  /* a plain number */
+    PP_FIGURE_RATIO,  /* dimensionless */
     PP_FIGURE_COUNT,  /* a whole number */
     PP_FIGURE_ANGLE,  /* radians */
     PP_FIGURE_LENGTH, /* m */
@@ -25,25 +25,28 @@ struct pp_finding {
     int line;      /* of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
     double figure;           /* NAN: not judged */
-    double now, before;      /* that it rests on, by pp_finding_compares; NAN: none */
+    double now, before;      /* the values that the figure compares
+                              * (pp_finding_compares); NAN: none */
     enum pp_figure compared; /* their kind */
-    double std_error;  /* of the figure, by noise and by the grid; NAN where nothing was
+    double std_error;  /* of the figure, by noise and by the grid; NAN: nothing was
                         * sampled */
-    double grid_error; /* part of it that the spacing of the grid makes; NAN: no grid */
-    struct pp_band_ends band; /* of a figure by hand, where that is known */
-    double wanted;            /* the bound; NAN: there is none, the figure is stated */
+    double grid_error; /* part of std_error due to the spacing of the grid; NAN: no
+                        * grid */
+    struct pp_band_ends band; /* of a hand figure, if known */
+    double wanted;            /* the bound; NAN: none, the figure is only stated */
     bool at_most;             /* the bound is an upper one, else a lower one */
-    double reached_over; /* share of the plane on which the bound is reached; NAN where
-                          * the criterion does not ask for one */
-    double over_error;   /* its standard error, by noise and grid; NAN: not known */
+    double reached_over; /* share of the plane on which the bound is reached; NAN: the
+                          * criterion has no such share */
+    double over_error;   /* standard error of reached_over, by noise and grid; NAN: not
+                          * known */
     enum pp_verdict verdict;
     double confidence; /* probability that the verdict is right; for PP_UNDECIDED that
                         * the criterion is met; NAN where nothing was sampled */
     bool
         is_optional; /* a level above the lowest, which nothing requires: its verdict is
-                       * not counted */
-    const char *decided_by; /* criterion that decides where this one is not met: then it
-                             * counts as no failure; NULL: this one does. Static */
+                      * not counted */
+    const char *decided_by; /* criterion that decides where this one is not met, which
+                             * then is no failure; NULL: this one decides. Static */
     char note[320];         /* sentences without the last full stop; may be empty */
 };
 
@@ -55,15 +58,15 @@ const char *pp_finding_verdict(enum pp_verdict verdict);
 struct pp_finding_list {
     struct pp_finding *list;
     int count;
-    char basis[320]; /* by which method the figures were found, as a sentence without a
-                      * full stop; empty: from the room as its file describes it */
+    char basis[320]; /* method by which the figures were found, as a sentence without a
+                      * full stop; empty: none, they follow from the room file */
     struct pp_lit_change
         lit; /* for rights of light; for other findings, and if it is not assessed,
               * plane_m2 is 0 */
 };
 
-/* A verdict on a sampled figure is given where it is right with this probability or
- * more: the usual level of statistical tests, not calibrated. */
+/* Least probability of being right for a verdict on a sampled figure: the usual level
+ * of statistical tests, not calibrated. */
 #define PP_SURE 0.95
 
 /* Finding with a figure and its bound: a figure within 1e-9 of the bound, relative,
@@ -73,8 +76,8 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
                                 bool at_most, const char *what, ...)
     __attribute__((format(printf, 5, 6)));
 
-/* Basis of the finding's figure: the figure now, and before something was built (NAN: not
- * known). */
+/* Stores the values that the figure compares: now, and before something was built (NAN:
+ * not known). */
 void pp_finding_compares(struct pp_finding *finding, enum pp_figure compared,
                          double now, double before);
 
@@ -82,12 +85,11 @@ void pp_finding_compares(struct pp_finding *finding, enum pp_figure compared,
 struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Makes a verdict PP_UNDECIDED if the figure, known to within `error` only, is nearer
- * to the bound than that. */
+/* Makes a verdict PP_UNDECIDED if the bound is within `error` of the figure. */
 void pp_finding_within(struct pp_finding *finding, double error);
 
-/* The figure was sampled with that standard error, and the criterion is met with that
- * probability: sets verdict and confidence by PP_SURE. */
+/* Sets verdict and confidence by PP_SURE, for a figure sampled with that standard
+ * error; probability: that the criterion is met. */
 void pp_finding_sampled(struct pp_finding *finding, double std_error,
                         double probability);
 
@@ -95,8 +97,8 @@ void pp_finding_sampled(struct pp_finding *finding, double std_error,
  * standard error (greater than 0), by the normal distribution. */
 double pp_finding_probability_at_least(double value, double std_error, double wanted);
 
-/* May the true figure well be on the other side of the bound than the figure is: does the
- * bound lie in the band, or between it and the figure? */
+/* True if the true figure may be on the other side of the bound: if the bound lies in
+ * the band, or between it and the figure. */
 bool pp_finding_is_open(const struct pp_finding *finding);
 
 /* Adds text to the finding's note; cut off where the note is full. */

@@ -27,7 +27,7 @@ struct pp_gain {
     char change[128]; /* "a ceiling of reflectance 0.85 instead of 0.6" */
     const char
         *lacks;     /* the fault that the change mends: "a dark ceiling"; static; NULL:
-                        * the change mends no fault of the room */
+                     * the change mends no fault of the room */
     bool of_design; /* the designer can make the change; false for obstructions */
     struct pp_gain_values values; /* of the changed room */
     int kind;                     /* index in the list of kinds (gain_changes.h) */
@@ -39,20 +39,22 @@ struct pp_gains {
     const char *method; /* "exact+bre", or "traced"; static; NULL: no method covers the
                          * room */
     struct pp_gain_values now;
-    struct pp_gain list[PP_GAINS_MOST]; /* largest average first; all above now's */
+    struct pp_gain list[PP_GAINS_MOST]; /* largest average first; all larger than the
+                                         * room's */
     int count;
 };
 
-/* Evaluates and ranks the changes that apply to the room. `world` was made of `room`. */
+/* Evaluates and ranks the changes that apply to the room. `world` must be made from
+ * `room`. */
 enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              const struct pp_world *world,
                              const struct pp_outside_light *light,
                              struct pp_error *err);
 
-/* Replaces values by hand by simulated ones: of the room and of the PP_GAINS_SIMULATED
- * changes that raise the average most by hand; other changes are dropped. Standard errors
- * of the averages are 2 % or less, unless options->samples or options->seconds end the
- * simulation sooner. Does nothing without a method. */
+/* Replaces the hand values by simulated ones, for the room and for the
+ * PP_GAINS_SIMULATED changes that raise the average most by hand; other changes are
+ * dropped. Standard errors of the averages are 2 % or less, unless options->samples or
+ * options->seconds end the simulation sooner. Does nothing if there is no method. */
 enum { PP_GAINS_SIMULATED = 6 };
 enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *room,
                                  const struct pp_world *world,

@@ -1,10 +1,10 @@
-/* retained_sky.h - light from the sky that windows or rooms around a site retain, and the
- * share that they have to retain.
+/* retained_sky.h - light from the sky that windows or rooms around a site retain, and
+ * the share that they have to retain.
  *
- * A window has its vertical sky component (criteria/windows/vertical_sky.h), a room the
- * area of its working plane that sees sky, before the no-sky line (studies/lit_line.h).
- * Each has to retain
- * a share of its value before building; a window with enough needs no more:
+ * The value of a window is its vertical sky component
+ * (criteria/windows/vertical_sky.h), that of a room the area of its working plane that
+ * sees sky, before the no-sky line (studies/lit_line.h). Each has to retain a share of
+ * its value before building; a sufficient value is enough in any case:
  *
  *     due = min(keep before, enough)       [BR209]: keep = 0.8; of VSC, enough = 27 %
  */
@@ -23,20 +23,21 @@ struct pp_retained_sky_rule {
     enum pp_retained_sky_of of;
     const char *room;   /* only rooms of that name count; NULL: all */
     const char *window; /* only windows of that name count, of VSC; NULL: all */
-    double keep;        /* share that each keeps, above 0, below 1 */
+    double keep;        /* share to retain, above 0, below 1 */
     double french_m;    /* as for pp_vertical_sky_at_point (vertical_sky.h); 0: none */
-    double enough;      /* who has that much has his due; INFINITY: nobody has */
+    double enough;      /* value that is sufficient in any case; INFINITY: none */
 };
 
 /* An upright window, or a room, that counts. */
 struct pp_retained_sky_place {
     char room[64],
-        window[64]; /* names, cut; may be empty, and of a room the window's is */
+        window[64]; /* names, cut to fit; may be empty; window: empty for a room */
     char label[PP_WORLD_LABEL]; /* of the window, as on drawings; of a room "" */
-    int place, line; /* the room's in its building; the window's, of a room 0 */
+    int place, line; /* place: of the room in its building; line: of the window in the
+                      * file, 0 for a room */
     struct pp_vec3 middle,
         outward;               /* of the window's outside, or where its component is
-                                     * taken, in the building's axes; of a room 0 */
+                                * taken, in the building's axes; of a room 0 */
     double before, now, after; /* VSC (a fraction) or area (m2): before, as in the file,
                                 * and with the result */
 };
@@ -64,13 +65,13 @@ enum pp_status pp_retained_sky_after(struct pp_retained_sky *retained,
                                      struct pp_building *building,
                                      struct pp_error *err);
 
-/* `after` of that one alone, by its number in the list. */
+/* Fills in `after` of one place alone, by its index in the list. */
 enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int number,
                                          const struct pp_retained_sky_rule *rule,
                                          struct pp_building *building,
                                          struct pp_error *err);
 
-/* Surplus of a place: its value after over its due, less 1; INFINITY where it had nothing
+/* Surplus of a place: its value after over its due, less 1; INFINITY if it had nothing
  * before. */
 double pp_retained_sky_surplus_of(const struct pp_retained_sky_place *due,
                                   const struct pp_retained_sky_rule *rule);

@@ -1,6 +1,5 @@
-/* size_room.h - the window of a room that just reaches a target, by a hand method or by
- * the simulation, and how the room file changes with it.
- */
+/* size_room.h - the smallest window with which a room reaches a target, by a hand
+ * method or by simulation, and the edits of the room file for it. */
 #ifndef PP_STUDIES_SIZING_SIZE_ROOM_H
 #define PP_STUDIES_SIZING_SIZE_ROOM_H
 
@@ -15,17 +14,17 @@
 
 /* Target and options. */
 struct pp_size_request {
-    const struct pp_study_options *study; /* of points and simulation; not owned */
+    const struct pp_study_options *study; /* for points and simulation; not owned */
     double target;                        /* a fraction; 0: not given */
     const char
-        *criterion; /* replaces these, as in criterion_margin.h: the target is then a
+        *criterion; /* used instead of target, as in criterion_margin.h, with a target
                      * margin of 1; NULL: none */
-    struct pp_grid_choice grid; /* by which a criterion of the plane is judged */
+    struct pp_grid_choice grid; /* grid on which a criterion is judged */
     const char *by; /* a method, a pair, or "traced"; NULL: one that covers the room */
     bool traced;    /* by is "traced" */
     enum pp_size_change change;
     const char *wall; /* only windows in that wall; NULL: any */
-    long line;        /* only the opening on that line of the file; 0: any */
+    long line;        /* only the opening on that line of the file; 0: any line */
 };
 
 /* Names of quantities that may change: "width". */
@@ -34,21 +33,21 @@ extern const char *const pp_size_room_change_words[];
 /* Results for one room. */
 struct pp_size_room_result {
     const struct pp_study_room *room; /* not owned */
-    const char *method; /* that it was sized by; NULL: a criterion's own; not owned */
+    const char *method; /* by which it was sized; NULL: a criterion's own; not owned */
     struct pp_size_answer answer;
     struct pp_text_edit *edits; /* changes of the room's openings; owned */
     int edit_count;
     const char *file_text; /* not owned */
     size_t file_length;
-    int file_opening; /* how many openings the file has before the room's first */
-    const char *why;  /* there is no value; not owned */
-    struct pp_reading traced; /* of the room sized; NAN where nothing was traced */
+    int file_opening; /* number of openings in the file before the room's first */
+    const char *why;  /* reason why there is no value; not owned */
+    struct pp_reading traced; /* of the sized room; NAN if nothing was simulated */
     bool holds; /* false: the simulated value of the size found by hand is below the
-                * target, by more than two standard errors; if that of the largest size
-                * is too, the target cannot be reached, and that size is the answer */
+                 * target, by more than two standard errors; if that of the largest size
+                 * is too, the target cannot be reached, and that size is the answer */
     struct pp_band_ends
         band; /* of the value of the room sized, where the atlas has one */
-    struct pp_reliability reliability; /* of the room as it is, by hand */
+    struct pp_reliability reliability; /* of the present room, by hand */
     char text[512];                    /* storage for why */
 };
 
@@ -59,10 +58,10 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
                             const struct pp_size_request *request,
                             struct pp_error *err);
 
-/* Makes it the result of a room that can't be sized, and why. */
+/* Turns it into the result of a room that cannot be sized, with the reason. */
 void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why);
 
-/* Quantity that a method, a pair or "traced" gives, and the target is of. */
+/* Quantity that a method, a pair or "traced" gives, to which the target applies. */
 enum pp_gives pp_size_room_gives(const char *by);
 
 void pp_size_room_result_clear(struct pp_size_room_result *result);
