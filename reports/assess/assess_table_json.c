@@ -106,14 +106,29 @@ static struct json_object *rights_object(const struct pp_site_table *table)
     return pp_json_whole(object, good);
 }
 
+static bool append_rows(struct json_object *list, const struct pp_site_row *rows,
+                        int count, bool compares)
+{
+    bool good = true;
+    for (int i = 0; i < count && good; i++)
+        good = pp_json_append(list, row_object(&rows[i], compares));
+    return good;
+}
+
 static bool add_rows(struct json_object *object, const char *key,
                      const struct pp_site_row *rows, int count, bool compares)
 {
     struct json_object *list = json_object_new_array();
-    bool good = pp_json_add(object, key, list);
-    for (int i = 0; i < count && good; i++)
-        good = pp_json_append(list, row_object(&rows[i], compares));
-    return good;
+    return pp_json_add(object, key, list) && append_rows(list, rows, count, compares);
+}
+
+/* Figures and their bounds: of sunlight, too, which has a list of its own besides. */
+static bool add_others(struct json_object *object, const struct pp_site_table *table)
+{
+    struct json_object *list = json_object_new_array();
+    return pp_json_add(object, "others", list)
+           && append_rows(list, table->suns, table->sun_count, false)
+           && append_rows(list, table->others, table->other_count, false);
 }
 
 /* Counts of windows and rooms that meet BR 209, and of windows by their loss. */
@@ -151,7 +166,7 @@ enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
                 || add_rows(object, "gardens", table.gardens, table.garden_count, true))
             && (table.rights_count == 0
                 || pp_json_add(object, "rights_of_light", rights_object(&table)))
-            && add_rows(object, "others", table.others, table.other_count, false);
+            && add_others(object, &table);
         status = pp_json_print(out, pp_json_whole(object, good), err);
     }
     pp_site_table_clear(&table);

@@ -1,5 +1,5 @@
-/* schedule_xlsx.c - see schedule_xlsx.h. The library writes to a file by name, so that the
- * workbook takes its way through a temporary one. */
+/* schedule_xlsx.c - see schedule_xlsx.h. The library writes to a file by name: a
+ * temporary one, which is copied to the output. */
 #include "reports/assess/schedule_xlsx.h"
 
 #include "config.h"
@@ -17,7 +17,9 @@ enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule, FILE 
 
 #else
 
+#include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -129,11 +131,19 @@ static void put_schedule_row(lxw_worksheet *sheet, const struct formats *formats
                   pp_finding_verdict(row->verdict), NULL);
 }
 
+/* Folder of temporary files: TMPDIR, else /tmp. */
+static const char *temporary_folder(void)
+{
+    const char *folder = getenv("TMPDIR");
+    return folder && *folder ? folder : "/tmp";
+}
+
 /* Writes the workbook to a file of that name. */
 static enum pp_status write_workbook(const struct pp_window_schedule *schedule,
                                      const char *path, struct pp_error *err)
 {
-    lxw_workbook *workbook = workbook_new(path);
+    lxw_workbook_options options = {.tmpdir = (char *)temporary_folder()};
+    lxw_workbook *workbook = workbook_new_opt(path, &options);
     if (!workbook)
         return pp_fail_memory(err);
     /* Without a time of its own the workbook has the present one. */
@@ -168,10 +178,13 @@ static enum pp_status copy_file(const char *path, FILE *out, struct pp_error *er
 enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule, FILE *out,
                                 struct pp_error *err)
 {
-    char path[] = "/tmp/pepperpot-xlsx-XXXXXX";
-    int file = mkstemp(path);
+    char path[PATH_MAX];
+    int length =
+        snprintf(path, sizeof path, "%s/pepperpot-xlsx-XXXXXX", temporary_folder());
+    int file = (size_t)length < sizeof path ? mkstemp(path) : -1;
     if (file < 0)
-        return pp_fail(err, PP_SYSTEM, "no temporary file can be made in /tmp");
+        return pp_fail(err, PP_SYSTEM, "no temporary file can be made in %s",
+                       temporary_folder());
     close(file);
     enum pp_status status = write_workbook(schedule, path, err);
     if (status == PP_OK)
