@@ -132,7 +132,7 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
     const struct pp_finding *finding = row->finding;
     double compared = pp_figure_scale(finding->compared);
     char text[PP_FINDING_CELL];
-    const char *verdict = pp_finding_verdict(finding->verdict);
+    const char *verdict = pp_finding_own_word(finding);
     const struct pp_finding *mirrored = row->by_mirror_image;
     switch (shown) {
     case ROOM:
@@ -175,7 +175,7 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         put_number(cell, compared * row->mirrored, 2);
         break;
     case BY_MIRROR_IMAGE:
-        verdict = mirrored ? pp_finding_verdict(mirrored->verdict) : NULL;
+        verdict = mirrored ? pp_finding_own_word(mirrored) : NULL;
         snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");
         break;
     default:

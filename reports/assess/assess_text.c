@@ -29,11 +29,7 @@ struct layout {
  * practically certain. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
-    const char *word = pp_finding_verdict(finding->verdict);
-    if (finding->is_optional && finding->verdict == PP_MET)
-        word = "reached";
-    if (finding->is_optional && finding->verdict == PP_NOT_MET)
-        word = "not reached";
+    const char *word = pp_finding_own_word(finding);
     double sure = finding->confidence;
     if (isnan(sure))
         snprintf(cell, CELL, "%s", word ? word : "");
@@ -199,7 +195,7 @@ static void print_sum(const struct pp_assessment *assessment, FILE *out)
         int count = count_verdicts(assessment, verdicts[v]);
         if (count == 0)
             continue;
-        fprintf(out, "%s%d %s", before, count, pp_finding_verdict(verdicts[v]));
+        fprintf(out, "%s%d %s", before, count, pp_finding_word(verdicts[v]));
         before = ", ";
     }
     fputs(*before ? "\n" : "no verdicts\n", out);

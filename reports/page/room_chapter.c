@@ -19,8 +19,9 @@ void pp_room_chapter_number(struct pp_document *document, double value, int deci
 void pp_room_chapter_verdict(struct pp_document *document,
                              const struct pp_finding *finding)
 {
-    const char *word = pp_finding_verdict(finding->verdict);
-    enum pp_tone tone = finding->verdict == PP_MET       ? PP_TONE_GOOD
+    const char *word = pp_finding_own_word(finding);
+    enum pp_tone tone = finding->is_optional             ? PP_TONE_PLAIN
+                        : finding->verdict == PP_MET     ? PP_TONE_GOOD
                         : finding->verdict == PP_NOT_MET ? PP_TONE_BAD
                                                          : PP_TONE_PLAIN;
     pp_document_cell(document, tone, "%s", word ? word : "");

@@ -62,7 +62,7 @@ static void say_sum(struct pp_document *document, const struct pp_assessments *a
             count += count_verdicts(&all->list[i], verdicts[v], others);
         if (count > 0)
             pp_text_append(words, sizeof words, "%s%d %s", words[0] ? ", " : "", count,
-                           pp_finding_verdict(verdicts[v]));
+                           pp_finding_word(verdicts[v]));
     }
     if (others)
         pp_document_paragraph(document, PP_TONE_VERDICT, "%s.%s%s%s", br209_words,
@@ -98,7 +98,7 @@ static void put_verdicts(struct pp_document *document, const struct pp_assessmen
     for (int v = 0; v < VERDICTS; v++)
         pp_document_column(document, PP_COLUMN_NUMBERS, "%s%s",
                            windows || rooms ? "others " : "",
-                           pp_finding_verdict(verdicts[v]));
+                           pp_finding_word(verdicts[v]));
     for (int i = 0; i < all->count; i++) {
         const char *name = all->list[i].room->world->name;
         const struct pp_br209_count own = pp_br209_count_of(&all->list[i], 1);

@@ -75,6 +75,20 @@ const char *pp_finding_verdict(enum pp_verdict verdict)
     return words[verdict];
 }
 
+const char *pp_finding_word(enum pp_verdict verdict)
+{
+    return verdict == PP_NOT_JUDGED ? "not applicable" : pp_finding_verdict(verdict);
+}
+
+const char *pp_finding_own_word(const struct pp_finding *finding)
+{
+    if (finding->is_optional && finding->verdict == PP_MET)
+        return "reached";
+    if (finding->is_optional && finding->verdict == PP_NOT_MET)
+        return "not reached";
+    return pp_finding_word(finding->verdict);
+}
+
 void pp_finding_within(struct pp_finding *finding, double error)
 {
     bool judged = finding->verdict == PP_MET || finding->verdict == PP_NOT_MET;

@@ -54,6 +54,12 @@ struct pp_finding {
  * that is only stated. Static. */
 const char *pp_finding_verdict(enum pp_verdict verdict);
 
+/* The same for people: "not applicable" for what is not judged. */
+const char *pp_finding_word(enum pp_verdict verdict);
+
+/* The word for a finding's verdict: "reached" or "not reached" for an optional level. */
+const char *pp_finding_own_word(const struct pp_finding *finding);
+
 /* The findings of one criterion. */
 struct pp_finding_list {
     struct pp_finding *list;

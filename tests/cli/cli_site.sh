@@ -87,7 +87,7 @@ cat >"$scratch/low.xml" <<'EOF'
   <window wall="south" left="1" sill="0.9" width="2" height="1.2"/></room></building>
 EOF
 check "a room that is not judged is in the table" gives $rights "$scratch/low.xml"
-check "without figures" grep -qE '^  Hole +- +- +- +not judged' "$scratch/out"
+check "without figures" grep -qE '^  Hole +- +- +- +not applicable' "$scratch/out"
 check "the sum is the other's" grep -qE '^  sum +24.00 ' "$scratch/out"
 
 # The study by itself: all that the building has, moved by hand.
