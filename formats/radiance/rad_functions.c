@@ -225,15 +225,7 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
     else if (n[1] == PP_RAD_OVERCAST)
         *sky = pp_sky_overcast();
     else if (n[1] == PP_RAD_PEREZ && pp_vec_length(sun) > 0.5)
-        *sky = (struct pp_sky){.kind = PP_SKY_ISO,
-                               .gradation = PP_GRADED_SKY_OVERCAST,
-                               .sun = pp_vec_unit(sun),
-                               .per_horizontal = n[2],
-                               .a = n[3],
-                               .b = n[4],
-                               .c = n[5],
-                               .d = n[6],
-                               .e = n[7]};
+        *sky = pp_sky_of_parameters(n + 3, pp_vec_unit(sun));
     else if (n[1] != floor(n[1]) || n[1] < 1.0 || n[1] > 15.0
              || !(pp_vec_length(sun) > 0.5))
         status = pp_fail(&said, PP_BAD_INPUT, "the sky type is %g", n[1]);
@@ -241,7 +233,7 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
         status = pp_sky_iso(sky, (int)n[1], pp_vec_unit(sun), &said);
     const double is[] = {sky->per_horizontal, sky->a, sky->b, sky->c, sky->d, sky->e};
     for (int i = 0; i < 6 && status == PP_OK; i++)
-        if (fabs(n[2 + i] - is[i]) > 1e-6 * (1.0 + fabs(is[i])))
+        if (!(fabs(n[2 + i] - is[i]) <= 1e-6 * (1.0 + fabs(is[i]))))
             status = pp_fail(&said, PP_BAD_INPUT,
                              "a sky of type %g with %g where its table has %g", n[1],
                              n[2 + i], is[i]);

@@ -157,6 +157,21 @@ static double quadrature_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
     return sum;
 }
 
+struct pp_sky pp_sky_of_parameters(const double parameters[5], struct pp_vec3 sun)
+{
+    struct pp_sky sky = {.kind = PP_SKY_ISO,
+                         .gradation = PP_GRADED_SKY_OVERCAST,
+                         .sun = sun,
+                         .a = parameters[0],
+                         .b = parameters[1],
+                         .c = parameters[2],
+                         .d = parameters[3],
+                         .e = parameters[4],
+                         .per_horizontal = 1.0};
+    sky.per_horizontal = 1.0 / quadrature_on_plane(&sky, pp_vec(0.0, 0.0, 1.0));
+    return sky;
+}
+
 enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
                           struct pp_error *err)
 {
@@ -168,18 +183,9 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
         return pp_fail(err, PP_BAD_INPUT, "sky iso-%d has its sun below the horizon",
                        type);
     const double *row = iso_parameters[type - 1];
-    *sky =
-        (struct pp_sky){.kind = PP_SKY_ISO,
-                        .iso = type,
-                        .gradation = PP_GRADED_SKY_OVERCAST,
-                        .sun = pp_sky_iso_has_sun(type) ? sun : pp_vec(0.0, 0.0, 1.0),
-                        .a = row[1],
-                        .b = row[2],
-                        .c = row[3],
-                        .d = row[4],
-                        .e = row[5],
-                        .per_horizontal = 1.0};
-    sky->per_horizontal = 1.0 / quadrature_on_plane(sky, pp_vec(0.0, 0.0, 1.0));
+    *sky = pp_sky_of_parameters(row + 1,
+                                pp_sky_iso_has_sun(type) ? sun : pp_vec(0.0, 0.0, 1.0));
+    sky->iso = type;
     return PP_OK;
 }
 

@@ -52,6 +52,10 @@ struct pp_sky pp_sky_faded(double ground_reflectance);
  * two above; tests use other values of b. */
 struct pp_sky pp_sky_graded(double b);
 
+/* Sky by the formula of ISO 15469 with parameters a to e and the sun in direction sun
+ * (unit), scaled to its horizontal illuminance. */
+struct pp_sky pp_sky_of_parameters(const double parameters[5], struct pp_vec3 sun);
+
 /* ISO 15469 sky of type 1 to 15 with the sun in direction sun (unit, above the horizon;
  * ignored by types without a sun). Fails on any other type and on a sun below the
  * horizon. */

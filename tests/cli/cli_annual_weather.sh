@@ -57,7 +57,7 @@ check "a record of 15 minutes has its own sun" near 38.5 166.6 "$(sun quarters '
 check "and the last of the hour another" near 39.3 181.0 "$(sun quarters '2003-03-21 12:50')"
 check "in the polar night the sky alone gives light" near -11.8 188.1 "$(sun polar '2003-12-21 12:00')"
 
-check "a year with little light is said" shows "out of reach at this place" \
+check "a year with little light is said" shows "no room can reach" \
     $annual -w "$scratch/polar.epw" "$room"
 check "no sun below the horizon" shows '"sun-hours": { "value": 0' \
     $annual -w "$scratch/polar.epw" -f json "$room"
@@ -81,7 +81,7 @@ check "hours of sun are hours, not records" \
     awk -v a="$quarters" -v b="$hours" 'BEGIN { exit !(a > 0 && b > 0 && a <= 1460 && (a - b)^2 < 90^2) }'
 check "a negative irradiance is located" refuses 1 'absurd.epw:14: direct normal irradiance' \
     $annual -w "$scratch/absurd.epw" "$room"
-check "beyond the sun's own it is missing" refuses 1 "no direct and no diffuse" \
+check "beyond the sun's own it is missing" refuses 1 "neither direct nor diffuse" \
     $annual -w "$scratch/huge.epw" "$room"
 
 tap_done

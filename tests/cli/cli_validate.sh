@@ -71,7 +71,7 @@ check "tidy in 80 columns" nothing "$(untidy)"
 check "by the limits of the bands" grep -qE \
     '^  df at 1.50, 1.50 +[0-9.]+ +[0-9.]+ +-[0-9.]+ +-[0-9.]+ +\+[0-9.]+ +-[0-9.]+ +-[0-9.]+ right$' \
     "$scratch/out"
-check "and says why there is none" grep -q 'without a verdict: no bands: ' "$scratch/out"
+check "and says why there is none" grep -q 'without a verdict: no likely ranges, because ' "$scratch/out"
 check "its page says what passes" grep -q 'class="verdict">Passed' "$scratch/rooms.html"
 check "has the reason" grep -q '<li>.*the plan is not convex' "$scratch/rooms.html"
 check "draws dots for both parts of the errors" test \

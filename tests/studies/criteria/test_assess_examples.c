@@ -227,9 +227,9 @@ static int unload(void **state)
 /* The name that the program gives an opening. */
 static const char *words_of(char words[80], const struct pp_world *world, int opening)
 {
-    const char *name = world->surfaces[world->openings[opening].face].name;
-    snprintf(words, 80, "%s, line %d", name ? name : "ceiling",
-             world->openings[opening].line);
+    const struct pp_opening *of = &world->openings[opening];
+    const char *name = world->surfaces[of->face].name;
+    snprintf(words, 80, "%s, %s", of->label, name ? name : "ceiling");
     return words;
 }
 

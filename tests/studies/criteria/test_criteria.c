@@ -135,8 +135,10 @@ static void rooflights_have_no_vertical_sky(void **state)
 {
     (void)state;
     const char *body = PLAN "<rooflight x=\"1\" y=\"2\" width=\"1.2\" depth=\"1.5\"/>";
-    assert_not_judged(finding_in(&pp_criterion_vertical_sky, 0, body, NULL), "upright");
-    assert_not_judged(finding_in(&pp_criterion_obstruction, 0, body, NULL), "upright");
+    assert_not_judged(finding_in(&pp_criterion_vertical_sky, 0, body, NULL),
+                      "not vertical");
+    assert_not_judged(finding_in(&pp_criterion_obstruction, 0, body, NULL),
+                      "not vertical");
     assert_not_judged(finding_in(&pp_criterion_vertical_sky, 0, PLAN, NULL),
                       "no openings");
 }
@@ -250,7 +252,8 @@ static void four_fifths_of_the_former_sky_is_asked(void **state)
     /* Less than 0.8 is left, and yet 27 %. */
     assert_verdict(finding_in(former, 0, ROOM SKYLINE(25), ROOM), 0.273129 / 0.39618,
                    1e-4, PP_MET);
-    assert_not_judged(finding_in(former, 0, ROOM, ROOM SKYLINE(89.9999)), "no sky");
+    assert_not_judged(finding_in(former, 0, ROOM, ROOM SKYLINE(89.9999)),
+                      "no view of the sky");
 }
 
 /* ---- the area that sees sky ---- */
@@ -419,7 +422,7 @@ static void other_rooms_have_no_limiting_depth(void **state)
                                  BOX(6) HEAD_AT_2_4
                                  "<rooflight x=\"1\" y=\"2\" width=\"1\" depth=\"1\"/>",
                                  NULL),
-                      "from above");
+                      "has rooflights");
     assert_not_judged(
         finding_in(
             depth, 0,
@@ -427,7 +430,7 @@ static void other_rooms_have_no_limiting_depth(void **state)
             "y=\"0\"/><vertex x=\"4\" y=\"4\"/><vertex x=\"0\" y=\"4\"/></plan>"
             "<window wall=\"1\" left=\"1\" sill=\"1\" width=\"1\" height=\"1\"/>",
             NULL),
-        "plain box");
+        "not a box");
 }
 
 /* Glass of 2.6 by 1.5 m less frame over 24 m2; a rough opening of 3.9 m2 over it. */

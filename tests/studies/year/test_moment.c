@@ -83,9 +83,9 @@ static void time_without_a_place_has_no_sun(void **state)
     (void)state;
     struct pp_moment_irradiances of = golden;
     of.longitude_rad = NAN;
-    refuses(&of, "no place");
+    refuses(&of, "no location");
     of.date.month = 0;
-    refuses(&of, "no sun");
+    refuses(&of, "no position of the sun");
 }
 
 /* Behind an opening without glass a level point in the sun has the direct normal
