@@ -315,13 +315,14 @@ static void say_notes(char *foot, size_t room, const struct pp_atlas_map *map)
 {
     pp_page_say(foot, room, "%s of %d rooms of the atlas; 1 is exact.",
                 map->averages ? "Averages" : "At the points", map->rooms);
-    pp_page_say(foot, room,
-                map->up.count > 1
-                    ? "Each field: the median, and the number of rooms below it. No "
-                      "median for fewer than %d rooms."
-                    : "Median, with whiskers from 5 to 95 %%; the number of rooms is "
-                      "above. Nothing is drawn for fewer than %d rooms.",
-                PP_ATLAS_ENOUGH);
+    pp_page_say(
+        foot, room,
+        map->up.count > 1
+            ? "Each field: the median, with the number of rooms below the figure. "
+              "No median for fewer than %d rooms."
+            : "Median, with whiskers from 5 to 95 %%; the number of rooms is "
+              "above. Nothing is drawn for fewer than %d rooms.",
+        PP_ATLAS_ENOUGH);
     if (map->up.count == 1 && is_beyond(map))
         pp_page_say(foot, room, "Values outside %g to %g are drawn at the edge.",
                     least_ratio, most_ratio);

@@ -197,7 +197,7 @@ static enum pp_status print_text(const struct pp_imported *imported, int width,
                  "daylight factors, because the scene has no sky.");
     pp_print_wrapped(text, 2, 2, width, out);
     if (imported->by_clock)
-        fprintf(out, "  Stopped by --time, so another run will differ.\n");
+        fprintf(out, "  Stopped at the --time limit; another run may differ.\n");
     if (!imported->finished)
         fprintf(out, "  Interrupted: not finished.\n");
     return PP_OK;

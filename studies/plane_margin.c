@@ -59,8 +59,9 @@ enum pp_status pp_plane_margin_take(struct pp_report *report,
         }
         if (!of) {
             column->margin_average = pp_reading_none(
-                inside ? "not computed"
-                       : "no part of the working plane is 0.5 m from the walls");
+                inside
+                    ? "not computed"
+                    : "no part of the working plane is 0.5 m or more from the walls");
             continue;
         }
         column->margin_average = of->average;

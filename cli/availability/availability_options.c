@@ -234,8 +234,8 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
                                                           : NULL;
     if (options->weather && of_sky)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is for overcast skies, and a weather file has its own "
-                       "place; expected %s or --weather",
+                       "%s is for overcast skies; a weather file has its own "
+                       "location; expected %s or --weather",
                        of_sky, of_sky);
     if (options->summer.of_file && !options->weather)
         return pp_fail(

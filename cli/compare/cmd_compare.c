@@ -90,8 +90,9 @@ static void help_on_switches(FILE *out)
         {"frame=none", "no frames"},
         {"dirt=none", "clean glass"},
         {"plane=Z", "the points have this height in metres"},
-        {"sky=TYPE", "another sky, as in --sky; or gensky: overcast, blended into the "
-                     "ground at the horizon"},
+        {"sky=TYPE",
+         "another sky: a value of --sky, or gensky: overcast, blended into the "
+         "ground at the horizon"},
         {"ground=R", "ground reflectance; open: the whole sky lights the ground"},
         {"outside=none", "nothing outside"},
         {"colour=grey", "in a scene: materials have the luminance of their colours"},

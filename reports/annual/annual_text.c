@@ -92,8 +92,9 @@ static void print_plane(const struct text_page *page)
                  : "(no grid: shares are of these points, not of the plane)");
     print_annual_fact(page, "points", text);
     if (sheet->has_blinds)
-        print_share(page, "sDA300/50", &plane->sda,
-                    "of the points have 300 lx in half of the hours, with blinds");
+        print_share(
+            page, "sDA300/50", &plane->sda,
+            "of the points reach 300 lx for half of the hours or more, with blinds");
     print_share(page, "DA300/50 area", &plane->autonomous, "the same without blinds");
     print_share(page, "ASE1000,250", &plane->ase,
                 "of the points have direct sun above 1000 lx in more than 250 h");

@@ -166,7 +166,7 @@ static enum pp_status assess_view(const struct pp_inquiry *inquiry,
     enum pp_status status = make_grid(&grid, inquiry->world, err);
     if (status == PP_OK && grid.count == 0) {
         struct pp_finding none = pp_finding_not_judged(
-            "no part of the working plane is 0.5 m from the walls", "view out");
+            "no part of the working plane is 0.5 m or more from the walls", "view out");
         status = pp_finding_list_add(findings, &none, err);
     } else if (status == PP_OK) {
         struct pp_view_out *views = NULL;

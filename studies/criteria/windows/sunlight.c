@@ -161,7 +161,7 @@ const struct pp_criterion pp_criterion_sunlight = {
     .title = "Sunlight hours",
     .source = "BR209",
     .summary =
-        "25 % of the year's hours of sun, 5 % in winter, at south-facing windows",
+        "25 % of annual probable sunlight hours, 5 % in winter, at windows facing south",
     .bears_on_use = pp_bearing_is_lived_in,
     .evaluate = assess_sunlight,
 };
