@@ -52,6 +52,7 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
         .grid = run->words->grid,
         .least_altitude_rad = run->words->least_altitude_rad,
         .trace_again = study->simulate,
+        .of_averages = run->words->of_averages,
         .mirrored = &mirrored,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
         .of_weather = run->words->weather != NULL};

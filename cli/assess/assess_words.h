@@ -39,6 +39,7 @@ struct pp_assess_words {
     const char *report_format; /* of report, as typed; NULL: by the file's name */
     struct pp_project project; /* of report: in place of the file's facts */
     bool full;                 /* of report: all of each room */
+    bool of_averages; /* of report: averages are printed and need their error */
 };
 
 /* Lists for struct pp_option_group, with a struct pp_assess_words as values. */

@@ -306,8 +306,10 @@ static enum pp_status check_report_options(void *values, char **files, int file_
     return pp_assess_words_check(values, files, file_count, err);
 }
 
-static enum pp_exit run_report(void *words, char **files, int file_count)
+static enum pp_exit run_report(void *values, char **files, int file_count)
 {
+    struct pp_assess_words *words = values;
+    words->of_averages = true;
     return pp_assess_run(words, "report", files, file_count, print_site_report);
 }
 

@@ -255,7 +255,8 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
     if (status != PP_OK)
         return status;
     assessment->has_factors = any_of_factors(chosen);
-    assessment->has_average = is_chosen(chosen, &pp_criterion_average);
+    assessment->has_average =
+        options->of_averages || is_chosen(chosen, &pp_criterion_average);
     if (before && before->count > 0)
         status = pp_room_before_find(&assessment->before, &assessment->pairs, room,
                                      room_count, before, err);

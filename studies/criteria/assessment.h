@@ -28,6 +28,8 @@ struct pp_assess_options {
     const struct pp_rooms_before
         *mirrored;              /* the rooms of the same files with the mirror
                                  * image outside; not owned; NULL: none */
+    bool of_averages;           /* the simulation's error is also that of the average
+                                 * over the plane, whatever the criteria */
     bool verdicts_only;         /* improvements are not searched for */
     struct pp_grid_choice grid; /* the grid of the plane; empty: the file's, or the
                                  * default one, halved as often as the verdicts need */
@@ -48,7 +50,7 @@ struct pp_assessment {
     const struct pp_study_room *mirrored; /* not owned; NULL */
     int *mirrored_pairs;
     bool has_factors; /* true if any selected criterion uses them */
-    bool has_average; /* true if any selected criterion uses the average */
+    bool has_average; /* true if the average is to have the error of the simulation */
     struct pp_plane_grid grid;
     struct pp_report report; /* daylight factors on the grid */
     struct pp_median median;
