@@ -6,10 +6,10 @@
 
 #ifndef HAVE_XLSXWRITER
 
-enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule, FILE *out,
-                                struct pp_error *err)
+enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
+                                const char *folder, FILE *out, struct pp_error *err)
 {
-    (void)schedule, (void)out;
+    (void)schedule, (void)folder, (void)out;
     return pp_fail(err, PP_BAD_INPUT,
                    "this program was built without libxlsxwriter; expected a schedule "
                    "that ends in .csv");
@@ -131,18 +131,12 @@ static void put_schedule_row(lxw_worksheet *sheet, const struct formats *formats
                   pp_finding_verdict(row->verdict), NULL);
 }
 
-/* Folder of temporary files: TMPDIR, else /tmp. */
-static const char *temporary_folder(void)
-{
-    const char *folder = getenv("TMPDIR");
-    return folder && *folder ? folder : "/tmp";
-}
-
 /* Writes the workbook to a file of that name. */
 static enum pp_status write_workbook(const struct pp_window_schedule *schedule,
-                                     const char *path, struct pp_error *err)
+                                     const char *path, const char *folder,
+                                     struct pp_error *err)
 {
-    lxw_workbook_options options = {.tmpdir = (char *)temporary_folder()};
+    lxw_workbook_options options = {.tmpdir = (char *)folder};
     lxw_workbook *workbook = workbook_new_opt(path, &options);
     if (!workbook)
         return pp_fail_memory(err);
@@ -175,18 +169,16 @@ static enum pp_status copy_file(const char *path, FILE *out, struct pp_error *er
     return PP_OK;
 }
 
-enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule, FILE *out,
-                                struct pp_error *err)
+enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
+                                const char *folder, FILE *out, struct pp_error *err)
 {
     char path[PATH_MAX];
-    int length =
-        snprintf(path, sizeof path, "%s/pepperpot-xlsx-XXXXXX", temporary_folder());
+    int length = snprintf(path, sizeof path, "%s/pepperpot-xlsx-XXXXXX", folder);
     int file = (size_t)length < sizeof path ? mkstemp(path) : -1;
     if (file < 0)
-        return pp_fail(err, PP_SYSTEM, "no temporary file can be made in %s",
-                       temporary_folder());
+        return pp_fail(err, PP_SYSTEM, "no temporary file can be made in %s", folder);
     close(file);
-    enum pp_status status = write_workbook(schedule, path, err);
+    enum pp_status status = write_workbook(schedule, path, folder, err);
     if (status == PP_OK)
         status = copy_file(path, out, err);
     unlink(path);
