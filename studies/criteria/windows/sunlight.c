@@ -160,8 +160,8 @@ const struct pp_criterion pp_criterion_sunlight = {
     .alias = "apsh",
     .title = "Sunlight hours",
     .source = "BR209",
-    .summary =
-        "25 % of annual probable sunlight hours, 5 % in winter, at windows facing south",
+    .summary = "25 % of annual probable sunlight hours, 5 % in winter, at windows "
+               "facing south",
     .bears_on_use = pp_bearing_is_lived_in,
     .evaluate = assess_sunlight,
 };
