@@ -174,8 +174,8 @@ void pp_reliability_sentence(const struct pp_reliability *reliability, char *tex
 {
     static const char *const reasons[PP_RELIABILITY_KINDS] = {
         [PP_RELIABILITY_OUTSIDE] = "%.0f %% of the average is light reflected outside",
-        [PP_RELIABILITY_INSIDE] = "%.0f %% of the light at the darkest point is the "
-                                  "room's average internally reflected component",
+        [PP_RELIABILITY_INSIDE] = ("%.0f %% of the light at the darkest point is the "
+                                   "room's average internally reflected component"),
         [PP_RELIABILITY_PROPORTIONS] =
             "the room is %.3g times as deep as wide, outside the table of bre-min",
         [PP_RELIABILITY_GROUND] = "the ground reflects %.3g",
