@@ -80,11 +80,12 @@ static int set_up(void **state)
                                                .normal = {0, 0, 1}};
 
     struct pp_report *report = &f->result.report;
-    *report = (struct pp_report){.world = &f->world,
-                                 .light = {pp_sky_overcast(), 0.2},
-                                 .receivers = f->receivers,
-                                 .receiver_count = POINTS,
-                                 .finished = true};
+    *report = (struct pp_report){
+        .world = &f->world,
+        .light = {.sky = pp_sky_overcast(), .ground_reflectance = 0.2},
+        .receivers = f->receivers,
+        .receiver_count = POINTS,
+        .finished = true};
     const double sky[POINTS] = {0.1 + 0.2, 0.0123456789012, 0.0};
     const double whole[POINTS] = {0.31, 0.0223456789012, 0.0101};
     const double traced[POINTS] = {0.3, 0.02, 0.01};
