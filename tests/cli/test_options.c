@@ -247,6 +247,7 @@ static void limits_of_the_simulation_need_a_simulation(void **state)
     assert_near(options.study.error, 0.01, 0.0);
     options.study.samples = 64;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_BAD_INPUT);
+    pp_room_options_clear(&options);
 }
 
 static void a_simulation_without_an_end_stops_at_one_per_cent(void **state)
@@ -256,11 +257,13 @@ static void a_simulation_without_an_end_stops_at_one_per_cent(void **state)
     options.study.simulate = true;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
     assert_near(options.study.error, 0.01, 0.0);
+    pp_room_options_clear(&options);
     options = pp_room_options_none;
     options.study.simulate = true;
     options.study.seconds = 2.5;
     assert_int_equal(pp_room_options_settle(&options, NULL), PP_OK);
     assert_near(options.study.error, 0.0, 0.0);
+    pp_room_options_clear(&options);
 }
 
 TEST_FILE
