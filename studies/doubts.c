@@ -6,8 +6,9 @@
 #include "model/geometry/bounds.h"
 #include "studies/criteria/capitals.h"
 
-/* From a country's capital (rad): no place on its mainland is so far, as swapped
- * coordinates are; and all are as near. Reunion, swapped, is 16 degrees from Paris. */
+/* Distances from the capital, as angles: places of a country are nearer than far_rad, and
+ * those with swapped coordinates are near_rad or less once they are swapped back. La
+ * Reunion, swapped, is 16 degrees from Paris. */
 static const double far_rad = 40.0 * PP_RAD, near_rad = 12.0 * PP_RAD;
 
 /* Extent of the envelope in x, y and z. */
@@ -62,27 +63,15 @@ static void doubt_openings(struct pp_mistakes *doubts, const struct pp_world *wo
     }
 }
 
-/* Angle at the earth's centre between two places. */
-static double apart_rad(double latitude, double longitude, double other_latitude,
-                        double other_longitude)
-{
-    double cosine =
-        sin(latitude) * sin(other_latitude)
-        + cos(latitude) * cos(other_latitude) * cos(longitude - other_longitude);
-    return acos(fmax(fmin(cosine, 1.0), -1.0));
-}
-
 static void doubt_site(struct pp_mistakes *doubts, const struct pp_world *world)
 {
     const struct pp_capital *capital =
         world->country[0] ? pp_capitals_of_country(world->country) : NULL;
     if (!capital || isnan(world->latitude_rad) || isnan(world->longitude_rad))
         return;
-    double latitude = PP_RAD * capital->latitude_deg,
-           longitude = PP_RAD * capital->longitude_deg;
-    if (apart_rad(world->latitude_rad, world->longitude_rad, latitude, longitude)
+    if (pp_capitals_apart_rad(capital, world->latitude_rad, world->longitude_rad)
             > far_rad
-        && apart_rad(world->longitude_rad, world->latitude_rad, latitude, longitude)
+        && pp_capitals_apart_rad(capital, world->longitude_rad, world->latitude_rad)
                < near_rad)
         pp_mistakes_add(doubts, 0,
                         "latitude %.6g and longitude %.6g are far from %s; are they "

@@ -21,8 +21,8 @@
  * - a frame factor or maintenance that looks like a loss;
  * - latitude and longitude that lie near the site's country when swapped, and far from it
  *   as given;
- * - in a file of one room (alone): no opening, a block away from the room that lies behind all its openings,
- *   and a far skyline before a wall without an opening. */
+ * - in a file of one room (alone): no opening, a block away from the room that lies behind
+ *   all its openings, and a far skyline before a wall without an opening. */
 void pp_doubts_find(struct pp_mistakes *doubts, const struct pp_world *world,
                     bool alone);
 

@@ -53,14 +53,14 @@ static struct pp_vec3 towards(double latitude_rad, double longitude_rad)
                   cos(latitude_rad) * sin(longitude_rad), sin(latitude_rad));
 }
 
-/* Great-circle distance, from the chord, which keeps its digits at small distances. */
-static double distance_km(const struct pp_capital *capital, double latitude_rad,
-                          double longitude_rad)
+/* From the chord, which keeps its digits at small distances. */
+double pp_capitals_apart_rad(const struct pp_capital *capital, double latitude_rad,
+                             double longitude_rad)
 {
     struct pp_vec3 a = towards(latitude_rad, longitude_rad);
     struct pp_vec3 b =
         towards(capital->latitude_deg * PP_RAD, capital->longitude_deg * PP_RAD);
-    return 2.0 * earth_km * asin(fmin(pp_vec_length(pp_vec_sub(a, b)) / 2.0, 1.0));
+    return 2.0 * asin(fmin(pp_vec_length(pp_vec_sub(a, b)) / 2.0, 1.0));
 }
 
 struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
@@ -86,7 +86,9 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
     const struct pp_capital *nearest = NULL;
     double least = INFINITY;
     for (int i = 0; i < pp_capitals_count(); i++) {
-        double off = known ? distance_km(&capitals[i], latitude_rad, longitude_rad)
+        double off = known ? earth_km
+                                 * pp_capitals_apart_rad(&capitals[i], latitude_rad,
+                                                         longitude_rad)
                            : fabs(capitals[i].latitude_deg - latitude_rad / PP_RAD);
         if (off < least)
             nearest = &capitals[i], least = off;

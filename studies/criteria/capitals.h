@@ -33,10 +33,15 @@ const struct pp_capital *pp_capitals_find(const char *name);
 /* The capital of a country, by its two letters; NULL: the table has none. */
 const struct pp_capital *pp_capitals_of_country(const char *country);
 
+/* Angle at the earth's centre between a place and the capital; radians, all of them. */
+double pp_capitals_apart_rad(const struct pp_capital *capital, double latitude_rad,
+                             double longitude_rad);
+
 /* The median illuminance of a site: that of its country's capital, as the table goes by
  * nation. Where country is empty or has no capital in the table, that of the nearest
- * capital by great circle, and `how` warns of it, if it is within 1000 km; for a site without longitude that of the capital whose latitude is
- * nearest, if it is within 2.5 degrees. Angles in radians, NAN where not known. lux is
+ * capital by great circle, and `how` warns of it, if it is within 1000 km; for a site
+ * without longitude that of the capital whose latitude is nearest, if it is within 2.5
+ * degrees. Angles in radians, NAN where not known. lux is
  * NAN where no capital is near, and `how` says why. */
 struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                                     const char *country);
