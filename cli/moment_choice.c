@@ -68,10 +68,9 @@ enum { PEREZ_NUMBERS = 4 };
 /* True if the date exists, in the years for which the sun's formulae are valid. */
 static bool is_in_calendar(const struct pp_moment_irradiances *of)
 {
-    int year = of->year;
-    bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-    return year >= 1800 && year <= 2200
-           && (leap || of->date.month != 2 || of->date.day != 29);
+    return of->year >= 1800 && of->year <= 2200
+           && (pp_month_day_is_leap(of->year) || of->date.month != 2
+               || of->date.day != 29);
 }
 
 static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_error *err)

@@ -76,11 +76,6 @@ static void step_on(struct record_reader *r)
         r->weekday = (r->weekday + 1) % 7;
 }
 
-static bool is_leap(int year)
-{
-    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-}
-
 /* A whole number within low ... high. */
 static bool read_whole(struct record_reader *r, int index, const char *name, int low,
                        int high, int *whole)
@@ -133,7 +128,7 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
     bool there = pp_month_day_same(found, (struct pp_month_day){2, 29});
     if (!due || r->hour != 1 || r->sub != 0)
         return true;
-    if (there && leap == PP_LEAP_NO && !is_leap(year)) {
+    if (there && leap == PP_LEAP_NO && !pp_month_day_is_leap(year)) {
         pp_mistakes_add(r->mistakes, r->line,
                         "there is a record of 29 February %d, but %d is not a leap "
                         "year, according to line %d",

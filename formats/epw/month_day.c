@@ -9,6 +9,11 @@ static const char *const months[] = {"January",   "February", "March",    "April
                                      "May",       "June",     "July",     "August",
                                      "September", "October",  "November", "December"};
 
+bool pp_month_day_is_leap(int year)
+{
+    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+}
+
 int pp_month_day_days_of_month(int month)
 {
     static const int days[] = {31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
@@ -117,7 +122,7 @@ bool pp_month_day_parse_words(const char *text, int year, struct pp_month_day *d
     if (weekday == 7 || date->month == 0 || month[length] != '\0' || nth > 4)
         return false;
     int most = pp_month_day_days_of_month(date->month);
-    if (date->month == 2 && (year % 4 != 0 || (year % 100 == 0 && year % 400 != 0)))
+    if (date->month == 2 && !pp_month_day_is_leap(year))
         most = 28;
     if (nth > 0)
         date->day = 7 * nth - 6 + (weekday - weekday_of(year, date->month, 1) + 7) % 7;

@@ -27,6 +27,9 @@ const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date
 /* Days of a month, 1 to 12; 29 of February. */
 int pp_month_day_days_of_month(int month);
 
+/* True if the year has a 29 February, in the Gregorian calendar. */
+bool pp_month_day_is_leap(int year);
+
 bool pp_month_day_same(struct pp_month_day a, struct pp_month_day b);
 
 /* True if a comes before b in the year. */
