@@ -73,4 +73,11 @@ static inline struct pp_vec3 pp_vec_unit(struct pp_vec3 a)
     return pp_vec_scale(a, 1.0 / pp_vec_length(a));
 }
 
+/* Unit vector at that altitude and bearing: clockwise from y, which points north. */
+static inline struct pp_vec3 pp_vec_at_bearing(double bearing_rad, double altitude_rad)
+{
+    double c = cos(altitude_rad);
+    return pp_vec(c * sin(bearing_rad), c * cos(bearing_rad), sin(altitude_rad));
+}
+
 #endif

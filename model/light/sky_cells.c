@@ -29,8 +29,7 @@ static double light_of(const struct net *net, double upper, double lower, int be
     double high = sin(altitude_of(upper)), low = sin(altitude_of(lower));
     double altitude = altitude_of(0.5 * (upper + lower));
     double b = (bearing + 0.5) * 2.0 * PP_PI / net->bearings;
-    struct pp_vec3 u =
-        pp_vec(cos(altitude) * sin(b), cos(altitude) * cos(b), sin(altitude));
+    struct pp_vec3 u = pp_vec_at_bearing(b, altitude);
     return 0.5 * (high * high - low * low) * pp_sky_luminance(net->sky, u) * 2.0 * PP_PI
            / net->bearings;
 }

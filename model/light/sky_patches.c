@@ -49,8 +49,7 @@ struct pp_vec3 pp_sky_patches_centre(const struct pp_sky_patches *patches, int i
     double altitude = (row + 0.5) * patches->row_height_rad;
     double bearing =
         2.0 * PP_PI * (index - patches->first[row]) / count - patches->north_rad;
-    return pp_vec(cos(altitude) * sin(bearing), cos(altitude) * cos(bearing),
-                  sin(altitude));
+    return pp_vec_at_bearing(bearing, altitude);
 }
 
 double pp_sky_patches_solid_angle(const struct pp_sky_patches *patches, int index)

@@ -133,12 +133,6 @@ static enum pp_status set_circle(struct pp_sky_frame *frame,
 
 /* ---- axes ---- */
 
-static struct pp_vec3 at_bearing(double bearing_rad, double altitude_rad)
-{
-    double c = cos(altitude_rad);
-    return pp_vec(c * sin(bearing_rad), c * cos(bearing_rad), sin(altitude_rad));
-}
-
 static double or_else(double given, double fallback)
 {
     return isnan(given) ? fallback : given;
@@ -159,11 +153,11 @@ static void find_view(const struct pp_sky_frame *frame, const struct said *said,
     }
     double level = isnan(options->view_bearing_rad) ? PP_PI / 2.0 : 0.0;
     double altitude = sphere ? 0.0 : or_else(options->view_altitude_rad, level);
-    *toward = at_bearing(or_else(options->view_bearing_rad, 0.0), altitude);
+    *toward = pp_vec_at_bearing(or_else(options->view_bearing_rad, 0.0), altitude);
     *top = pp_vec(0.0, 0.0, 1.0);
     if (fabs(toward->z) > 1.0 - 1e-9) {
         *toward = pp_vec(0.0, 0.0, toward->z > 0.0 ? 1.0 : -1.0);
-        *top = at_bearing(or_else(options->top_bearing_rad, 0.0), 0.0);
+        *top = pp_vec_at_bearing(or_else(options->top_bearing_rad, 0.0), 0.0);
     }
 }
 

@@ -18,12 +18,6 @@ enum pp_status pp_moment_of_weather(struct pp_moment *moment,
 
 /* ---- irradiances ---- */
 
-static struct pp_vec3 sun_direction(double altitude_rad, double bearing_rad)
-{
-    double c = cos(altitude_rad);
-    return pp_vec(c * sin(bearing_rad), c * cos(bearing_rad), sin(altitude_rad));
-}
-
 /* Finds the sun at that time and place. */
 static enum pp_status sun_of_time(const struct pp_moment_irradiances *of,
                                   double *zone_h, struct pp_sun *sun,
@@ -79,7 +73,7 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
     moment->sky = pp_perez_sky_of(&(struct pp_perez_conditions){
         .direct_w_m2 = of->direct_w_m2,
         .diffuse_w_m2 = of->diffuse_w_m2,
-        .sun = sun_direction(sun.altitude_rad, sun.bearing_rad),
+        .sun = pp_vec_at_bearing(sun.bearing_rad, sun.altitude_rad),
         .sun_distance_au = sun.distance_au,
         .dew_point_c = DEW_POINT_C});
     if (!(moment->sky.diffuse_lx > 0.0) && !(moment->sky.direct_lx > 0.0))
