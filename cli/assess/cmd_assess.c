@@ -1,6 +1,5 @@
 /* cmd_assess.c - the command assess: judges a room's daylight by criteria. */
 #include <stddef.h>
-#include <stdlib.h>
 
 #include "cli/assess/assess_run.h"
 #include "cli/assess/assess_sweep.h"
@@ -8,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/format_option.h"
 #include "cli/output.h"
+#include "cli/program/program_place.h"
 #include "cli/sweep/sweep_options.h"
 #include "cli/terminal.h"
 #include "reports/assess/assess_csv.h"
@@ -28,12 +28,11 @@ static const char about[] =
 static enum pp_status put_schedule(const struct pp_window_schedule *schedule,
                                    const char *path, struct pp_error *err)
 {
-    const char *folder = getenv("TMPDIR");
     struct pp_output output;
     enum pp_status status = pp_output_open(&output, path, err);
     if (status == PP_OK && pp_assess_words_is_xlsx(path))
-        status = pp_schedule_xlsx(schedule, folder && *folder ? folder : "/tmp",
-                                  output.stream, err);
+        status = pp_schedule_xlsx(schedule, pp_program_place_temporary(), output.stream,
+                                  err);
     else if (status == PP_OK)
         pp_schedule_csv(schedule, output.stream);
     return pp_output_close(&output, status, err);

@@ -12,6 +12,7 @@
 
 #include "charts/test_page.h"
 #include "cli/output.h"
+#include "cli/program/program_place.h"
 #include "model/base/thread_pool.h"
 #include "studies/research/validation/known_room.h"
 
@@ -168,12 +169,11 @@ static bool reads_back(const char *path, const char *text)
 static void check_writing(struct pp_doctor_check *check)
 {
     static const char text[] = "pepperpot doctor\n";
-    const char *place = getenv("TMPDIR");
+    const char *place = pp_program_place_temporary();
     char path[PATH_MAX];
     struct pp_output output;
     struct pp_error err = {.message = "other bytes were read back"};
-    snprintf(path, sizeof path, "%s/pepperpot-doctor-%ld", place ? place : "/tmp",
-             (long)getpid());
+    snprintf(path, sizeof path, "%s/pepperpot-doctor-%ld", place, (long)getpid());
     enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK) {
         fputs(text, output.stream);
@@ -184,7 +184,7 @@ static void check_writing(struct pp_doctor_check *check)
         unlink(path);
     if (check->passes)
         snprintf(check->result, sizeof check->result, "written and read back in %s",
-                 place ? place : "/tmp");
+                 place);
     else
         snprintf(check->result, sizeof check->result, "%.500s", err.message);
 }

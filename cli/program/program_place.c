@@ -26,3 +26,9 @@ bool pp_program_place_on_path(const char *program, char *path, size_t room)
     path[0] = '\0';
     return false;
 }
+
+const char *pp_program_place_temporary(void)
+{
+    const char *folder = getenv("TMPDIR");
+    return folder && *folder ? folder : "/tmp";
+}

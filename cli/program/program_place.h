@@ -1,4 +1,4 @@
-/* program_place.h - where programs are: this one, and those on PATH. */
+/* program_place.h - where programs are, and where temporary files go. */
 #ifndef PP_CLI_PROGRAM_PROGRAM_PLACE_H
 #define PP_CLI_PROGRAM_PROGRAM_PLACE_H
 
@@ -11,5 +11,8 @@ void pp_program_place_own(char *folder, size_t room);
 /* Path of a program that is in PATH and executable by this user. False: there is none,
  * and path is "". */
 bool pp_program_place_on_path(const char *program, char *path, size_t room);
+
+/* Folder of temporary files: TMPDIR, else /tmp. */
+const char *pp_program_place_temporary(void);
 
 #endif

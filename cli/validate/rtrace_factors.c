@@ -112,9 +112,8 @@ static enum pp_status export_repeated(const char *path,
 enum pp_status pp_rtrace_factors(struct pp_reading *readings,
                                  const struct pp_study_room *room, struct pp_error *err)
 {
-    const char *place = getenv("TMPDIR");
     char *path, *text = NULL;
-    if (asprintf(&path, "%s/pepperpot-XXXXXX", place && *place ? place : "/tmp") < 0)
+    if (asprintf(&path, "%s/pepperpot-XXXXXX", pp_program_place_temporary()) < 0)
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     if (!mkdtemp(path)) {
