@@ -10,18 +10,16 @@
 void pp_room_words_size(char *text, size_t room, const struct pp_world *world)
 {
     struct pp_bounds2 extent = pp_bounds2_empty();
-    double area = 0.0;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *outline = &world->surfaces[i].outline;
         for (int k = 0; k < outline->count; k++)
             pp_bounds2_add(&extent, outline->vertices[k].x, outline->vertices[k].y);
-        area += world->surfaces[i].role == PP_FLOOR ? outline->area_m2 : 0.0;
     }
     pp_page_say(text, room,
                 "%.2f \u00d7 %.2f\u00a0m, %.2f\u00a0m high; floor %.1f\u00a0m\u00b2; "
                 "working plane at %.2f\u00a0m.",
                 extent.high[0] - extent.low[0], extent.high[1] - extent.low[1],
-                world->height_m, area, world->working_plane_m);
+                world->height_m, pp_world_floor_m2(world), world->working_plane_m);
 }
 
 static void say_glass(char *text, size_t room, const struct pp_opening *opening)

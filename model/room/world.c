@@ -80,6 +80,15 @@ const char *pp_world_kind(const struct pp_world *world, int line)
     return "window";
 }
 
+double pp_world_floor_m2(const struct pp_world *world)
+{
+    double area_m2 = 0.0;
+    for (int i = 0; i < world->face_count; i++)
+        if (world->surfaces[i].role == PP_FLOOR)
+            area_m2 += world->surfaces[i].outline.area_m2;
+    return area_m2;
+}
+
 int pp_world_before_meshes(const struct pp_world *world)
 {
     return world->mesh_count > 0 ? world->meshes[0].first_side : world->surface_count;

@@ -243,6 +243,9 @@ const char *pp_world_label(const struct pp_world *world, int line);
 /* "window" if that opening is in a wall, else "rooflight"; for texts, before its label. */
 const char *pp_world_kind(const struct pp_world *world, int line);
 
+/* Area of the floor, m2. */
+double pp_world_floor_m2(const struct pp_world *world);
+
 /* Number of surfaces before those of meshes, which come last. */
 int pp_world_before_meshes(const struct pp_world *world);
 

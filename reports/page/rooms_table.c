@@ -3,17 +3,8 @@
 
 #include <math.h>
 
-#include "model/geometry/bounds.h"
+#include "methods/allowance.h"
 #include "reports/page/room_chapter.h"
-
-static double floor_m2(const struct pp_world *world)
-{
-    double area = 0.0;
-    for (int i = 0; i < world->face_count; i++)
-        if (world->surfaces[i].role == PP_FLOOR)
-            area += world->surfaces[i].outline.area_m2;
-    return area;
-}
 
 /* Mean reflectance of the envelope's faces of that role, by area. */
 static double reflectance_of(const struct pp_world *world, enum pp_role role)
@@ -33,7 +24,7 @@ static double glass_m2(const struct pp_world *world)
 {
     double area = 0.0;
     for (int i = 0; i < world->opening_count; i++)
-        area += world->openings[i].inner.area_m2 * world->openings[i].frame_factor;
+        area += pp_allowance_net_glass_m2(&world->openings[i]);
     return area;
 }
 
@@ -72,7 +63,7 @@ void pp_rooms_table(struct pp_document *document, const struct pp_assessments *a
         pp_document_cell(document, PP_TONE_PLAIN, "%s", world->ref ? world->ref : "");
         pp_document_cell(document, PP_TONE_PLAIN, "%s",
                          world->use ? pp_room_use_words[world->use] : "");
-        pp_room_chapter_number(document, floor_m2(world), 1);
+        pp_room_chapter_number(document, pp_world_floor_m2(world), 1);
         pp_room_chapter_number(document, world->height_m, 2);
         pp_room_chapter_number(document, glass_m2(world), 2);
         pp_room_chapter_number(document, reflectance_of(world, PP_FLOOR), 2);

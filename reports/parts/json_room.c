@@ -138,7 +138,7 @@ static bool add_list(struct json_object *object, const char *key, int count,
  * reflectance of the surfaces without the openings. */
 static bool add_sums(struct json_object *object, const struct pp_world *world)
 {
-    double floor_m2 = 0.0, all_m2 = 0.0, reflecting_m2 = 0.0, opaque_m2 = 0.0;
+    double all_m2 = 0.0, reflecting_m2 = 0.0, opaque_m2 = 0.0;
     double openings = 0.0, glass = 0.0;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_surface *face = &world->surfaces[i];
@@ -146,15 +146,13 @@ static bool add_sums(struct json_object *object, const struct pp_world *world)
         all_m2 += face->outline.area_m2;
         opaque_m2 += opaque;
         reflecting_m2 += opaque * face->front;
-        if (face->role == PP_FLOOR)
-            floor_m2 += face->outline.area_m2;
     }
     for (int i = 0; i < world->opening_count; i++) {
         double area = world->openings[i].inner.area_m2;
         openings += area;
         glass += area * world->openings[i].frame_factor;
     }
-    return pp_json_number(object, "floor-area", floor_m2)
+    return pp_json_number(object, "floor-area", pp_world_floor_m2(world))
            && pp_json_number(object, "surface-area", all_m2)
            && pp_json_number(object, "opening-area", openings)
            && pp_json_number(object, "glass-area", glass)

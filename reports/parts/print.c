@@ -110,7 +110,7 @@ static void tell_size(const struct pp_world *world, const struct listener *liste
 {
     struct pp_vec3 low = pp_vec(INFINITY, INFINITY, INFINITY);
     struct pp_vec3 high = pp_vec(-INFINITY, -INFINITY, -INFINITY);
-    double floor_m2 = 0.0, all_m2 = 0.0;
+    double all_m2 = 0.0;
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_surface *face = &world->surfaces[i];
         for (int j = 0; j < face->outline.count; j++) {
@@ -119,12 +119,10 @@ static void tell_size(const struct pp_world *world, const struct listener *liste
             high = pp_vec(fmax(high.x, v.x), fmax(high.y, v.y), fmax(high.z, v.z));
         }
         all_m2 += face->outline.area_m2;
-        if (face->role == PP_FLOOR)
-            floor_m2 += face->outline.area_m2;
     }
     tell(listener, "room",
          "%.2f x %.2f m, %.2f m high; floor %.1f m2, surfaces %.1f m2", high.x - low.x,
-         high.y - low.y, high.z - low.z, floor_m2, all_m2);
+         high.y - low.y, high.z - low.z, pp_world_floor_m2(world), all_m2);
 }
 
 /* "floor 0.20", or "floor 0.20 to 0.35" where its faces differ. */

@@ -23,10 +23,7 @@ static enum pp_status assess_glazing_ratio(const struct pp_inquiry *inquiry,
                                            struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
-    double floor_m2 = 0.0, glass_m2 = 0.0, opening_m2 = 0.0;
-    for (int i = 0; i < world->face_count; i++)
-        if (world->surfaces[i].role == PP_FLOOR)
-            floor_m2 += world->surfaces[i].outline.area_m2;
+    double floor_m2 = pp_world_floor_m2(world), glass_m2 = 0.0, opening_m2 = 0.0;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         opening_m2 += opening->inner.area_m2;
