@@ -146,6 +146,7 @@ choices() {
     deep) few=512 many=2048 every=8 ;;
     triangles) few=256 many=1024 fine=16384 ;;
     classroom) few=512 many=2048 every=2 ;;
+    balcony) more=2 ;; # its soffit and the street's other side light the window by several bounces
     well) more=7 ;; # its light reaches the window by many bounces
     esac
 }
