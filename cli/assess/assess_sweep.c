@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "cli/assess/assess_run.h"
-#include "cli/message.h"
 #include "cli/sweep/sweep_job.h"
 #include "cli/terminal.h"
 #include "cli/watch.h"
@@ -14,51 +13,46 @@ struct assess_sweep {
     struct pp_assess_words *words;
     char **files;
     int file_count;
-    struct pp_assess_rooms *rooms; /* the rooms of each run */
-    struct pp_assess_run *runs;
-    enum pp_status (*print)(const void *data, FILE *out, struct pp_error *err);
 };
 
-static enum pp_exit load_assess_run(void *data, int run)
+/* One run of the sweep; the functions of a struct pp_assess_run take it, too. */
+struct assess_sweep_run {
+    struct pp_assess_run assess;
+    struct pp_assess_rooms rooms;
+};
+
+static enum pp_exit load_assess_run(void *run, const void *data)
 {
-    struct assess_sweep *sweep = data;
-    enum pp_exit exit_status = pp_assess_run_load(
-        &sweep->rooms[run], sweep->words, "assess", sweep->files, sweep->file_count);
-    sweep->runs[run] = pp_assess_run_of(sweep->words, &sweep->rooms[run]);
+    const struct assess_sweep *sweep = data;
+    struct assess_sweep_run *one = run;
+    enum pp_exit exit_status = pp_assess_run_load(&one->rooms, sweep->words, "assess",
+                                                  sweep->files, sweep->file_count);
+    one->assess = pp_assess_run_of(sweep->words, &one->rooms);
     return exit_status;
 }
 
-static enum pp_status compute_assess_run(void *data, int run, struct pp_error *err)
+static void clear_assess_run(void *run)
 {
-    return pp_assess_run_compute(&((struct assess_sweep *)data)->runs[run], err);
+    struct assess_sweep_run *one = run;
+    pp_assess_run_clear(&one->assess);
+    pp_assess_run_unload(&one->rooms);
 }
 
-static bool assess_sweep_is_finished(const void *data, int run)
-{
-    return pp_assess_run_is_finished(&((const struct assess_sweep *)data)->runs[run]);
-}
-
-static enum pp_status print_assess_run(const void *data, int run, FILE *out,
-                                       struct pp_error *err)
-{
-    const struct assess_sweep *sweep = data;
-    return sweep->print(&sweep->runs[run], out, err);
-}
-
-static enum pp_status print_assess_table(const void *data, FILE *out,
+static enum pp_status print_assess_table(const void *runs, const void *data, FILE *out,
                                          struct pp_error *err)
 {
-    const struct assess_sweep *sweep = data;
-    const struct pp_sweep *values = &sweep->words->room.sweep;
-    int count = pp_sweep_count(values);
+    const struct assess_sweep_run *list = runs;
+    const struct pp_room_options *room =
+        &((const struct assess_sweep *)data)->words->room;
+    int count = pp_sweep_count(&room->sweep);
     const struct pp_assessments **results = calloc((size_t)count, sizeof *results);
     if (!results)
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++)
-        results[i] = &sweep->runs[i].all;
-    enum pp_status status = pp_sweep_assess_text(
-        values, results, pp_terminal_width(sweep->words->room.output),
-        pp_terminal_utf8(), out, err);
+        results[i] = &list[i].assess.all;
+    enum pp_status status =
+        pp_sweep_assess_text(&room->sweep, results, pp_terminal_width(room->output),
+                             pp_terminal_utf8(), out, err);
     free(results);
     return status;
 }
@@ -69,27 +63,13 @@ enum pp_exit pp_assess_sweep_run(struct pp_assess_words *words, char **files,
                                                          struct pp_error *err))
 {
     struct pp_terminal_watch watch;
-    struct pp_error err;
-    int count = pp_sweep_count(&words->room.sweep);
-    struct assess_sweep sweep = {words,
-                                 files,
-                                 file_count,
-                                 calloc((size_t)count, sizeof *sweep.rooms),
-                                 calloc((size_t)count, sizeof *sweep.runs),
-                                 print};
+    const struct assess_sweep sweep = {words, files, file_count};
     words->room.study.watch = pp_watch_of_terminal(&watch, words->room.quiet);
-    enum pp_exit exit_status = sweep.rooms && sweep.runs
-                                   ? pp_assess_run_weather(words)
-                                   : (pp_fail_memory(&err), pp_message_error(&err));
-    if (exit_status == PP_EXIT_DONE)
-        exit_status = pp_sweep_job_run(&(struct pp_sweep_job){
-            &words->room, words->format, load_assess_run, compute_assess_run,
-            assess_sweep_is_finished, print_assess_run, print_assess_table, &sweep});
-    for (int i = 0; i < count && sweep.rooms && sweep.runs; i++) {
-        pp_assess_run_clear(&sweep.runs[i]);
-        pp_assess_run_unload(&sweep.rooms[i]);
-    }
-    free(sweep.runs);
-    free(sweep.rooms);
-    return exit_status;
+    enum pp_exit exit_status = pp_assess_run_weather(words);
+    if (exit_status != PP_EXIT_DONE)
+        return exit_status;
+    return pp_sweep_job_run(&(struct pp_sweep_job){
+        &words->room, words->format, sizeof(struct assess_sweep_run), load_assess_run,
+        pp_assess_run_compute, pp_assess_run_is_finished, print, print_assess_table,
+        clear_assess_run, &sweep});
 }

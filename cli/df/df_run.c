@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "cli/interrupt.h"
-#include "cli/message.h"
 #include "cli/ranks/room_queue.h"
 #include "cli/sweep/sweep_job.h"
 #include "cli/terminal.h"
@@ -190,53 +189,49 @@ void pp_df_run_clear(struct pp_df_run *run)
 /* ---- --sweep ---- */
 
 struct df_sweep {
-    struct pp_df_options *options;
+    const struct pp_df_options *options;
     char **files;
     int file_count;
-    struct pp_rooms *rooms; /* the rooms of each run */
-    struct pp_df_run *runs;
 };
 
-static enum pp_exit load_df_run(void *data, int run)
+/* One run of the sweep; the functions of a struct pp_df_run take it, too. */
+struct df_sweep_run {
+    struct pp_df_run df;
+    struct pp_rooms rooms;
+};
+
+static enum pp_exit load_df_run(void *run, const void *data)
 {
-    struct df_sweep *sweep = data;
-    sweep->runs[run] = pp_df_run_of(sweep->options, &sweep->rooms[run]);
-    enum pp_exit exit_status = pp_rooms_load(&sweep->rooms[run], "df", sweep->files,
+    const struct df_sweep *sweep = data;
+    struct df_sweep_run *one = run;
+    enum pp_exit exit_status = pp_rooms_load(&one->rooms, "df", sweep->files,
                                              sweep->file_count, &sweep->options->room);
-    sweep->runs[run].results.several |= sweep->rooms[run].several;
-    sweep->runs[run].results.more_than_one_file = sweep->rooms[run].more_than_one_file;
+    one->df = pp_df_run_of(sweep->options, &one->rooms);
     return exit_status;
 }
 
-static enum pp_status compute_df_run(void *data, int run, struct pp_error *err)
+static void clear_df_run(void *run)
 {
-    return pp_df_run_compute(&((struct df_sweep *)data)->runs[run], err);
+    struct df_sweep_run *one = run;
+    pp_df_run_clear(&one->df);
+    pp_rooms_clear(&one->rooms);
 }
 
-static bool df_sweep_is_finished(const void *data, int run)
+static enum pp_status print_df_table(const void *runs, const void *data, FILE *out,
+                                     struct pp_error *err)
 {
-    return pp_df_run_is_finished(&((const struct df_sweep *)data)->runs[run]);
-}
-
-static enum pp_status print_df_run(const void *data, int run, FILE *out,
-                                   struct pp_error *err)
-{
-    return pp_df_run_print(&((const struct df_sweep *)data)->runs[run], out, err);
-}
-
-static enum pp_status print_df_table(const void *data, FILE *out, struct pp_error *err)
-{
-    const struct df_sweep *sweep = data;
-    const struct pp_sweep *values = &sweep->options->room.sweep;
-    int count = pp_sweep_count(values);
+    const struct df_sweep_run *list = runs;
+    const struct pp_room_options *room =
+        &((const struct df_sweep *)data)->options->room;
+    int count = pp_sweep_count(&room->sweep);
     const struct pp_results **results = calloc((size_t)count, sizeof *results);
     if (!results)
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++)
-        results[i] = &sweep->runs[i].results;
-    enum pp_status status = pp_sweep_df_text(
-        values, results, pp_terminal_width(sweep->options->room.output),
-        pp_terminal_utf8(), out, err);
+        results[i] = &list[i].df.results;
+    enum pp_status status =
+        pp_sweep_df_text(&room->sweep, results, pp_terminal_width(room->output),
+                         pp_terminal_utf8(), out, err);
     free(results);
     return status;
 }
@@ -245,22 +240,10 @@ enum pp_exit pp_df_run_sweep(struct pp_df_options *options, char **files,
                              int file_count)
 {
     struct pp_terminal_watch watch;
-    struct pp_error err;
-    int count = pp_sweep_count(&options->room.sweep);
-    struct df_sweep sweep = {options, files, file_count,
-                             calloc((size_t)count, sizeof *sweep.rooms),
-                             calloc((size_t)count, sizeof *sweep.runs)};
+    const struct df_sweep sweep = {options, files, file_count};
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    enum pp_exit exit_status =
-        sweep.rooms && sweep.runs ? pp_sweep_job_run(&(struct pp_sweep_job){
-            &options->room, options->format, load_df_run, compute_df_run,
-            df_sweep_is_finished, print_df_run, print_df_table, &sweep})
-                                  : (pp_fail_memory(&err), pp_message_error(&err));
-    for (int i = 0; i < count && sweep.rooms && sweep.runs; i++) {
-        pp_df_run_clear(&sweep.runs[i]);
-        pp_rooms_clear(&sweep.rooms[i]);
-    }
-    free(sweep.runs);
-    free(sweep.rooms);
-    return exit_status;
+    return pp_sweep_job_run(&(struct pp_sweep_job){
+        &options->room, options->format, sizeof(struct df_sweep_run), load_df_run,
+        pp_df_run_compute, pp_df_run_is_finished, pp_df_run_print, print_df_table,
+        clear_df_run, &sweep});
 }

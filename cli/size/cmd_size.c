@@ -177,47 +177,49 @@ static void clear_size_run(struct size_run *run)
 /* ---- --sweep ---- */
 
 struct size_sweep {
-    struct pp_size_options *options;
+    const struct pp_size_options *options;
     char **files;
     int file_count;
-    struct pp_rooms *rooms; /* the rooms of each run */
-    struct size_run *runs;
 };
 
-static enum pp_exit load_size_run(void *data, int run)
+/* One run of the sweep; the functions of a struct size_run take it, too. */
+struct size_sweep_run {
+    struct size_run size;
+    struct pp_rooms rooms;
+};
+
+static enum pp_exit load_size_run(void *run, const void *data)
 {
-    struct size_sweep *sweep = data;
-    enum pp_exit exit_status = pp_rooms_load(&sweep->rooms[run], "size", sweep->files,
+    const struct size_sweep *sweep = data;
+    struct size_sweep_run *one = run;
+    enum pp_exit exit_status = pp_rooms_load(&one->rooms, "size", sweep->files,
                                              sweep->file_count, &sweep->options->room);
-    sweep->runs[run] = size_run_of(sweep->options, &sweep->rooms[run]);
+    one->size = size_run_of(sweep->options, &one->rooms);
     return exit_status;
 }
 
-static enum pp_status compute_size_run(void *data, int run, struct pp_error *err)
+static void clear_swept_run(void *run)
 {
-    return compute_sizes(&((struct size_sweep *)data)->runs[run], err);
+    struct size_sweep_run *one = run;
+    clear_size_run(&one->size);
+    pp_rooms_clear(&one->rooms);
 }
 
-static enum pp_status print_size_run(const void *data, int run, FILE *out,
-                                     struct pp_error *err)
-{
-    return print_size(&((const struct size_sweep *)data)->runs[run], out, err);
-}
-
-static enum pp_status print_size_table(const void *data, FILE *out,
+static enum pp_status print_size_table(const void *runs, const void *data, FILE *out,
                                        struct pp_error *err)
 {
-    const struct size_sweep *sweep = data;
-    const struct pp_sweep *values = &sweep->options->room.sweep;
-    int count = pp_sweep_count(values);
+    const struct size_sweep_run *list = runs;
+    const struct pp_room_options *room =
+        &((const struct size_sweep *)data)->options->room;
+    int count = pp_sweep_count(&room->sweep);
     const struct pp_size_results **results = calloc((size_t)count, sizeof *results);
     if (!results)
         return pp_fail_memory(err);
     for (int i = 0; i < count; i++)
-        results[i] = &sweep->runs[i].results;
-    enum pp_status status = pp_sweep_size_text(
-        values, results, pp_terminal_width(sweep->options->room.output),
-        pp_terminal_utf8(), out, err);
+        results[i] = &list[i].size.results;
+    enum pp_status status =
+        pp_sweep_size_text(&room->sweep, results, pp_terminal_width(room->output),
+                           pp_terminal_utf8(), out, err);
     free(results);
     return status;
 }
@@ -225,25 +227,12 @@ static enum pp_status print_size_table(const void *data, FILE *out,
 static enum pp_exit size_sweep(struct pp_size_options *options, char **files,
                                int file_count)
 {
-    struct pp_error err;
-    int count = pp_sweep_count(&options->room.sweep);
-    struct size_sweep sweep = {options, files, file_count,
-                               calloc((size_t)count, sizeof *sweep.rooms),
-                               calloc((size_t)count, sizeof *sweep.runs)};
+    const struct size_sweep sweep = {options, files, file_count};
     if (options->room.study.simulate)
         pp_interrupt_watch();
-    enum pp_exit exit_status =
-        sweep.rooms && sweep.runs ? pp_sweep_job_run(&(struct pp_sweep_job){
-            &options->room, options->format, load_size_run, compute_size_run, NULL,
-            print_size_run, print_size_table, &sweep})
-                                  : (pp_fail_memory(&err), pp_message_error(&err));
-    for (int i = 0; i < count && sweep.rooms && sweep.runs; i++) {
-        clear_size_run(&sweep.runs[i]);
-        pp_rooms_clear(&sweep.rooms[i]);
-    }
-    free(sweep.runs);
-    free(sweep.rooms);
-    return exit_status;
+    return pp_sweep_job_run(&(struct pp_sweep_job){
+        &options->room, options->format, sizeof(struct size_sweep_run), load_size_run,
+        compute_sizes, NULL, print_size, print_size_table, clear_swept_run, &sweep});
 }
 
 /* ---- --obstruction and --envelope: height of a block, envelope of a plot ---- */

@@ -10,15 +10,18 @@
 struct pp_sweep_job {
     struct pp_room_options *room; /* its sweep gives the runs */
     enum pp_format format;
+    size_t run_bytes; /* of a run, which is zeroed at first */
     /* Loads the rooms of a run, with the current values of room->sweep. */
-    enum pp_exit (*load)(void *data, int run);
-    enum pp_status (*compute)(void *data, int run, struct pp_error *err);
-    bool (*is_finished)(const void *data, int run);
+    enum pp_exit (*load)(void *run, const void *data);
+    enum pp_status (*compute)(void *run, struct pp_error *err);
+    bool (*is_finished)(const void *run); /* NULL: it is */
     /* Prints a run alone, as CSV or JSON. */
-    enum pp_status (*print)(const void *data, int run, FILE *out, struct pp_error *err);
-    /* Prints all runs as text. */
-    enum pp_status (*print_text)(const void *data, FILE *out, struct pp_error *err);
-    void *data; /* passed to the functions */
+    enum pp_status (*print)(const void *run, FILE *out, struct pp_error *err);
+    /* Prints the array of runs as text. */
+    enum pp_status (*print_text)(const void *runs, const void *data, FILE *out,
+                                 struct pp_error *err);
+    void (*clear)(void *run); /* loaded or not */
+    const void *data;         /* passed to load and print_text */
 };
 
 /* Runs the sweep. A wrong value in any run is reported before anything is computed. */
