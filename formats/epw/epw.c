@@ -10,9 +10,9 @@
 #include "model/base/read_file.h"
 #include "model/base/text.h"
 
-/* ---- records, in their order ---- */
+/* ---- records, in time order ---- */
 
-/* Position in the records, and the record due next. */
+/* Position in the records, and date and hour of the next expected record. */
 struct record_reader {
     struct pp_epw *epw;
     const struct pp_epw_header *header;
@@ -20,16 +20,16 @@ struct record_reader {
     int line;
     char *fields[PP_EPW_FIELDS_MOST];
 
-    int period; /* index; period_count: after the last */
-    bool begun; /* has any record of it been read? */
+    int period; /* index; period_count after the last period */
+    bool begun; /* true once a record of the period has been read */
     int years_left;
-    struct pp_month_day date; /* of the record that is due */
+    struct pp_month_day date; /* expected date of the next record */
     int weekday;
     int hour;          /* 1 to 24 */
-    int sub;           /* of the hour, from 0 */
-    int minute;        /* of the record before in this hour; -1: none */
-    int space;         /* records that there is memory for */
-    bool out_of_order; /* the records that follow can't be judged */
+    int sub;           /* index within the hour, from 0 */
+    int minute;        /* of the previous record in this hour; -1: none */
+    int space;         /* allocated length of epw->records */
+    bool out_of_order; /* later records cannot be checked; reading stops */
 };
 
 static void start_period(struct record_reader *r)
@@ -46,7 +46,7 @@ static void start_period(struct record_reader *r)
     r->weekday = period->weekday;
 }
 
-/* The day after, 29 February after the 28th. */
+/* The next day of the calendar; 29 February follows the 28th. */
 static struct pp_month_day day_after(struct pp_month_day date)
 {
     if (date.day < pp_month_day_days_of_month(date.month))
@@ -54,7 +54,7 @@ static struct pp_month_day day_after(struct pp_month_day date)
     return (struct pp_month_day){date.month % 12 + 1, 1};
 }
 
-/* Goes on to the record after the one just read. */
+/* Advances to the next expected record. */
 static void step_on(struct record_reader *r)
 {
     r->begun = true;
@@ -76,7 +76,7 @@ static void step_on(struct record_reader *r)
         r->weekday = (r->weekday + 1) % 7;
 }
 
-/* A whole number within low ... high. */
+/* Reads a whole number from low to high; adds a mistake if it is none. */
 static bool read_whole(struct record_reader *r, int index, const char *name, int low,
                        int high, int *whole)
 {
@@ -93,7 +93,7 @@ static bool read_whole(struct record_reader *r, int index, const char *name, int
     return false;
 }
 
-/* Notes which record stands where another is due, and gives up. */
+/* Adds a mistake that names the found and the expected record; stops reading. */
 static bool fail_order(struct record_reader *r, struct pp_month_day date, int hour)
 {
     char found[32], wanted[32];
@@ -106,7 +106,7 @@ static bool fail_order(struct record_reader *r, struct pp_month_day date, int ho
     return false;
 }
 
-/* Notes a record behind the last data period, and gives up. */
+/* Adds a mistake for a record after the last data period; stops reading. */
 static bool is_after_last(struct record_reader *r)
 {
     if (r->period < r->header->period_count)
@@ -118,8 +118,8 @@ static bool is_after_last(struct record_reader *r)
     return true;
 }
 
-/* Where 29 February is due: leap years have its records, and so have files that say so
- * (by their header). Where the file has none, 1 March is due instead. */
+/* Decides whether a file has 29 February when it is due. A header or a leap year may
+ * require it; if the file has none, 1 March is expected instead. */
 static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
                             int year)
 {
@@ -157,7 +157,7 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
     return !is_after_last(r);
 }
 
-/* Minutes rise within an hour; 0 at its end stands for 60. */
+/* Checks that minutes increase within an hour; 0 in the last record stands for 60. */
 static bool check_minute(struct record_reader *r, int minute)
 {
     bool last = r->sub == r->header->records_an_hour - 1;
@@ -175,7 +175,7 @@ static bool check_minute(struct record_reader *r, int minute)
     return false;
 }
 
-/* Is it the record that is due? */
+/* Reads the record's time and checks that it is the expected one. */
 static bool read_time(struct record_reader *r, struct pp_epw_record *record)
 {
     int month, day, hour, minute;
@@ -197,13 +197,13 @@ static bool read_time(struct record_reader *r, struct pp_epw_record *record)
     return check_minute(r, minute);
 }
 
-/* Loggers mark a missing value so. */
+/* Data loggers write these numbers for a missing value. */
 static bool is_mark_of_loggers(double value)
 {
     return value == -999.0 || value == -9999.0;
 }
 
-/* A measured value; NAN where it is missing. */
+/* Reads a measured value from low to high; NAN if it is missing. */
 static double read_value(struct record_reader *r, int index, const char *name,
                          double low, double high, double missing)
 {
@@ -267,14 +267,14 @@ static bool read_record(struct record_reader *r, char *text)
     return true;
 }
 
-/* Did the file end where its last data period does? */
+/* Adds a mistake if the file ends before its last data period does. */
 static void check_end(struct record_reader *r)
 {
     char wanted[32];
     struct pp_month_day leap_day = {2, 29};
     if (r->period == r->header->period_count)
         return;
-    /* A period up to 29 February may do without it. */
+    /* A period that ends on 29 February may lack that day in a common year. */
     bool leap_end = pp_month_day_same(r->date, leap_day) && r->hour == 1 && r->sub == 0
                     && pp_month_day_same(r->header->periods[r->period].to, leap_day)
                     && r->header->leap != PP_LEAP_YES;
@@ -288,8 +288,8 @@ static void check_end(struct record_reader *r)
                     r->period + 1, r->header->periods_line);
 }
 
-/* Some converters write 9999 for an illuminance that is missing, where the format has
- * 999999. It is taken so where it stands in a record without any irradiance. */
+/* Some converters write 9999 for a missing illuminance; the format defines 999999. If a
+ * record without irradiance has 9999, that number means missing in the whole file. */
 static void drop_marks(struct pp_epw *epw)
 {
     const double mark = 9999.0;
@@ -304,8 +304,8 @@ static void drop_marks(struct pp_epw *epw)
             epw->records[i].diffuse_lx = NAN;
 }
 
-/* Finds days of summer time that are given in words, "Last Sunday in April", in the year
- * of the first record. */
+/* Replaces summer time given in words, "Last Sunday in April", by dates in the year of
+ * the first record. */
 static void settle_summer(struct pp_epw *epw)
 {
     char *to = strstr(epw->summer_words, " to ");
@@ -324,7 +324,8 @@ static void settle_summer(struct pp_epw *epw)
     epw->summer_words[0] = '\0';
 }
 
-/* Reads the records into epw, from `record` on. PP_OK also where there are mistakes. */
+/* Reads the records into epw, beginning with `record`. Returns PP_OK even if there are
+ * mistakes. */
 static enum pp_status read_epw_records(struct pp_epw *epw,
                                        const struct pp_epw_header *header,
                                        struct pp_epw_lines *lines, char *record,
@@ -353,7 +354,7 @@ static enum pp_status read_epw_records(struct pp_epw *epw,
 
 /* ---- a file ---- */
 
-/* Reads header and records from a copy of the file's bytes, with a NUL behind. */
+/* Reads header and records from a writable, NUL-terminated copy of the file's bytes. */
 static enum pp_status read_epw_copy(struct pp_epw *epw, char *bytes, size_t length,
                                     struct pp_mistakes *mistakes, struct pp_error *err)
 {

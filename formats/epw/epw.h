@@ -1,13 +1,13 @@
-/* epw.h - a weather file in EnergyPlus format: where, when, and how much diffuse light.
+/* epw.h - a weather file in EnergyPlus format: place, times and diffuse light.
  *
- * A file has header lines (LOCATION, ..., DATA PERIODS) and then a record a line, in
- * order of time, one or more an hour [EPW]. A record is of the time before its hour's
- * end: hour 1 is from 0:00 to 1:00, in local standard time without summer time. Of its
- * 35 fields those about time, dew point, irradiance and diffuse illuminance are read,
- * up to the 19th; further ones may be missing.
+ * A file has header lines (LOCATION, ..., DATA PERIODS), followed by one record a line
+ * in order of time, one or more an hour [EPW]. A record covers the time before the end
+ * of its hour: hour 1 is 0:00 to 1:00, in local standard time without summer time. A
+ * record has 35 fields. The reader uses time, dew point, irradiance and diffuse
+ * illuminance; fields after the 19th may be missing.
  *
- * Lines may end with LF, CR LF or CR; a byte order mark, blank lines, and white space
- * and quotes round fields are passed over.
+ * Lines may end with LF, CR LF or CR. A byte order mark, blank lines, and white space
+ * and quotes around fields are ignored.
  */
 #ifndef PP_FORMATS_EPW_EPW_H
 #define PP_FORMATS_EPW_EPW_H
@@ -21,38 +21,38 @@
 
 enum { PP_WEEKDAY_UNKNOWN = -1 };
 
-/* One record; NAN stands where the file marks a value as missing or leaves it empty. */
+/* One record; NAN if the file marks a value as missing or leaves it empty. */
 struct pp_epw_record {
-    int year; /* of a typical year: that in which it was measured */
+    int year; /* in a typical year: the year of measurement */
     struct pp_month_day date;
     int weekday;         /* 0 Monday to 6 Sunday, or PP_WEEKDAY_UNKNOWN */
-    double start_h;      /* when it begins, local standard time, 0 to 24 */
+    double start_h;      /* begin of the record, local standard time, 0 to 24 */
     double dew_point_c;  /* degrees Celsius */
-    double global_w_m2;  /* irradiance of a level plane */
-    double direct_w_m2;  /* irradiance of a plane square to the sun, by the sun only */
-    double diffuse_w_m2; /* irradiance of a level plane, by the sky only */
-    double diffuse_lx;   /* illuminance of a level plane, by the sky only */
+    double global_w_m2;  /* irradiance of a horizontal plane */
+    double direct_w_m2;  /* irradiance of a plane normal to the sun, sun only */
+    double diffuse_w_m2; /* irradiance of a horizontal plane, sky only */
+    double diffuse_lx;   /* illuminance of a horizontal plane, sky only */
 };
 
 struct pp_epw {
     char *place;                                /* "Tokyo, JPN", UTF-8; owned */
     double latitude_rad, longitude_rad;         /* north and east positive */
-    double time_zone_h;                         /* ahead of UT */
+    double time_zone_h;                         /* ahead of UTC */
     double record_h;                            /* duration of a record: 1, 0.5, ... */
     struct pp_month_day summer_from, summer_to; /* first and last day of summer time */
-    char summer_words[160]; /* the file's own words for it, where they are no dates */
+    char summer_words[160]; /* its text in the file, if that is not two dates */
     int summer_line;
     int record_count;
     struct pp_epw_record *records; /* in the file's order; owned */
 };
 
-/* Reads a file; path "-" is standard input. What is wrong in it goes to mistakes, the
- * first twenty of them (PP_BAD_INPUT), with their lines; a file that can't be read at
- * all has its reason in err only. *epw is the caller's, NULL where this fails. */
+/* Reads a file; path "-" is standard input. PP_BAD_INPUT if the contents are invalid:
+ * mistakes receives the first twenty errors, with their lines. If the file cannot be
+ * read at all, only err has the reason. The caller owns *epw; it is NULL on failure. */
 enum pp_status pp_epw_read(struct pp_epw **epw, const char *path,
                            struct pp_mistakes *mistakes, struct pp_error *err);
 
-/* The same from memory; the bytes are not changed. */
+/* Reads the same format from memory; the bytes are not changed. */
 enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t length,
                             struct pp_mistakes *mistakes, struct pp_error *err);
 

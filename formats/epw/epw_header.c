@@ -72,7 +72,7 @@ static bool is_leading_number(const char *text)
            || (text[0] == '-' && isdigit((unsigned char)text[1]));
 }
 
-/* Summer time and the leap year; the holidays behind them say nothing of light. */
+/* Reads summer time and leap year; the holidays after them are ignored. */
 static void read_holidays(struct header_reader *r)
 {
     const char *leap = field(r, 1), *from = field(r, 2), *to = field(r, 3);
@@ -181,7 +181,7 @@ static void ignore(struct header_reader *r)
     (void)r;
 }
 
-/* The names of header lines, and how each is read. */
+/* Names of the header lines and the functions that read them. */
 static const struct header_line {
     const char *name;
     void (*read)(struct header_reader *r);
@@ -212,7 +212,7 @@ static void read_header_line(struct header_reader *r)
                     pp_text_excerpt(shown, sizeof shown, r->fields[0]));
 }
 
-/* Does the line start as the first one of a weather file does? */
+/* True if the line begins like the first line of a weather file. */
 static bool is_location(const char *line)
 {
     return strncasecmp(line + (*line == '"'), "LOCATION", 8) == 0;

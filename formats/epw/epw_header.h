@@ -11,8 +11,8 @@ enum { PP_EPW_PERIODS_MOST = 100 };
 /* One data period. */
 struct pp_epw_period {
     struct pp_month_day from, to;
-    int years;   /* how often `to` is passed before the end: 0 of one year */
-    int weekday; /* of its first day */
+    int years;   /* how often `to` is passed before the end: 0 within one year */
+    int weekday; /* day of the week of `from` */
 };
 
 enum pp_epw_leap { PP_LEAP_UNSAID, PP_LEAP_NO, PP_LEAP_YES };
@@ -26,9 +26,9 @@ struct pp_epw_header {
     struct pp_epw_period periods[PP_EPW_PERIODS_MOST];
 };
 
-/* Reads header lines into epw and header up to the first record, which is *record
- * (NULL: the file ends before it). False where there is a mistake, or memory is out
- * (err). */
+/* Reads header lines into epw and header up to the first record. *record is that
+ * record, NULL if the file ends before it. Returns false after a mistake, or without
+ * memory (err is set). */
 bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
                         struct pp_epw_lines *lines, char **record,
                         struct pp_mistakes *mistakes, struct pp_error *err);

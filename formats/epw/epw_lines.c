@@ -57,7 +57,7 @@ bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
     return !blank;
 }
 
-/* White space, and the Ctrl-Z that DOS wrote behind the last line. */
+/* White space, including Ctrl-Z, which DOS wrote after the last line. */
 static bool is_white(char c)
 {
     return c == ' ' || c == '\t' || c == '\x1A';
@@ -81,8 +81,8 @@ char *pp_epw_lines_next(struct pp_epw_lines *lines)
     return NULL;
 }
 
-/* The end of the field at p: its comma or NUL. Where the field starts with a quote,
- * commas up to the closing one belong to it. */
+/* Returns the end of the field at p: its comma or NUL. In a field that begins with a
+ * quote, commas up to the closing quote are part of the field. */
 static char *field_end(char *p)
 {
     char *start = p + strspn(p, " \t");

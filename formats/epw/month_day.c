@@ -26,7 +26,8 @@ const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date
     return text;
 }
 
-/* Up to three numbers with / between them. Returns how many, 0 for anything else. */
+/* Reads up to three numbers separated by "/". Returns their number, 0 for other
+ * text. */
 static int split_date(const char *text, int parts[3])
 {
     int count = 0;
@@ -48,8 +49,8 @@ static int split_date(const char *text, int parts[3])
     return 0;
 }
 
-/* The month whose name, or its first three letters, begins the text; 0: none. *length:
- * of the letters. */
+/* The month, 1 to 12, whose name or first three letters begin the text; 0 if none.
+ * *length is the number of letters. */
 static int find_month(const char *text, int *length)
 {
     for (int i = 0; i < 12; i++) {
@@ -63,7 +64,7 @@ static int find_month(const char *text, int *length)
     return 0;
 }
 
-/* A day and a month's name with - between them. */
+/* Reads a day and a month's name separated by "-". */
 static bool split_named(const char *text, int parts[3])
 {
     int used = 0, length;

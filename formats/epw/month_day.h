@@ -1,4 +1,4 @@
-/* month_day.h - a day of any year, and how weather files and people write it. */
+/* month_day.h - a day of any year, as written in weather files and options. */
 #ifndef PP_FORMATS_EPW_MONTH_DAY_H
 #define PP_FORMATS_EPW_MONTH_DAY_H
 
@@ -13,8 +13,8 @@ struct pp_month_day {
 /* Reads "3/26" or "03/26", a day that some year has. */
 bool pp_month_day_parse(const char *text, struct pp_month_day *date);
 
-/* Reads "M/D", "M/D/YEAR" or "YEAR/M/D", or what a spreadsheet makes of the first,
- * "21-Jun"; *year is 0 where there is none. */
+/* Reads "M/D", "M/D/YEAR", "YEAR/M/D", or "21-Jun" as written by spreadsheets; *year is
+ * 0 if there is none. */
 bool pp_month_day_parse_dated(const char *text, struct pp_month_day *date, int *year);
 
 /* Reads the n-th or last day of the week of a month, "2nd Sunday in March", in a
@@ -24,7 +24,7 @@ bool pp_month_day_parse_words(const char *text, int year, struct pp_month_day *d
 /* "26 March". Returns text. */
 const char *pp_month_day_words(char *text, size_t room, struct pp_month_day date);
 
-/* Days of a month, 1 to 12; 29 of February. */
+/* Number of days of a month, 1 to 12; 29 for February. */
 int pp_month_day_days_of_month(int month);
 
 /* True if the year has a 29 February, in the Gregorian calendar. */

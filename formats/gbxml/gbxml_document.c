@@ -13,7 +13,7 @@ static const struct pp_xml_format gbxml = {
     .elements_most = 4000000,
 };
 
-/* Fails with the first mistake, if there is any. */
+/* Fails with the first of the mistakes; PP_OK if there are none. */
 static enum pp_status fail_with_mistakes(const struct pp_mistakes *mistakes,
                                          const char *file, struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* gbxml_document.h - a gbXML file as a tree of elements, and these by name. Inside
+/* gbxml_document.h - a gbXML file as a tree of elements, with access by name. Inside
  * formats/gbxml/ only.
  *
  * Namespaces are ignored.
@@ -13,9 +13,9 @@
 
 enum { PP_GBXML_BYTES_MOST = 64 << 20 };
 
-/* Parses the bytes, in UTF-8, UTF-16 or the encoding that the file declares; file: its
- * name in messages. The root is a gbXML element. On success the caller clears the
- * document, with pp_xml_clear. */
+/* Parses the bytes, in UTF-8, UTF-16 or the encoding that the file declares. `file` is
+ * its name in messages. PP_BAD_INPUT if the root is not a gbXML element. On success the
+ * caller clears the document with pp_xml_clear. */
 enum pp_status pp_gbxml_document_parse(struct pp_xml *document, const char *bytes,
                                        size_t length, const char *file,
                                        struct pp_error *err);
@@ -26,18 +26,18 @@ const struct pp_xml_element *pp_gbxml_document_child(
 const struct pp_xml_element *pp_gbxml_document_next(const struct pp_xml_element *before,
                                                     const char *name);
 
-/* The child of the child ... by names with slashes between; NULL: none. */
+/* Descends by child names separated by slashes; NULL if one does not exist. */
 const struct pp_xml_element *pp_gbxml_document_path(const struct pp_xml_element *from,
                                                     const char *path);
 
-/* The value of an attribute, good as long as the document; NULL where there is none. */
+/* Value of an attribute, valid as long as the document; NULL if there is none. */
 const char *pp_gbxml_document_attribute(const struct pp_xml_element *element,
                                         const char *name);
 
-/* An element's text; NULL where there is none, and of NULL. */
+/* Text of an element; NULL if it has none or `element` is NULL. */
 const char *pp_gbxml_document_text(const struct pp_xml_element *element);
 
-/* The number that an element's text is; false for anything else, and NULL. */
+/* Reads the element's text as a number; false for other text, or a NULL element. */
 bool pp_gbxml_document_number(const struct pp_xml_element *element, double *value);
 
 #endif

@@ -5,11 +5,11 @@
 
 #include "formats/gbxml/gbxml_prism.h"
 
-/* Corners are welded within WELD_M if that changes at most this share of the volume. */
+/* Corners are welded within WELD_M if the volume changes by at most this share. */
 #define WELD_M 0.02
 static const double weld_share = 0.01;
 
-/* Moves of more than this are noted; and this difference from Area and Volume. */
+/* Limits above which moved corners, and deviations from Area and Volume, are noted. */
 static const double noted_m = 5e-3, noted_share = 0.03;
 
 enum envelope_source { BY_SURFACES, BY_SHELL, BY_PRISM };
@@ -17,7 +17,7 @@ enum envelope_source { BY_SURFACES, BY_SHELL, BY_PRISM };
 struct envelope_choice {
     struct pp_gbxml_shell shell;
     enum envelope_source source;
-    double off; /* from Area and Volume; INFINITY: none taken yet */
+    double off; /* deviation from Area and Volume; INFINITY: no shell yet */
 };
 
 static double share_off(double value, double given)
@@ -26,7 +26,7 @@ static double share_off(double value, double given)
     return off <= noted_share ? 0.0 : off;
 }
 
-/* Greatest difference from the space's Area and Volume, as a share; 0 up to 3 %. */
+/* Greatest deviation from the space's Area and Volume, as a share; 0 up to 3 %. */
 static double envelope_off(const struct pp_gbxml_shell *shell,
                            const struct pp_gbxml_space *space)
 {
@@ -34,7 +34,8 @@ static double envelope_off(const struct pp_gbxml_shell *shell,
                 share_off(shell->volume_m3, space->volume_m3));
 }
 
-/* Takes the shell, or clears it where it is not nearer to what the file says. */
+/* Keeps the shell if it matches Area and Volume better than the present one; else
+ * clears it. */
 static void offer(struct envelope_choice *choice, struct pp_gbxml_shell *shell,
                   enum envelope_source source, const struct pp_gbxml_space *space)
 {
@@ -47,9 +48,9 @@ static void offer(struct envelope_choice *choice, struct pp_gbxml_shell *shell,
     *choice = (struct envelope_choice){*shell, source, off};
 }
 
-/* Makes a shell of the surfaces or of the ShellGeometry, and offers it. One that is closed
- * by plane faces waits in `lacking` until those that close by themselves have been
- * tried. *why stays the reason of the first try. */
+/* Makes a shell of the surfaces or of the ShellGeometry and offers it to `choice`. A
+ * shell that had to be closed by added faces goes to `lacking`; it is used only if no
+ * shell closes by itself. *why keeps the reason of the first failure. */
 static enum pp_status try_polygons(struct envelope_choice *choice,
                                    struct envelope_choice *lacking, const char **why,
                                    const struct pp_gbxml_envelope_parts *parts,
@@ -77,7 +78,7 @@ static enum pp_status try_polygons(struct envelope_choice *choice,
     return status;
 }
 
-/* Has the shell only level and upright faces? */
+/* True if all faces are horizontal or vertical. */
 static bool is_upright(const struct pp_gbxml_shell *shell)
 {
     for (int i = 0; i < shell->face_count; i++) {
@@ -107,7 +108,7 @@ static enum pp_status try_prism(struct envelope_choice *choice,
     return status;
 }
 
-/* Notes the source, and what was changed of it. */
+/* Notes the source of the envelope, and the changes made to it. */
 static void note_choice(const struct envelope_choice *choice, bool closes,
                         const struct pp_gbxml_space *space, struct pp_mistakes *notes)
 {

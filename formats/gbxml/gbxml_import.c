@@ -1,5 +1,5 @@
-/* gbxml_import.c - reads the model, makes rooms, writes them, and parses its own output
- * until it is valid. */
+/* gbxml_import.c - reads the model, makes and writes rooms, and parses the output until
+ * it is valid. */
 #include "formats/gbxml/gbxml_import.h"
 
 #include <math.h>
@@ -12,12 +12,12 @@
 #include "formats/gbxml/gbxml_write.h"
 #include "model/room/building.h"
 
-/* Most placed rooms of a building; and most times that the output is parsed. */
+/* Limits on the placed rooms of a building, and on passes over the output. */
 enum { ROOMS_MOST = 200, TURNS_MOST = 50 };
 
 struct gbxml_work {
     struct pp_gbxml_model model;
-    struct pp_gbxml_room **rooms; /* one a space; NULL: it has none */
+    struct pp_gbxml_room **rooms; /* one per space; NULL: the space has no room */
     struct pp_clipper *clipper;
     struct pp_mistakes *notes;
     const char *file;
@@ -63,7 +63,7 @@ static int count_openings(const struct gbxml_work *work,
     return count;
 }
 
-/* Takes openings and rooms that are left out away. */
+/* Removes the openings and rooms that are marked as left out. */
 static void take_away(struct gbxml_work *work)
 {
     for (int i = 0; i < work->model.space_count; i++) {
@@ -81,7 +81,8 @@ static void take_away(struct gbxml_work *work)
     }
 }
 
-/* Begins the room of a space; it stays NULL, with a note, if none comes of it. */
+/* Begins the room of a space; it stays NULL, with a note, if the space has no closed
+ * envelope. */
 static enum pp_status begin_room(struct gbxml_work *work, int index,
                                  struct pp_error *err)
 {
@@ -102,7 +103,7 @@ static enum pp_status begin_room(struct gbxml_work *work, int index,
     return status;
 }
 
-/* The rooms that there are, and their spaces. */
+/* The spaces that have a room, and these rooms. */
 struct gbxml_placed {
     struct pp_gbxml_room **rooms;
     struct pp_gbxml_space **spaces;
@@ -201,7 +202,7 @@ static void note_defaults(const struct gbxml_work *work)
         "assumed: frame-factor 1, maintenance 1, reveal 0, reflectance 0.2, level 0");
 }
 
-/* ---- reading it back ---- */
+/* ---- validating the output ---- */
 
 static enum pp_status write_all(struct gbxml_work *work,
                                 struct pp_gbxml_writing *writing, struct pp_error *err)
@@ -217,7 +218,7 @@ static enum pp_status write_all(struct gbxml_work *work,
     return status == PP_OK && failed ? pp_fail_memory(err) : status;
 }
 
-/* Reads the file as a room file, and makes the world of each room. */
+/* Parses the output as a room file and builds the world of each room. */
 static enum pp_status read_back(const struct gbxml_work *work,
                                 struct pp_mistakes *mistakes, struct pp_error *err)
 {
@@ -237,7 +238,7 @@ static enum pp_status read_back(const struct gbxml_work *work,
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
-/* The innermost thing on that line; NULL: none. */
+/* The innermost written item on that line; NULL: none. */
 static const struct pp_gbxml_written *find_item(const struct pp_gbxml_writing *writing,
                                                 int line)
 {
@@ -251,8 +252,8 @@ static const struct pp_gbxml_written *find_item(const struct pp_gbxml_writing *w
     return found;
 }
 
-/* Leaves out the causes of the mistakes, openings and surfaces before whole rooms.
- * False if nothing is left to leave out. */
+/* Marks the causes of the mistakes as left out, openings and surfaces before whole
+ * rooms. Returns false if nothing is left to remove. */
 static bool leave_out(struct gbxml_work *work, const struct pp_gbxml_writing *writing,
                       const struct pp_mistakes *mistakes)
 {

@@ -10,11 +10,12 @@
 
 enum { CORNERS_MOST = 1000 };
 
-/* Most that a coordinate may be, as in a room file; and the distance from which a model
- * is moved. Corners within near_m of the first one belong to the building. */
+/* farthest_m: largest coordinate, as in a room file. moved_from_m: distance of a model
+ * beyond which it is moved to the origin. near_m: corners within this distance of the
+ * first corner belong to the building. */
 static const double farthest_m = 1e5, moved_from_m = 1e4, near_m = 5e4;
 
-/* The coordinates of a point in metres of the file; false if it lacks one. */
+/* Coordinates of a point in metres; false if one is missing. */
 static bool read_point(const struct pp_gbxml_loop_reader *r,
                        const struct pp_xml_element *point, struct pp_vec3 *at)
 {
@@ -65,7 +66,7 @@ void pp_gbxml_loop_find_origin(struct pp_gbxml_loop_reader *r,
                     r->origin.x, r->origin.y, r->origin.z);
 }
 
-/* Replaces the corners by the outer rim of the largest piece of the figure. */
+/* Replaces the corners by the outer ring of the largest piece of the figure. */
 static enum pp_status take_rim(struct pp_gbxml_polygon *polygon,
                                const struct pp_region *figure, struct pp_vec3 origin,
                                struct pp_vec3 along, struct pp_vec3 up,
@@ -87,7 +88,7 @@ static enum pp_status take_rim(struct pp_gbxml_polygon *polygon,
     for (int i = 0; i < rim->count; i++) {
         corners[i] =
             pp_vec_along(pp_vec_along(origin, rim->xy[i][0], along), rim->xy[i][1], up);
-        /* a corner of the file stays as it is, even off the plane */
+        /* Keeps an original corner exactly, even if it is off the plane. */
         int nearest = 0;
         for (int k = 1; k < polygon->count; k++)
             if (pp_vec_length(pp_vec_sub(polygon->corners[k], corners[i]))
@@ -101,7 +102,7 @@ static enum pp_status take_rim(struct pp_gbxml_polygon *polygon,
     return PP_OK;
 }
 
-/* Leaves a simple outline as it is. */
+/* Replaces an outline that crosses itself; a simple outline stays as it is. */
 static enum pp_status make_simple(struct pp_gbxml_polygon *polygon,
                                   struct pp_gbxml_loop_reader *r)
 {
@@ -122,7 +123,7 @@ static enum pp_status make_simple(struct pp_gbxml_polygon *polygon,
                                            polygon->count, r->err);
     }
     if (status == PP_OK && !simple) {
-        /* a figure that cannot be found leaves the outline to the checks of the room */
+        /* If no figure is found, the checks of the room file report the outline. */
         status = pp_clipper_by_crossings(r->clipper, &figure, (const double(*)[2])xy,
                                          polygon->count, &said);
         if (status == PP_OK)

@@ -22,39 +22,39 @@ struct pp_gbxml_opening {
     const char *name; /* NULL: none */
     struct pp_gbxml_polygon outline;
     double transmittance; /* visible, at normal incidence; NAN: the default */
-    bool is_air;          /* without a pane */
-    bool left_out;        /* not possible in the room, as already reported */
+    bool is_air;          /* an opening without glass */
+    bool left_out;        /* not possible in the room; already reported */
 };
 
 enum { PP_GBXML_NEIGHBOURS = 2 };
 
 struct pp_gbxml_surface {
     int line;
-    const char *type; /* "ExteriorWall"; empty where there is none */
+    const char *type;                        /* "ExteriorWall"; empty if not given */
     const char *spaces[PP_GBXML_NEIGHBOURS]; /* ids, NULL: none */
     struct pp_gbxml_polygon outline;
     double reflectance; /* visible, inside; NAN: the default */
     struct pp_gbxml_opening *openings;
     int opening_count;
-    bool left_out; /* it cannot stand outside, as has been said */
+    bool left_out; /* not possible outside; already reported */
 };
 
 struct pp_gbxml_space {
     int line;
-    const char *id, *name; /* name: of people; NULL: none */
+    const char *id, *name; /* name: for people; NULL: none */
     const char *type;      /* "OfficeEnclosed"; NULL: none */
     struct pp_gbxml_polygon
-        *shell; /* of its ShellGeometry; where surfaces do not close */
+        *shell; /* ShellGeometry; used if the surfaces do not close */
     int shell_count;
-    struct pp_gbxml_polygon floor; /* of its PlanarGeometry; empty: none */
-    double area_m2, volume_m3;     /* as the file has them; NAN: not given */
-    bool left_out;                 /* no room comes of it, as has been said */
+    struct pp_gbxml_polygon floor; /* PlanarGeometry; empty: none */
+    double area_m2, volume_m3;     /* as in the file; NAN: not given */
+    bool left_out;                 /* no room can be made; already reported */
 };
 
 struct pp_gbxml_model {
-    const char *name;           /* of the building; NULL: none */
+    const char *name;           /* name of the building; NULL: none */
     double latitude, longitude; /* degrees; NAN: not given */
-    double north_deg;           /* bearing of +y */
+    double north_deg;           /* compass bearing of +y */
     struct pp_gbxml_space *spaces;
     int space_count;
     struct pp_gbxml_surface *surfaces;
@@ -63,11 +63,11 @@ struct pp_gbxml_model {
 
 void pp_gbxml_model_clear(struct pp_gbxml_model *model);
 
-/* Is the surface one of the space's that bound it, no column or shade? */
+/* True if the surface bounds the space; false for columns and shades. */
 bool pp_gbxml_model_bounds(const struct pp_gbxml_surface *surface,
                            const struct pp_gbxml_space *space);
 
-/* True if the surface is between that space and the outside. */
+/* True if the surface is between one space and the outside. */
 bool pp_gbxml_model_is_outer(const struct pp_gbxml_surface *surface);
 
 #endif

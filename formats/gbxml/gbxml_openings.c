@@ -1,4 +1,5 @@
-/* gbxml_openings.c - overlays in the plane of a face. */
+/* gbxml_openings.c - clips openings to faces by polygon overlay in the plane of the
+ * face. */
 #include "formats/gbxml/gbxml_openings.h"
 
 #include <math.h>
@@ -8,14 +9,14 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/region_pieces.h"
 
-/* Greatest distance of an opening from the plane of its face; and the least cosine of
- * the angle between them. */
+/* reveal_m: greatest distance of an opening from the plane of its face. parallel: least
+ * cosine of the angle between the two. */
 static const double reveal_m = 0.6, parallel = 0.98;
 
-/* Smaller pieces are rounding, and so are losses. m2. */
+/* Smaller pieces and losses are rounding errors; m2. */
 static const double least_m2 = 1e-3;
 
-/* An opening of a surface and its figure that is in no face yet. */
+/* An opening of a surface, and the part of it that is not yet in a face. */
 struct opening_left {
     struct pp_gbxml_opening *opening;
     struct pp_vec3 normal; /* unit */
@@ -27,7 +28,7 @@ static struct pp_vec3 face_corner(const struct pp_gbxml_room *room, int face, in
     return room->shell.corners[room->shell.faces[face].corners[i]];
 }
 
-/* The figure of corners, projected on the plane through the origin. */
+/* Projects the corners on the plane through the origin; *figure is the result. */
 static enum pp_status flatten_figure(struct pp_region *figure,
                                      const struct pp_vec3 *corners, int count,
                                      struct pp_vec3 origin, struct pp_vec3 along,
@@ -73,7 +74,7 @@ static enum pp_status find_plane(struct opening_plane *plane,
     return status;
 }
 
-/* Takes the openings that the face has already from the figure. */
+/* Subtracts the openings already in the face from the figure. */
 static enum pp_status take_placed(struct pp_region *figure,
                                   const struct opening_plane *plane,
                                   const struct pp_gbxml_room *room, int face,
@@ -94,7 +95,7 @@ static enum pp_status take_placed(struct pp_region *figure,
     return status;
 }
 
-/* Takes out corners that are the same as the one before; returns how many are left. */
+/* Removes corners equal to the previous one; returns the number left. */
 static int drop_repeated(struct pp_vec3 *corners, int count)
 {
     int kept = 0;
@@ -136,7 +137,7 @@ static enum pp_status add_pieces(struct pp_gbxml_room *room, double *placed_m2,
     return status;
 }
 
-/* Puts what is left of an opening into a face. */
+/* Places the remaining part of an opening in a face. */
 static enum pp_status place_in_face(struct pp_gbxml_room *room,
                                     struct opening_left *left, int face,
                                     struct pp_clipper *clipper, struct pp_error *err)
@@ -156,7 +157,7 @@ static enum pp_status place_in_face(struct pp_gbxml_room *room,
     if (status == PP_OK)
         status = add_pieces(room, &left->placed_m2, left->opening, face, &within,
                             &plane, clipper, err);
-    /* an overlay that fails costs the opening its place in this face, no more */
+    /* A failed overlay only means that this face gets no part of the opening. */
     if (status == PP_BAD_INPUT)
         status = PP_OK, left->placed_m2 = before;
     pp_region_clear(&figure);
@@ -165,8 +166,8 @@ static enum pp_status place_in_face(struct pp_gbxml_room *room,
     return status;
 }
 
-/* Distance of the opening's middle from a face that is parallel to it; NAN: from a face
- * that is not, or farther than a reveal. */
+/* Distance of the opening's centre from a parallel face; NAN if the face is not
+ * parallel, or farther away than a reveal. */
 static double distance_to(const struct pp_gbxml_room *room, int face,
                           const struct opening_left *left)
 {
@@ -183,14 +184,14 @@ static double distance_to(const struct pp_gbxml_room *room, int face,
     return away < reveal_m ? away : NAN;
 }
 
-/* Puts an opening into faces, nearest first, until all of it has a place. Faces of one
- * plane are equally near. */
+/* Distributes an opening over the faces, nearest first, until all of it is placed.
+ * Faces in one plane count as equally near. */
 static enum pp_status place_opening(struct pp_gbxml_room *room,
                                     struct opening_left *left,
                                     struct pp_clipper *clipper, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    double reached = -1.0; /* faces nearer than this have been tried */
+    double reached = -1.0; /* faces up to this distance are done */
     while (status == PP_OK && left->area_m2 - left->placed_m2 > least_m2) {
         double next = INFINITY;
         for (int i = 0; i < room->shell.face_count; i++) {
@@ -198,7 +199,7 @@ static enum pp_status place_opening(struct pp_gbxml_room *room,
             if (away > reached)
                 next = fmin(next, away);
         }
-        /* behind the face that has most of it there is none for the rest */
+        /* Faces behind the one that has most of the opening get nothing. */
         if (!isfinite(next) || left->placed_m2 > 0.5 * left->area_m2)
             break;
         for (int i = 0; i < room->shell.face_count && status == PP_OK; i++) {

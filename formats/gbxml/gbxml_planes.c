@@ -1,4 +1,4 @@
-/* gbxml_planes.c - ear by ear, the one first whose triangle is the least thin. */
+/* gbxml_planes.c - triangulation by ear clipping, best-shaped ear first. */
 #include "formats/gbxml/gbxml_planes.h"
 
 #include <math.h>
@@ -9,8 +9,8 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/region.h"
 
-/* A face of a room may be 1 mm uneven; half a hundredth of it is kept for rounding in
- * the file. */
+/* A face of a room file may be 1 mm uneven; 2 % less allows for rounding in the
+ * file. */
 static const double uneven_m = 0.98e-3;
 
 /* Greatest distance of a corner from the face's plane. */
@@ -34,8 +34,8 @@ static enum pp_status find_unevenness(double *uneven,
     return PP_OK;
 }
 
-/* Thinness of the triangle of corner i with its neighbours among `left`: twice its area
- * over the square of its longest side; 0 or less for one that is no ear. */
+/* Shape quality of the triangle of corner i and its neighbours in `left`: twice its
+ * area over the square of its longest side; 0 or less if it is not an ear. */
 static double ear_quality(const double (*xy)[2], const int *left, int count, int i)
 {
     const int at[3] = {left[(i + count - 1) % count], left[i], left[(i + 1) % count]};
@@ -57,7 +57,7 @@ static double ear_quality(const double (*xy)[2], const int *left, int count, int
     return turn / (longest * longest);
 }
 
-/* Adds the triangles of a face; *whole: all of it could be divided. */
+/* Adds the triangles of a face; *whole is true if the whole face was triangulated. */
 static enum pp_status add_triangles(struct pp_gbxml_shell *shell, bool *whole,
                                     const struct pp_gbxml_face *face,
                                     const double (*xy)[2], struct pp_error *err)
@@ -102,7 +102,7 @@ static enum pp_status add_triangles(struct pp_gbxml_shell *shell, bool *whole,
     return status;
 }
 
-/* Divides one face; it stays if it cannot be. */
+/* Triangulates one face; a face that cannot be triangulated stays. */
 static enum pp_status divide_face(struct pp_gbxml_shell *shell, int index, bool *done,
                                   const double (*xy)[2], struct pp_error *err)
 {

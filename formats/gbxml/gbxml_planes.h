@@ -5,8 +5,8 @@
 
 #include "formats/gbxml/gbxml_shell.h"
 
-/* Divides them by diagonals, so that the shell stays closed and no corner moves.
- * *divided: how many faces there were. Fails only without memory. */
+/* Divides uneven faces by diagonals, so that the shell stays closed and no corner
+ * moves. *divided: number of faces divided. Fails only without memory. */
 enum pp_status pp_gbxml_planes_divide(struct pp_gbxml_shell *shell, int *divided,
                                       struct pp_error *err);
 

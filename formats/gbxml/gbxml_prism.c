@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A polygon is level, and walls stand on a floor, to within level_m; slabs up to
- * storey_m above the lowest corner are floor, and so are gaps up to gap_m between them.
- * Corners of slabs are rounded to grid_m. */
+/* level_m: tolerance for a horizontal polygon, and for walls on a floor. storey_m:
+ * slabs up to this height above the lowest corner are floor. gap_m: gaps up to this
+ * width between slabs are floor. grid_m: corners of slabs are rounded to this. */
 static const double level_m = 0.02, storey_m = 1.0, gap_m = 0.6, grid_m = 1e-3;
 
 static void find_prism_extent(double *low, double *high,
@@ -19,7 +19,7 @@ static void find_prism_extent(double *low, double *high,
         }
 }
 
-/* Area of the polygon's plan; 0 if the polygon is not level. */
+/* Area of the polygon in plan; 0 if it is not horizontal. */
 static double level_area(const struct pp_gbxml_polygon *polygon)
 {
     double area = 0.0;
@@ -43,8 +43,8 @@ static int count_pieces(const struct pp_region *region)
     return count;
 }
 
-/* Joins pieces with a gap between them, as of a partition. The figure stays as it is where
- * that fails. */
+/* Joins pieces separated by a narrow gap, for example a partition. On failure the
+ * figure stays as it is. */
 static void close_gaps(struct pp_region *floor, struct pp_clipper *clipper)
 {
     struct pp_region closed;
@@ -56,7 +56,7 @@ static void close_gaps(struct pp_region *floor, struct pp_clipper *clipper)
     *floor = closed;
 }
 
-/* The plan of all level polygons near the lowest corner of the list. */
+/* Union in plan of all horizontal polygons near the lowest corner of the list. */
 static enum pp_status unite_floor(struct pp_region *floor,
                                   const struct pp_gbxml_polygon *list, int count,
                                   struct pp_clipper *clipper, struct pp_error *err)
@@ -146,7 +146,8 @@ static enum pp_status find_floor(struct pp_region *floor,
     return PP_OK;
 }
 
-/* Height of the lowest level polygon, a storey over the floor, that is half as large. */
+/* Level of the lowest horizontal polygon at least a storey above the floor and at least
+ * half as large. */
 static double find_ceiling(const struct pp_gbxml_polygon *list, int count, double low,
                            double area, double ceiling)
 {
@@ -156,7 +157,7 @@ static double find_ceiling(const struct pp_gbxml_polygon *list, int count, doubl
     return ceiling;
 }
 
-/* Top of the polygons that stand on the floor. */
+/* Highest corner of the polygons whose foot is at floor level. */
 static double find_wall_top(const struct pp_gbxml_polygon *list, int count, double low,
                             double top)
 {
@@ -169,7 +170,8 @@ static double find_wall_top(const struct pp_gbxml_polygon *list, int count, doub
     return top;
 }
 
-/* Level of the prism's lid over the lowest corner, `low`, of all up to `high`. */
+/* Level of the prism's ceiling; low and high: lowest and highest corner of all
+ * polygons. */
 static double find_lid(const struct pp_gbxml_space *space,
                        const struct pp_gbxml_polygon *polygons, int count, double area,
                        double low, double high)
@@ -215,7 +217,7 @@ static enum pp_status make_prism(struct pp_gbxml_shell *shell, const char **why,
     return status;
 }
 
-/* Takes out corners of the ring that lie in the line of their neighbours. */
+/* Removes corners of the ring that lie on the line between their neighbours. */
 static void straighten(struct pp_ring *ring)
 {
     for (int i = 0; i < ring->count && ring->count > 3;) {

@@ -1,19 +1,20 @@
-/* gbxml_prism.h - the vertical prism over a space's floor, used if neither the surfaces
- * about it nor its ShellGeometry close. Inside formats/gbxml/ only. */
+/* gbxml_prism.h - a vertical prism over a space's floor, used if neither its surfaces
+ * nor its ShellGeometry give a closed envelope. Inside formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_PRISM_H
 #define PP_FORMATS_GBXML_GBXML_PRISM_H
 
 #include "formats/gbxml/gbxml_shell.h"
 #include "model/geometry/clipper.h"
 
-/* Makes a prism over the floor of the space: its PlanarGeometry, or all level polygons
- * at the foot of its ShellGeometry together, or those of `count` more polygons, the
- * slabs of the lowest storey: the one whose area is nearest to the space's Area, or the
- * first without one. Of a floor of several pieces the largest is taken, without holes.
- * Its height is the space's Volume by its Area, or by the floor; without one, or with
- * one above all polygons, it ends at the lowest level polygon over half the floor, or
- * else as high as the walls that stand on it; not below lid_least_m (-INFINITY: any).
- * *why: as of pp_gbxml_shell_make. */
+/* Makes a prism over the floor of the space. Candidates for the floor: the
+ * PlanarGeometry; the horizontal polygons at the foot of the ShellGeometry; those of
+ * the `count` given polygons (slabs of the lowest storey). The candidate whose area is
+ * nearest to the space's Area is used; without an Area, the first. If the floor has
+ * several pieces, only the largest is used, without holes. Height: Volume over Area, or
+ * over the floor's area. Without a Volume, or if this height is above all polygons, the
+ * prism ends at the lowest horizontal polygon larger than half the floor, or else at
+ * the top of the walls on the floor. The ceiling is at lid_least_m or higher
+ * (-INFINITY: no limit). *why as in pp_gbxml_shell_make. */
 enum pp_status pp_gbxml_prism_make(struct pp_gbxml_shell *shell, const char **why,
                                    const struct pp_gbxml_space *space,
                                    const struct pp_gbxml_polygon *polygons, int count,

@@ -8,7 +8,7 @@
 #include "formats/gbxml/gbxml_loop.h"
 #include "model/base/array.h"
 
-/* Most surfaces and spaces that are read. */
+/* Limits on the surfaces and spaces of a file. */
 enum { SURFACES_MOST = 100000, SPACES_MOST = 10000 };
 
 struct gbxml_named;
@@ -17,17 +17,18 @@ struct gbxml_reader {
     struct pp_gbxml_model *model;
     const struct pp_xml_element *root;
     struct pp_gbxml_loop_reader loops;
-    double square_metre, cubic_metre; /* of the file's units; NAN: none that is known */
+    double square_metre, cubic_metre; /* of the file's units; NAN: unit not known */
     struct gbxml_named *named;
     int named_count;
-    int between, without_type; /* openings between spaces, and without a window type */
-    int air;                   /* surfaces of air between spaces */
+    int between, without_type; /* counts of openings between spaces, and without a
+                                * window type */
+    int air;                   /* count of air surfaces between spaces */
     const char *file;
     struct pp_mistakes *notes;
     struct pp_error *err;
 };
 
-/* A unit of length, and its beginning in the names of areas and volumes. */
+/* A unit of length, and its prefix in the names of area and volume units. */
 struct gbxml_unit {
     const char *name;
     double metre;
@@ -38,7 +39,7 @@ static const struct gbxml_unit lengths[] = {
     {"Millimeters", 1e-3}, {"Miles", 1609.344}, {"Yards", 0.9144},
     {"Feet", 0.3048},      {"Inches", 0.0254}};
 
-/* Metres of the unit of that name after the prefix ("Square"); NAN: no unit. */
+/* Metres of the unit `typed`, which begins with prefix ("Square"); NAN: not a unit. */
 static double find_unit(const char *typed, const char *prefix)
 {
     size_t length = strlen(prefix);
@@ -69,7 +70,8 @@ static enum pp_status read_units(struct gbxml_reader *r)
 
 /* ---- polygons ---- */
 
-/* Reads the outline of an element; it is empty, with a note, if there is none. */
+/* Reads the outline of an element; the outline is empty, with a note, if there is
+ * none. */
 static enum pp_status read_outline(struct gbxml_reader *r,
                                    const struct pp_xml_element *element,
                                    struct pp_gbxml_polygon *polygon)
@@ -88,7 +90,7 @@ static enum pp_status read_outline(struct gbxml_reader *r,
 
 /* ---- light ---- */
 
-/* A construction or window type by its id. */
+/* A construction or window type with its id. */
 struct gbxml_named {
     const char *name, *id;
     const struct pp_xml_element *element;
@@ -101,7 +103,7 @@ static int by_name(const void *a, const void *b)
     return names ? names : strcmp(one->id, other->id);
 }
 
-/* Lists all of them, in order. */
+/* Lists all constructions and window types, sorted. */
 static enum pp_status list_named(struct gbxml_reader *r)
 {
     static const char *const names[] = {"Construction", "WindowType"};
@@ -123,7 +125,7 @@ static enum pp_status list_named(struct gbxml_reader *r)
     return PP_OK;
 }
 
-/* The one of that name and id; NULL: none. */
+/* The element of that name and id; NULL: none. */
 static const struct pp_xml_element *find_by_id(const struct gbxml_reader *r,
                                                const char *name, const char *id)
 {
@@ -135,8 +137,8 @@ static const struct pp_xml_element *find_by_id(const struct gbxml_reader *r,
     return found ? found->element : NULL;
 }
 
-/* The share of that name and type ("IntVisible") in an element: fraction or per cent. NAN:
- * none, or none that is a share. */
+/* Fraction from the child elements of that name and type ("IntVisible"); per cent are
+ * converted. NAN if there is none from 0 to 1. */
 static double read_share(const struct pp_xml_element *element, const char *name,
                          const char *type)
 {
@@ -155,7 +157,7 @@ static double read_share(const struct pp_xml_element *element, const char *name,
     return NAN;
 }
 
-/* The window type of an opening, or the construction in its place; NULL: none. */
+/* Window type of an opening, or its construction instead; NULL: none. */
 static const struct pp_xml_element *find_window_type(
     const struct gbxml_reader *r, const struct pp_xml_element *opening)
 {
@@ -167,7 +169,7 @@ static const struct pp_xml_element *find_window_type(
     return found;
 }
 
-/* Transmittance for an opening of that type; NAN, with a note, if there is none. */
+/* Visible transmittance of the type; NAN, with a note, if there is none. */
 static double take_transmittance(struct gbxml_reader *r,
                                  const struct pp_xml_element *type)
 {
@@ -193,8 +195,8 @@ static bool is_one_of(const char *word, const char *const *words)
     return false;
 }
 
-/* Does light come through an opening of that type? A hinged door counts where its
- * window type says how much. */
+/* True if the opening transmits light. A hinged door does if its window type has a
+ * transmittance. */
 static bool lets_light_in(const char *opening_type, const struct pp_xml_element *type)
 {
     static const char *const glazed[] = {"FixedWindow",
@@ -307,7 +309,7 @@ static enum pp_status add_shell(struct gbxml_reader *r, struct pp_gbxml_space *s
     return status;
 }
 
-/* A size in the file's unit of it; NAN: not given, or none above 0. */
+/* Reads a size in the unit of the file; NAN if it is not given, or not above 0. */
 static double read_space_size(const struct pp_xml_element *element, const char *name,
                               double unit)
 {

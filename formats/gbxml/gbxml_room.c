@@ -1,4 +1,4 @@
-/* gbxml_room.c - faces of one space, and the box that they may make. */
+/* gbxml_room.c - faces of one space, and the test for a box. */
 #include "formats/gbxml/gbxml_room.h"
 
 #include <math.h>
@@ -46,7 +46,7 @@ static const char *wall_name(struct pp_vec3 inward)
     return names[((int)floor(bearing / 45.0 + 0.5) + 8) % 8];
 }
 
-/* Puts -2, -3 ... behind a name that the faces before have already. */
+/* Appends -2, -3 ... to a name that an earlier face already has. */
 static void make_own(struct pp_gbxml_room_face *faces, int index, const char *name)
 {
     int number = 1;
@@ -61,8 +61,8 @@ static void make_own(struct pp_gbxml_room_face *faces, int index, const char *na
     }
 }
 
-/* The surface that a face shows: the one that it is made of, or else the nearest that is
- * parallel within 0.6 m. NULL: none. */
+/* Surface that a face is made of; if it has none, the nearest parallel surface within
+ * 0.6 m. NULL: none. */
 static const struct pp_gbxml_surface *surface_of(
     const struct pp_gbxml_room *room, int index,
     struct pp_gbxml_surface *const *surfaces, int count)
@@ -115,8 +115,8 @@ static enum pp_status name_faces(struct pp_gbxml_room *room,
 
 /* ---- boxes ---- */
 
-/* Turns the room's axes along its longest level edge, by less than an eighth of a circle
- * either way. */
+/* Aligns the room's axes with its longest horizontal edge, by a turn of at most 45
+ * degrees. */
 static void find_axes(struct pp_gbxml_room *room)
 {
     const struct pp_gbxml_shell *shell = &room->shell;
@@ -138,7 +138,8 @@ static void find_axes(struct pp_gbxml_room *room)
         room->rotate_rad = 0.0;
 }
 
-/* Puts the origin at the lower corner; returns the upper one in own axes. */
+/* Puts the origin at the lower corner; returns the upper corner in the room's own
+ * axes. */
 static struct pp_vec3 find_origin(struct pp_gbxml_room *room)
 {
     const struct pp_gbxml_shell *shell = &room->shell;
@@ -157,7 +158,7 @@ static struct pp_vec3 find_origin(struct pp_gbxml_room *room)
     return pp_vec_sub(high, low);
 }
 
-/* True if the face lies in a side of the box of that size. */
+/* True if the face lies in a side of the box with that size. */
 static bool is_in_side(const struct pp_gbxml_room *room, int index, struct pp_vec3 size)
 {
     const struct pp_gbxml_face *face = &room->shell.faces[index];
@@ -178,8 +179,7 @@ static bool is_in_side(const struct pp_gbxml_room *room, int index, struct pp_ve
     return false;
 }
 
-/* True unless a face of the same role or side has another reflectance than the
- * first. */
+/* True if all faces of the same role have the same reflectance. */
 static bool is_of_one_finish(const struct pp_gbxml_room *room)
 {
     for (int i = 0; i < room->shell.face_count; i++)
@@ -210,8 +210,9 @@ static void find_box(struct pp_gbxml_room *room)
     room->depth_m = size.y;
 }
 
-/* Gives a room that is too low for the default working plane one at half its height, and
- * a floor too large for the default grid, of 0.5 m, a coarser one. Notes them. */
+/* Sets the working plane to half the height of a room too low for the default plane,
+ * and widens the grid of a floor too large for the default spacing of 0.5 m. Notes
+ * both. */
 static void fit_plane(struct pp_gbxml_room *room, const struct pp_gbxml_model *model,
                       const struct pp_gbxml_space *space, struct pp_mistakes *notes)
 {
@@ -238,7 +239,7 @@ static void fit_plane(struct pp_gbxml_room *room, const struct pp_gbxml_model *m
 
 /* ---- the room ---- */
 
-/* The surfaces of the space and, as polygons, theirs. */
+/* Lists the surfaces that bound the space, and their outlines as polygons. */
 static enum pp_status list_surfaces(struct pp_gbxml_surface ***surfaces,
                                     struct pp_gbxml_polygon **polygons, int *count,
                                     struct pp_gbxml_model *model,
@@ -259,7 +260,7 @@ static enum pp_status list_surfaces(struct pp_gbxml_surface ***surfaces,
     return PP_OK;
 }
 
-/* Level of the highest corner of the openings in surfaces to the outside. */
+/* Highest corner of the openings in outer surfaces. */
 static double openings_top(struct pp_gbxml_surface *const *surfaces, int count)
 {
     double top = -INFINITY;

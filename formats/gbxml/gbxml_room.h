@@ -1,5 +1,5 @@
-/* gbxml_room.h - a space of a gbXML file as a room: its faces with their roles and names, and
- * its openings in them. Inside formats/gbxml/ only. */
+/* gbxml_room.h - a space of a gbXML file as a room: its faces with roles and names, and
+ * their openings. Inside formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_ROOM_H
 #define PP_FORMATS_GBXML_GBXML_ROOM_H
 
@@ -12,42 +12,41 @@ enum pp_gbxml_role { PP_GBXML_FLOOR, PP_GBXML_WALL, PP_GBXML_CEILING };
 struct pp_gbxml_room_face {
     enum pp_gbxml_role role;
     char name[32];
-    double reflectance; /* NAN: by its role */
-    bool inner;         /* is another space behind it? */
+    double reflectance; /* NAN: the default of its role */
+    bool inner;         /* true if another space lies behind it */
 };
 
 struct pp_gbxml_room_opening {
-    struct pp_gbxml_opening *opening; /* of the model */
-    int face;                         /* one opening may be in several */
+    struct pp_gbxml_opening *opening; /* not owned */
+    int face;                         /* face index; an opening may be in several */
     struct pp_vec3
         *corners; /* in the face's plane, counter-clockwise seen from inside */
     int count;
 };
 
-/* Room in the axes of the building, unless a member says otherwise. */
+/* A room in the axes of the building, unless a member says otherwise. */
 struct pp_gbxml_room {
     struct pp_gbxml_shell shell;
-    bool by_surfaces;                 /* its faces are the surfaces of the space */
-    struct pp_gbxml_room_face *faces; /* of the shell */
+    bool by_surfaces;                 /* the faces are the surfaces of the space */
+    struct pp_gbxml_room_face *faces; /* one per face of the shell */
     struct pp_gbxml_room_opening *openings;
     int opening_count;
     struct pp_vec3 origin; /* its own */
-    double rotate_rad;     /* how far its own axes are turned; 0 but for boxes */
-    bool is_box;           /* width, depth and height then */
+    double rotate_rad;     /* turn of the room's own axes; 0 unless it is a box */
+    bool is_box;           /* a box of width, depth and height */
     double width_m, depth_m, height_m;
-    double plane_m, spacing_m; /* of working plane and grid; NAN: the default ones */
+    double plane_m, spacing_m; /* working plane and grid; NAN: default */
 };
 
-/* Finds the room's envelope (gbxml_envelope.h). Notes the source used; *why as of
- * pp_gbxml_shell_make. The room can be cleared in any case. */
+/* Finds the room's envelope (gbxml_envelope.h) and notes its source; *why as in
+ * pp_gbxml_shell_make. The room can be cleared even after a failure. */
 enum pp_status pp_gbxml_room_begin(struct pp_gbxml_room *room, const char **why,
                                    struct pp_gbxml_model *model,
                                    const struct pp_gbxml_space *space,
                                    struct pp_clipper *clipper,
                                    struct pp_mistakes *notes, struct pp_error *err);
 
-/* Divides its faces where they are not plane, and gives them roles, names and
- * finishes. */
+/* Divides faces that are not plane; sets roles, names and finishes of all faces. */
 enum pp_status pp_gbxml_room_finish(struct pp_gbxml_room *room,
                                     struct pp_gbxml_model *model,
                                     const struct pp_gbxml_space *space,

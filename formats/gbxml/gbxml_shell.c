@@ -1,4 +1,4 @@
-/* gbxml_shell.c - corners by tolerance, edges by the pair of their corners. */
+/* gbxml_shell.c - welds corners by tolerance, pairs edges by their two corners. */
 #include "formats/gbxml/gbxml_shell.h"
 
 #include <math.h>
@@ -33,7 +33,7 @@ struct pp_vec3 pp_gbxml_shell_normal(const struct pp_gbxml_shell *shell, int ind
 
 /* ---- corners ---- */
 
-/* The nearest corner within the tolerance, or a new one. */
+/* Finds the nearest corner within the tolerance, or adds a corner. */
 static enum pp_status find_corner(int *index, struct pp_gbxml_shell *shell,
                                   struct pp_vec3 at, struct pp_error *err)
 {
@@ -57,7 +57,7 @@ static enum pp_status find_corner(int *index, struct pp_gbxml_shell *shell,
     return status;
 }
 
-/* Takes out corners that follow themselves, and spikes: a, b, a. */
+/* Removes repeated corners, and spikes (a, b, a). */
 static void tidy(struct pp_gbxml_face *face)
 {
     for (int i = 0; i < face->count && face->count >= 3;) {
@@ -118,8 +118,8 @@ static double along_edge(const struct pp_gbxml_shell *shell, int a, int b, int c
     return pp_vec_length(pp_vec_sub(to, foot)) < shell->weld_m ? along : NAN;
 }
 
-/* Puts corners that lie within the face's edges into it. A face that this folds up, a
- * sliver, is left without corners. */
+/* Inserts corners that lie on the face's edges. A sliver that collapses has no corners
+ * afterwards. */
 static enum pp_status divide_edges(struct pp_gbxml_shell *shell,
                                    struct pp_gbxml_face *face, struct pp_error *err)
 {
@@ -156,7 +156,8 @@ static enum pp_status divide_edges(struct pp_gbxml_shell *shell,
     return PP_OK;
 }
 
-/* True if it has no corners, or an earlier face has the same, in any order. */
+/* True if the face has no corners, or an earlier face has the same ones in any
+ * order. */
 static bool is_double(const struct pp_gbxml_shell *shell, int index)
 {
     const struct pp_gbxml_face *face = &shell->faces[index];
@@ -193,7 +194,7 @@ static void drop_doubles(struct pp_gbxml_shell *shell)
 struct shell_edge {
     int low, high; /* corners */
     int face;
-    bool forward; /* does the face run from low to high? */
+    bool forward; /* true if the face runs from low to high */
 };
 
 struct shell_edges {
@@ -211,7 +212,7 @@ static int by_corners(const void *a, const void *b)
     return (one->face > other->face) - (one->face < other->face);
 }
 
-/* Lists all edges of all faces, those with the same corners next to each other. */
+/* Lists the edges of all faces, sorted so that equal edges are adjacent. */
 static enum pp_status list_edges(struct shell_edges *edges,
                                  const struct pp_gbxml_shell *shell,
                                  struct pp_error *err)
@@ -234,7 +235,7 @@ static enum pp_status list_edges(struct shell_edges *edges,
     return PP_OK;
 }
 
-/* Number of edges from `at` on with the same corners. */
+/* Number of edges with the same corners, beginning with `at`. */
 static int count_same(const struct shell_edges *edges, int at)
 {
     int count = 1;
@@ -245,8 +246,9 @@ static int count_same(const struct shell_edges *edges, int at)
     return count;
 }
 
-/* A polygon of edges that have one face, beginning with `at`; they are marked by a face of
- * -1. Its count is 0 where they do not run round; its corners are NULL without memory. */
+/* Joins loose edges (edges of only one face) to a loop that begins with `at`, and marks
+ * them by face -1. Count is 0 if they do not form a loop; corners are NULL without
+ * memory. */
 static struct pp_gbxml_face take_loop(struct shell_edges *loose, int at)
 {
     struct pp_gbxml_face loop = {.from = -1};
@@ -290,7 +292,7 @@ static bool is_plane(const struct pp_gbxml_shell *shell, int index)
     return length > 0.0;
 }
 
-/* Closes plane holes. *why as of pp_gbxml_shell_make. */
+/* Closes plane holes. *why as in pp_gbxml_shell_make. */
 static enum pp_status close_holes(struct pp_gbxml_shell *shell, const char **why,
                                   struct shell_edges *edges, struct pp_error *err)
 {
@@ -336,8 +338,9 @@ static void turn_gbxml_face(struct pp_gbxml_face *face)
     }
 }
 
-/* Turns faces so that neighbours run along their edge against each other, from the first one
- * on. *why: they are of more than one piece, or cannot be turned so. */
+/* Orients the faces so that neighbours traverse their common edge in opposite
+ * directions, beginning with the first face. *why: set if there are several pieces, or
+ * no such orientation exists. */
 static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
                                  struct pp_error *err)
 {
@@ -346,7 +349,7 @@ static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
     if (status != PP_OK)
         return status;
     signed char *turned =
-        calloc((size_t)shell->face_count + 1, 1); /* 0: not known yet */
+        calloc((size_t)shell->face_count + 1, 1); /* 0: not yet known */
     bool goes_on = turned != NULL;
     if (turned)
         turned[0] = 1;
@@ -379,8 +382,8 @@ static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
     return status;
 }
 
-/* All faces look inwards: the volume by outward normals is negative, a sixth of the
- * sums. */
+/* Turns all faces inwards. With inward normals the signed volume, a sixth of the sum,
+ * is negative. */
 static void turn_inwards(struct pp_gbxml_shell *shell)
 {
     double volume = 0.0;

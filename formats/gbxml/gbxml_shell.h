@@ -1,15 +1,15 @@
-/* gbxml_shell.h - makes a closed envelope of the polygons about a space: corners within
- * a tolerance are welded, edges are split at corners on them, gaps are closed, and all
- * faces are turned inwards. Inside formats/gbxml/ only. */
+/* gbxml_shell.h - makes a closed envelope of the polygons around a space: corners
+ * within a tolerance are welded, edges are split at corners on them, gaps are closed,
+ * and all faces are turned inwards. Inside formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_SHELL_H
 #define PP_FORMATS_GBXML_GBXML_SHELL_H
 
 #include "formats/gbxml/gbxml_model.h"
 
 struct pp_gbxml_face {
-    int *corners; /* of the shell's list, counter-clockwise seen from inside */
+    int *corners; /* indices, counter-clockwise seen from inside */
     int count;
-    int from; /* which polygon it is; -1: it closes the shell where one lacks */
+    int from; /* index of its polygon; -1: added to close a hole */
 };
 
 struct pp_gbxml_shell {
@@ -17,29 +17,31 @@ struct pp_gbxml_shell {
     int corner_count;
     struct pp_gbxml_face *faces;
     int face_count;
-    int lacking;    /* how many faces were added to close it */
+    int lacking;    /* number of faces added to close it */
     double weld_m;  /* the tolerance */
-    double moved_m; /* farthest that a corner was moved */
+    double moved_m; /* largest move of a corner */
     double
         moved_m3; /* each polygon's area times its corners' mean move along the normal */
-    double volume_m3; /* of the closed shell */
+    double volume_m3; /* enclosed volume */
 };
 
-/* Corners nearer than this are the same: exports round to a millimetre or so. Metres. */
+/* Corners nearer than this (m) are the same: exporters round to about a millimetre. */
 #define PP_GBXML_SAME_M 2e-3
 
-/* Makes a shell of `count` polygons, which are left as they are; weld_m: the tolerance,
- * PP_GBXML_SAME_M or more. *why: NULL, or the reason why none comes of them, as the end
- * of a sentence about the space. The shell can be cleared whatever comes. */
+/* Makes a shell of `count` polygons, which are not changed. weld_m: tolerance,
+ * PP_GBXML_SAME_M or more. *why: NULL, or the reason why the polygons give no shell, as
+ * the end of a sentence about the space. The shell can be cleared even after a
+ * failure. */
 enum pp_status pp_gbxml_shell_make(struct pp_gbxml_shell *shell, const char **why,
                                    const struct pp_gbxml_polygon *polygons, int count,
                                    double weld_m, struct pp_error *err);
 void pp_gbxml_shell_clear(struct pp_gbxml_shell *shell);
 
-/* Area (m2) of the faces that people stand on, seen from above. */
+/* Area (m2) in plan of the faces that form the floor. */
 double pp_gbxml_shell_floor_area(const struct pp_gbxml_shell *shell);
 
-/* Twice the face's area times its unit normal, which looks inwards. */
+/* Area vector of the face: twice its area times its unit normal, which points
+ * inwards. */
 struct pp_vec3 pp_gbxml_shell_normal(const struct pp_gbxml_shell *shell, int face);
 
 #endif

@@ -1,4 +1,4 @@
-/* gbxml_trim.c - pairs of rooms whose extents overlap, face against face. */
+/* gbxml_trim.c - compares the faces of each two rooms whose extents overlap. */
 #include "formats/gbxml/gbxml_trim.h"
 
 #include <math.h>
@@ -8,9 +8,9 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/polygons_cross.h"
 
-/* Overlaps up to trim_m are trimmed; moves of more than noted_m are noted. Faces are
- * against each other from the cosine of their angle; corners within plane_m of a face's
- * plane move with it. */
+/* trim_m: largest overlap that is trimmed. noted_m: larger moves are noted. against:
+ * faces whose normals have a smaller cosine are opposite. plane_m: corners within this
+ * distance of a face's plane move with it. */
 static const double trim_m = 0.02, noted_m = 5e-3, against = -0.9999, plane_m = 1e-3;
 
 static struct pp_bounds3 room_bounds(const struct pp_gbxml_room *room)
@@ -21,7 +21,7 @@ static struct pp_bounds3 room_bounds(const struct pp_gbxml_room *room)
     return bounds;
 }
 
-/* Do the extents share more than `least` in all directions? */
+/* True if the extents overlap by more than `least` along all axes. */
 static bool overlap_extents(const struct pp_bounds3 *a, const struct pp_bounds3 *b,
                             double least)
 {
@@ -68,8 +68,9 @@ static struct pp_bounds2 face_extent(const struct pp_gbxml_shell *shell, int fac
     return extent;
 }
 
-/* Distance that the face `other` stands behind the face `own`, within the other's room; 0 if
- * it is not against it by up to the trim. */
+/* Depth to which the face `other` of the second room reaches into the first room
+ * through its opposite face `own`; 0 if they are not opposite, do not overlap in their
+ * plane, or the depth exceeds trim_m. */
 static double face_overlap(const struct pp_gbxml_shell *shell, int own,
                            const struct pp_gbxml_shell *behind, int other)
 {
@@ -89,7 +90,7 @@ static double face_overlap(const struct pp_gbxml_shell *shell, int own,
     return deep;
 }
 
-/* Moves the face, and all corners in its plane, inwards. */
+/* Moves the face, and all corners in its plane, inwards by `by` metres. */
 static void move_face(struct pp_gbxml_shell *shell, int face, double by)
 {
     struct pp_vec3 normal = trim_normal(shell, face), at = trim_corner(shell, face, 0);
@@ -100,7 +101,7 @@ static void move_face(struct pp_gbxml_shell *shell, int face, double by)
     }
 }
 
-/* Trims the second room at the first; returns the largest move. */
+/* Trims the second room where it overlaps the first; returns the largest move. */
 static double trim_pair(const struct pp_gbxml_shell *first,
                         struct pp_gbxml_shell *second)
 {
@@ -135,7 +136,7 @@ void pp_gbxml_trim_rooms(struct pp_gbxml_room *const *rooms,
 
 /* ---- leaving out ---- */
 
-/* Faces as polygons. */
+/* The faces of a room as polygons. */
 struct room_polygons {
     struct pp_polygon *list;
     int count;
@@ -172,8 +173,8 @@ static enum pp_status make_polygons(struct room_polygons *polygons,
     return status;
 }
 
-/* Is the point within the faces? A line straight up meets one face more that looks down
- * than faces that look up. */
+/* True if the point is inside the faces: a vertical ray then crosses one more face that
+ * points down than faces that point up. */
 static bool is_within(const struct room_polygons *room, struct pp_vec3 at)
 {
     int over = 0;
@@ -196,8 +197,8 @@ static bool is_within(const struct room_polygons *room, struct pp_vec3 at)
     return over > 0;
 }
 
-/* Is a place right inside a face of `a` deep in `b`? The places are the middles of edges
- * and the middle of the corners. */
+/* True if a point just inside a face of `a` is also inside `b`. Tested points: near the
+ * middle of each edge, and the middle of the face. */
 static bool has_place_in(const struct room_polygons *a, const struct room_polygons *b)
 {
     for (int i = 0; i < a->count; i++) {
@@ -230,7 +231,7 @@ static enum pp_status do_overlap(bool *overlap, const struct room_polygons *a,
     return status;
 }
 
-/* Index of the room to leave out next; -1: none overlap. */
+/* Index of the next room to leave out; -1: no rooms overlap. */
 static int worst_room(const bool *overlaps, const struct pp_bounds3 *bounds, int count)
 {
     int worst = -1, most = 0;

@@ -1,4 +1,4 @@
-/* gbxml_write.c - elements, a line each, with the line of each noted. */
+/* gbxml_write.c - writes one element per line and records the line of each item. */
 #include "formats/gbxml/gbxml_write.h"
 
 #include <ctype.h>
@@ -28,8 +28,9 @@ static void end_line(struct pp_gbxml_writing *w)
     w->line++;
 }
 
-/* Writes an attribute with words of the file; XML's special characters are escaped,
- * characters that do not belong in a line of text are left out. */
+/* Writes an attribute from text of the gbXML file. XML's special characters are
+ * escaped, white space and control characters are reduced to single spaces, and text is
+ * cut off at 100 characters. */
 static void put_words(struct pp_gbxml_writing *w, const char *name, const char *words)
 {
     put_gbxml(w, " %s=\"", name);
@@ -48,14 +49,14 @@ static void put_words(struct pp_gbxml_writing *w, const char *name, const char *
             put_gbxml(w, "&quot;");
         else
             fputc(c, w->out);
-        /* never in the middle of a letter */
+        /* Never cuts a UTF-8 sequence. */
         while (((unsigned char)words[i + 1] & 0xc0) == 0x80)
             fputc(words[++i], w->out);
     }
     put_gbxml(w, "\"");
 }
 
-/* A length to a hundredth of a millimetre, without zeros behind. */
+/* A length to 0.01 mm, without trailing zeros. */
 static void put_length(struct pp_gbxml_writing *w, const char *name, double value_m)
 {
     char text[40];
@@ -103,15 +104,15 @@ static void put_glazing(struct pp_gbxml_writing *w,
         put_words(w, "name", opening->name);
 }
 
-/* Extent in a wall of a box, left to right as seen from outside, and up. */
+/* Extent in a wall of a box, seen from outside: left to right and upwards. */
 struct wall_extent {
-    int wall; /* of south, east, north, west */
+    int wall; /* index into south, east, north, west */
     double left, right, low, high, area;
 };
 
 static const char *const walls[] = {"south", "east", "north", "west"};
 
-/* Index of the box wall that the face is in; -1: none. */
+/* Index of the box wall that contains the face; -1: none. */
 static int wall_of(const struct pp_gbxml_room *room, int face)
 {
     struct pp_vec3 normal = pp_gbxml_shell_normal(&room->shell, face);
@@ -234,7 +235,7 @@ static void write_envelope(struct pp_gbxml_writing *w, const struct pp_gbxml_roo
     end_line(w);
 }
 
-/* The working plane and the grid, where they are not the default ones. */
+/* Writes working plane and grid, unless they have their default values. */
 static void write_plane(struct pp_gbxml_writing *w, const struct pp_gbxml_room *room)
 {
     if (isfinite(room->plane_m)) {
@@ -249,7 +250,7 @@ static void write_plane(struct pp_gbxml_writing *w, const struct pp_gbxml_room *
     }
 }
 
-/* Walls that have another space behind them all over. */
+/* Writes the walls that have another space behind their whole area. */
 static void write_inner_walls(struct pp_gbxml_writing *w,
                               const struct pp_gbxml_room *room)
 {
@@ -271,8 +272,8 @@ static void write_inner_walls(struct pp_gbxml_writing *w,
         }
 }
 
-/* Use of a space, found by words in gbXML's names of space types; NULL: no use that the
- * criteria define. */
+/* Use of a space, found by keywords in gbXML's space types; NULL if the criteria define
+ * no such use. */
 static const char *use_of(const char *type)
 {
     static const char *const uses[][2] = {{"Bedroom", "bedroom"},
@@ -352,7 +353,7 @@ static enum pp_status write_surface(struct pp_gbxml_writing *w,
     return note_item(w, item, err);
 }
 
-/* True if a room lies behind the surface. */
+/* True if the surface bounds a space that has become a room. */
 static bool has_room(const struct pp_gbxml_model *model,
                      struct pp_gbxml_room *const *rooms,
                      const struct pp_gbxml_surface *surface)
@@ -363,7 +364,7 @@ static bool has_room(const struct pp_gbxml_model *model,
     return false;
 }
 
-/* True if it is visible from outside and belongs to no room. */
+/* True if the surface is exposed to the outside and belongs to no room. */
 static bool stands_outside(const struct pp_gbxml_model *model,
                            struct pp_gbxml_room *const *rooms,
                            const struct pp_gbxml_surface *surface)

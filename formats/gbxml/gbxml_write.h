@@ -7,23 +7,25 @@
 
 #include "formats/gbxml/gbxml_room.h"
 
-/* Source of a range of lines in the written file; setting its `left_out` removes it. */
+/* Origin of a range of lines in the written file; setting `left_out` of the item
+ * removes it. */
 struct pp_gbxml_written {
     int first, last; /* lines */
-    int from;        /* the line of the gbXML file */
+    int from;        /* line in the gbXML file */
     const char *what, *id;
     bool *left_out;
 };
 
 struct pp_gbxml_writing {
     FILE *out;
-    int line; /* that is written next, from 1 */
+    int line; /* number of the next line, from 1 */
     struct pp_gbxml_written *items;
     int item_count;
 };
 
-/* Writes the building: a room for each that is not NULL (one a space), surfaces for the shades,
- * and for the outside of spaces without a room. Fails when memory is out. */
+/* Writes the building: each room that is not NULL (one per space), then surfaces for
+ * the shades and for the outer surfaces of spaces without a room. Fails only without
+ * memory. */
 enum pp_status pp_gbxml_write(struct pp_gbxml_writing *writing,
                               struct pp_gbxml_model *model,
                               struct pp_gbxml_room *const *rooms, struct pp_error *err);

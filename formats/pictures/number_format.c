@@ -1,4 +1,4 @@
-/* number_format.c - the formats that keep a picture's numbers, and their list. */
+/* number_format.c - the list of formats that store a picture's numbers. */
 #include "formats/pictures/number_format.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ const struct pp_number_format pp_number_format_hdr = {
     .write = pp_picture_hdr_write,
 };
 
-/* Copy in which NaN is black, as other programs expect. */
+/* A copy with black instead of NaN, as other programs expect. */
 static enum pp_status without_gaps(struct pp_picture *copy,
                                    const struct pp_picture *picture,
                                    struct pp_error *err)

@@ -1,8 +1,8 @@
-/* number_format.h - the formats that keep a picture's numbers, in one list.
+/* number_format.h - the list of formats that store a picture's numbers.
  *
- * Formats that show a picture (PNG, PDF, SVG) belong to charts/ instead. A new format
- * is a file model/pictures/picture_NAME.c that writes it, and an entry and a line in
- * number_format.c.
+ * Formats that only show a picture (PNG, PDF, SVG) belong to charts/ instead. A new
+ * format needs a file model/pictures/picture_NAME.c that writes it, and an entry and a
+ * line in number_format.c.
  */
 #ifndef PP_FORMATS_PICTURES_NUMBER_FORMAT_H
 #define PP_FORMATS_PICTURES_NUMBER_FORMAT_H
@@ -14,21 +14,20 @@
 #include "model/pictures/picture.h"
 
 struct pp_number_format {
-    const char *ending;       /* of its files, without the point: "hdr" */
-    const char *other_ending; /* that its files may have too; NULL: none */
+    const char *ending;       /* file name ending without the point: "hdr" */
+    const char *other_ending; /* alternative ending; NULL: none */
     const char *summary;      /* one line, without a full stop */
 
-    /* Writes the picture; a format that has no place for a note leaves it out (notes
-     * NULL: there are none). PP_SYSTEM where the stream has failed. */
+    /* Writes the picture. Formats without a place for notes ignore them (notes NULL: no
+     * notes). PP_SYSTEM if the stream has failed. */
     enum pp_status (*write)(FILE *out, const struct pp_picture *picture,
                             const struct pp_hdr_notes *notes, struct pp_error *err);
 };
 
-/* Number formats in list order; NULL for the index just past the end, the largest
- * allowed. */
+/* Number formats in list order; NULL for the first index past the end. */
 const struct pp_number_format *pp_number_format_at(int index);
 
-/* The format of that ending, in either case ("hdr", "PIC"), or NULL. */
+/* The format with that ending, in either case ("hdr", "PIC"); NULL if none. */
 const struct pp_number_format *pp_number_format_find(const char *ending);
 
 extern const struct pp_number_format pp_number_format_hdr;

@@ -1,5 +1,5 @@
-/* rad_functions.c - see rad_functions.h: the text of pepperpot.cal, and reading the
- * primitives that use its functions. */
+/* rad_functions.c - the text of pepperpot.cal, and the reader of primitives that use
+ * its functions. */
 #include "formats/radiance/rad_functions.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "formats/radiance/read/rad_sky.h"
 #include "model/light/graded_sky.h"
 
-/* The overcast sky's gradation as text. */
+/* Turns the numbers of the overcast sky's gradation into text. */
 #define TEXT(number) #number
 #define TEXT_OF(macro) TEXT(macro)
 #define OVERCAST TEXT_OF(PP_GRADED_SKY_OVERCAST)
@@ -73,7 +73,7 @@ const char *pp_rad_functions_cal_text(void)
     return cal;
 }
 
-/* ---- two sides ---- */
+/* ---- materials with two sides ---- */
 
 static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
                                         const struct pp_rad_primitive *primitive,
@@ -90,7 +90,8 @@ static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
                                  "there is a mixfunc of \"%.*s\"; expected a material",
                                  shown, word.text);
     *material = which == 1 && meaning.back >= 0 ? meaning.back : meaning.index;
-    /* A lamp in a mixfunc is none to Radiance, and a back that glows is dark. */
+    /* Radiance does not sample a concentrated source in a mixfunc, and treats a glowing
+     * back as dark. */
     enum pp_emitter_kind emits = reader->scene->materials[*material].emits;
     if (emits == PP_EMITS_CONCENTRATED || (which == 1 && emits != PP_EMITS_NOTHING))
         return pp_rad_words_fail(
@@ -101,7 +102,7 @@ static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
-/* Is it the expression of a mixfunc of two sides? Blanks in it do not count. */
+/* True if the expression is that of a two-sided mixfunc, apart from blanks. */
 static bool is_sides(struct pp_rad_word word)
 {
     const char *expected = PP_RAD_SIDES;

@@ -1,14 +1,14 @@
-/* rad_functions.h - "pepperpot.cal": functions, evaluated by Radiance, for skies and
- * glazings of a room without a Radiance material or pattern.
+/* rad_functions.h - "pepperpot.cal": functions evaluated by Radiance, for the skies and
+ * glazings that no Radiance material or pattern can describe.
  *
- *     pp_sky       skies without gensky's fade into the ground at the horizon, and
- *                  skylines so far away that they are the same from every point
+ *     pp_sky       skies that gensky cannot generate; they fade into the ground at the
+ *                  horizon, and may have skylines too distant for parallax
  *     pp_through,  clear glazings of any number of panes, with their frame and dirt:
  *     pp_mirrored  transmittance and reflectance by angle, as in glass.h
  *
  * Materials that differ by side are a mixfunc by "if(Rdot,1,0)". The writer
- * (rad_write.h) uses these; the reader recognises their names and uses its own
- * formulae.
+ * (rad_write.h) uses these functions; the reader recognises their names and uses its
+ * own formulae.
  */
 #ifndef PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H
 #define PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H
@@ -21,8 +21,8 @@
 /* The text of "pepperpot.cal". */
 const char *pp_rad_functions_cal_text(void);
 
-/* Reads a primitive that uses these functions, as pepperpot writes it; *taken is false
- * if it is another type or function. Inside the reader only (rad_reader.h). */
+/* Reads a primitive written by pepperpot that uses these functions; *taken is false if
+ * it has another type or function. Inside the reader only (rad_reader.h). */
 struct pp_rad_reader;
 struct pp_rad_primitive;
 struct pp_rad_context;
@@ -31,9 +31,9 @@ enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
                                      const struct pp_rad_context *context, bool *taken,
                                      struct pp_error *err);
 
-/* The numbers behind pp_sky: horizontal irradiance, type (0 uniform, 1 to 15 of ISO
- * 15469, 16 overcast), its normalisation and parameters a to e, direction to the sun;
- * then four a skyline: x and y of its direction, slope, radiance. */
+/* Arguments of pp_sky: horizontal irradiance, type (0 uniform, 1 to 15 of ISO 15469, 16
+ * overcast, 17 by parameters), its normalisation and parameters a to e, direction to
+ * the sun. Each skyline adds four: x and y of its direction, slope, radiance. */
 enum {
     PP_RAD_SKY_NUMBERS = 11,
     PP_RAD_SKYLINE_NUMBERS = 4,
@@ -41,7 +41,7 @@ enum {
     PP_RAD_PEREZ = 17
 };
 
-/* ... and behind a glazing's: diffuse reflectance of the front and the back, diffuse
+/* Arguments of a glazing: diffuse reflectance of the front and of the back and diffuse
  * transmittance (0), three channels each; panes, n, KL, scale, clear share, dirt. */
 enum { PP_RAD_PANE_NUMBERS = 15 };
 

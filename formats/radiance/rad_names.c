@@ -1,5 +1,4 @@
-/* rad_names.c - see rad_names.h. Open addressing with linear probing, half full at
- * most. */
+/* rad_names.c - open addressing with linear probing; the table is at most half full. */
 #include "formats/radiance/rad_names.h"
 
 #include <stdint.h>
@@ -21,7 +20,7 @@ static size_t hash_of(const char *text, size_t length)
     return (size_t)(hash ^ hash >> 32);
 }
 
-/* Slot that holds the name, or the free slot for it. */
+/* The slot that holds the name, or the free slot for it. */
 static struct pp_rad_name *rad_name_slot(const struct pp_rad_names *names,
                                          const char *text, size_t length)
 {

@@ -1,8 +1,8 @@
 /* rad_names.h - the names in a Radiance scene, each with its material or pattern.
  *
- * A later definition of a name takes the place of an earlier one from there on. A name
- * may be any bytes. It is a hash table: to define or to find a name takes the same time
- * however many there are.
+ * A later definition of a name replaces an earlier one for the rest of the scene. A
+ * name may contain any bytes. Names are kept in a hash table, so that defining and
+ * finding one takes constant time.
  */
 #ifndef PP_FORMATS_RADIANCE_RAD_NAMES_H
 #define PP_FORMATS_RADIANCE_RAD_NAMES_H
@@ -16,21 +16,21 @@ enum pp_rad_kind { PP_RAD_VOID, PP_RAD_MATERIAL, PP_RAD_PATTERN };
 
 struct pp_rad_meaning {
     enum pp_rad_kind kind;
-    int index; /* of the description's materials or patterns */
-    int back;  /* the material of a surface's other side; -1: the same one */
+    int index; /* index into the scene's materials or patterns */
+    int back;  /* material of the back; -1: same as the front */
 };
 
 struct pp_rad_names {
-    struct pp_rad_name *list; /* open addressing, a power of two */
+    struct pp_rad_name *list; /* length is a power of two */
     size_t count, room;
 };
 
-/* Gives the name this meaning from now on; fails only when memory is out. */
+/* Defines the name from here on; fails only without memory. */
 enum pp_status pp_rad_names_define(struct pp_rad_names *names, const char *text,
                                    size_t length, struct pp_rad_meaning meaning,
                                    struct pp_error *err);
 
-/* False: there is no such name. "void" is always there. */
+/* Finds a name; false if it is not defined. "void" is always defined. */
 bool pp_rad_names_find(const struct pp_rad_names *names, const char *text,
                        size_t length, struct pp_rad_meaning *meaning);
 

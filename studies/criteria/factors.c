@@ -144,7 +144,7 @@ enum pp_status pp_factors_grid_error(struct pp_grid_error *error,
     return pp_grid_error(error, inquiry->grid, column->points, part, target, err);
 }
 
-/* Of two probabilities of one event the one nearer to 1/2. */
+/* Returns the probability nearer to 1/2, of two estimates for one event. */
 static double less_certain(double a, double b)
 {
     return fabs(a - 0.5) < fabs(b - 0.5) ? a : b;

@@ -27,7 +27,7 @@ struct mesh_triangle {
     struct pp_vec3 normal;
     bool is_upright;
     int part; /* parent in the tree of its part; a root is its own parent */
-    /* Of a root: size and other properties of its part. */
+    /* Valid for roots only: size and other properties of the part. */
     int size;
     bool is_plane;
     double low_m, high_m;

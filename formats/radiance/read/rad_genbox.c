@@ -1,8 +1,8 @@
-/* rad_genbox.c - see rad_genbox.h.
+/* rad_genbox.c - builds the box of polygons, cylinders and spheres.
  *
- * Edges are cut off by -b and rounded by -r. Rounded ones are cylinders and spheres;
- * with -n, and in boxes that look inwards, as many flat segments a quarter turn as the
- * power of two from N up. A bevel is a rounding of one segment.
+ * Option -b bevels edges, -r rounds them. Rounded edges are cylinders and spheres. With
+ * -n, and in boxes that face inwards, they are flat segments instead: N per quarter
+ * turn, rounded up to a power of two. A bevel is a rounding of one segment.
  */
 #include "formats/radiance/read/rad_genbox.h"
 
@@ -15,16 +15,16 @@ enum { SEGMENTS_MOST = 256, SEGMENTS_INWARDS = 32 };
 
 struct genbox_box {
     struct pp_rad_reader *reader;
-    const struct pp_rad_pipe *pipe; /* where the command stands */
+    const struct pp_rad_pipe *pipe; /* pipeline that contains the command */
     const struct pp_rad_context *context;
     struct pp_rad_meaning material;
     double size[3];
-    double inset; /* of the edges: 0 where they are sharp */
+    double inset; /* bevel width or rounding radius; 0: sharp edges */
     bool inwards;
-    int segments; /* a quarter turn; 0: round */
+    int segments; /* per quarter turn; 0: round */
 };
 
-/* ---- the words ---- */
+/* ---- arguments ---- */
 
 static bool read_size(const char *word, double *size)
 {
@@ -89,10 +89,10 @@ static enum pp_status read_box(struct genbox_box *box, char *const *words, int c
     return read_options(box, words, count, err);
 }
 
-/* ---- its parts ---- */
+/* ---- parts of the box ---- */
 
-/* A corner of the inner box, which is smaller by the inset all round; bit i of `corner`
- * says at which end of axis i. */
+/* Corner of the inner box, which is smaller by `inset` on all sides. Bit i of `corner`
+ * selects the end of axis i. */
 static struct pp_vec3 inner_corner(const struct genbox_box *box, int corner)
 {
     double at[3];
@@ -101,7 +101,7 @@ static struct pp_vec3 inner_corner(const struct genbox_box *box, int corner)
     return pp_vec(at[0], at[1], at[2]);
 }
 
-/* The direction from the corner outwards along an axis. */
+/* Unit vector from the corner outwards along an axis. */
 static struct pp_vec3 outward(int corner, int axis)
 {
     double sign = corner >> axis & 1 ? 1.0 : -1.0;
@@ -109,8 +109,8 @@ static struct pp_vec3 outward(int corner, int axis)
                   axis == 2 ? sign : 0.0);
 }
 
-/* Adds a flat part whose front faces `out`, or away from it in a box that faces
- * inwards; may reverse its corners. */
+/* Adds a polygon whose front faces `out`, or the opposite direction in a box that faces
+ * inwards; may reverse the corners. */
 static enum pp_status add_flat(const struct genbox_box *box, struct pp_vec3 *corners,
                                int count, struct pp_vec3 out, struct pp_error *err)
 {
@@ -126,7 +126,7 @@ static enum pp_status add_flat(const struct genbox_box *box, struct pp_vec3 *cor
                                      box->material, corners, count, box->context, err);
 }
 
-/* The sides, two an axis. */
+/* Adds the six sides. */
 static enum pp_status add_sides(const struct genbox_box *box, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -142,7 +142,7 @@ static enum pp_status add_sides(const struct genbox_box *box, struct pp_error *e
     return status;
 }
 
-/* The direction after `step` of the segments of a quarter turn from a to b. */
+/* Direction after `step` of `segments` equal steps of a quarter turn from a to b. */
 static struct pp_vec3 turned(struct pp_vec3 a, struct pp_vec3 b, int step, int segments)
 {
     if (step == 0)
@@ -153,7 +153,7 @@ static struct pp_vec3 turned(struct pp_vec3 a, struct pp_vec3 b, int step, int s
     return pp_vec_along(pp_vec_scale(a, cos(angle)), sin(angle), b);
 }
 
-/* The edge from a corner along an axis. */
+/* Adds the edge that starts at a corner and runs along an axis. */
 static enum pp_status add_genbox_edge(const struct genbox_box *box, int corner,
                                       int axis, struct pp_error *err)
 {
@@ -183,9 +183,9 @@ static enum pp_status add_genbox_edge(const struct genbox_box *box, int corner,
     return status;
 }
 
-/* The spherical triangle between three directions from `middle`, as flat triangles: it
- * is cut into four at the middles of its sides, and these again, until `segments` is
- * 1. */
+/* Adds the spherical triangle between three directions from `middle` as flat triangles.
+ * It is divided into four at the midpoints of its sides, recursively, until `segments`
+ * is 1. */
 static enum pp_status add_genbox_triangle(const struct genbox_box *box,
                                           struct pp_vec3 middle,
                                           const struct pp_vec3 d[3], int segments,
@@ -197,7 +197,7 @@ static enum pp_status add_genbox_triangle(const struct genbox_box *box,
             corners[i] = pp_vec_along(middle, box->inset, d[i]);
         return add_flat(box, corners, 3, pp_vec_add(pp_vec_add(d[0], d[1]), d[2]), err);
     }
-    struct pp_vec3 half[3]; /* of the side before each */
+    struct pp_vec3 half[3]; /* midpoint of the side before d[i] */
     for (int i = 0; i < 3; i++)
         half[i] = pp_vec_unit(pp_vec_add(d[(i + 2) % 3], d[i]));
     enum pp_status status = add_genbox_triangle(box, middle, half, segments / 2, err);

@@ -1,5 +1,5 @@
-/* rad_genbox.h - the box that a command "genbox" makes, its edges sharp, bevelled or
- * round. Inside formats/radiance/ only. */
+/* rad_genbox.h - the box of a "genbox" command, with sharp, bevelled or rounded edges.
+ * Inside formats/radiance/ only. */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_GENBOX_H
 #define PP_FORMATS_RADIANCE_READ_RAD_GENBOX_H
 

@@ -1,12 +1,12 @@
 /* rad_gensky.c - Radiance's sky generator, by its formulae [WS98].
  *
- * The sun stands where solar declination delta and solar time t put it:
+ * Position of the sun, for latitude phi, solar declination delta and solar time t:
  *
  *     sin altitude = sin phi sin delta - cos phi cos delta cos(15 deg t)
  *
- * delta = 0.4093 sin(2 pi (J - 81)/365) and the equation of time by day J of the year,
- * or, with -y, after Michalsky [MIC88]. The brightness of the zenith and of the
- * ground follows from that, from -b or from -B.
+ * delta = 0.4093 sin(2 pi (J - 81)/365) and the equation of time depend on the day J of
+ * the year; with -y they follow Michalsky [MIC88]. Zenith and ground brightness follow
+ * from the sun's altitude, or from -b or -B.
  */
 #include "formats/radiance/read/rad_gensky.h"
 
@@ -17,13 +17,13 @@
 
 #include "model/base/text.h"
 
-/* Luminous efficacy of skylight and sunlight (lm/W): the formulae's cd/m2 are divided
- * by it. */
+/* Luminous efficacy of skylight and sunlight (lm/W), to convert the formulae's cd/m2 to
+ * radiance. */
 static const double sky_efficacy = 203.0, sun_efficacy = 208.0;
 
 struct gensky_options {
     int type; /* enum pp_gensky_kind */
-    bool sun; /* is it to be shown? */
+    bool sun; /* true if the sun is part of the scene */
     bool by_angle, solar_time, has_meridian;
     int month, day, year;
     double hour;
@@ -34,7 +34,7 @@ struct gensky_options {
     double solar, solar_horizontal;   /* -r, -R */
 };
 
-/* ---- reading the words ---- */
+/* ---- options ---- */
 
 static bool complain(char *wrong, size_t room, const char *what, const char *word)
 {
@@ -42,7 +42,8 @@ static bool complain(char *wrong, size_t room, const char *what, const char *wor
     return false;
 }
 
-/* "9", "9.5", "9:30", with "+" before for solar time, and a zone behind. */
+/* Reads "9", "9.5" or "9:30"; a "+" before it means solar time, a zone may follow
+ * it. */
 static bool read_hour(struct gensky_options *asked, const char *word)
 {
     static const struct {
@@ -108,13 +109,13 @@ static bool read_place(struct gensky_options *asked, char *const *words, int cou
     return true;
 }
 
-/* An option with a number behind it. */
+/* Sets an option that has one number. */
 static bool set_number(struct gensky_options *asked, char letter, double number)
 {
     switch (letter) {
     case 'y':
         if (!(number >= 1950.0 && number <= 2050.0))
-            return false; /* before it becomes whole */
+            return false; /* tested before the conversion to int */
         asked->year = (int)number;
         return number == asked->year;
     case 'r':
@@ -196,7 +197,8 @@ static double round_the_circle(double x, double period)
     return x - period * floor(x / period);
 }
 
-/* Declination by the almanac's low-precision formula, and solar time from standard. */
+/* Declination by the low-precision formula of the almanac [MIC88]; *solar_time follows
+ * from standard time. */
 static double declination_of_year(const struct gensky_options *asked,
                                   double *solar_time)
 {
@@ -206,7 +208,7 @@ static double declination_of_year(const struct gensky_options *asked,
                   + (year - 1949) / 4;
     double hours = asked->hour + asked->meridian * 12.0 / PP_PI;
     double n =
-        days + hours / 24.0 + (2432916.5 - 2451545.0); /* from noon, 2000-01-01 */
+        days + hours / 24.0 + (2432916.5 - 2451545.0); /* days from noon, 2000-01-01 */
     double mean = round_the_circle((280.460 + 0.9856474 * n) * PP_RAD, 2.0 * PP_PI);
     double g = round_the_circle((357.528 + 0.9856003 * n) * PP_RAD, 2.0 * PP_PI);
     double l = mean + 1.915 * PP_RAD * sin(g) + 0.020 * PP_RAD * sin(2.0 * g);
@@ -240,9 +242,9 @@ static void place_sun(struct gensky_options *asked)
                             -c * sin(declination) - s * cos(declination) * cos(turn));
 }
 
-/* ---- the brightness ---- */
+/* ---- brightness ---- */
 
-/* Rounds to four digits, as gensky prints them. */
+/* Rounds to four significant digits, as gensky prints them. */
 static double printed(double value)
 {
     char text[40];
@@ -257,8 +259,8 @@ static double printed_part(double value)
     return pp_text_parse_number(text, &value) ? value : 0.0;
 }
 
-/* Horizontal illuminance over zenith luminance times the luminance at the zenith
- * relative to the formula's own scale: gensky's polynomials in the sun's altitude. */
+/* Horizontal illuminance over zenith luminance, in the formulae's own units: gensky's
+ * polynomials in the sun's altitude. */
 static double horizontal_over_zenith(int type, double altitude)
 {
     static const double clear[] = {2.766521, 0.547665, -0.369832, 0.009237, 0.059229};
@@ -270,7 +272,8 @@ static double horizontal_over_zenith(int type, double altitude)
     return sum;
 }
 
-/* Value of the type's formula at the zenith, which divides the sky. */
+/* Value of the sky's gradation formula at the zenith, by which the sky is
+ * normalised. */
 static double zenith_scale(int type, double altitude)
 {
     double away = PP_PI / 2.0 - altitude, s = sin(altitude);

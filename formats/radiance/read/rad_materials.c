@@ -59,15 +59,16 @@ static struct pp_material light(const double *n, int count)
     return pp_material_light(rgb_at(n));
 }
 
-/* A glow of a radius below 0 is shown to the eye and lights nothing. */
+/* A glow with a negative radius is visible in Radiance but illuminates nothing; here it
+ * is black. */
 static struct pp_material glow(const double *n, int count)
 {
     (void)count;
     return pp_material_glow(n[3] < 0.0 ? pp_rgb_grey(0.0) : rgb_at(n));
 }
 
-/* A lamp to the surfaces that it lights; take_other reads the material that the eye
- * sees. */
+/* An illum lights surfaces; take_other adds the material that is visible instead of
+ * it. */
 static struct pp_material illum(const double *n, int count)
 {
     (void)count;
@@ -84,7 +85,7 @@ static struct pp_material mirror(const double *n, int count)
     return pp_material_mirror(rgb_at(n));
 }
 
-/* Types, and how their numbers become a material. */
+/* Material types, and the functions that convert their numbers. */
 static const struct {
     const char *name;
     int least, most; /* numbers */
@@ -99,7 +100,7 @@ static const struct {
     {"mirror", 3, 3, false, mirror},
 };
 
-/* "ux uy uz .": the direction of the first roughness, by constants. */
+/* Reads "ux uy uz .", the direction of the first roughness; it must be constant. */
 static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
                                  const struct pp_rad_context *context,
                                  struct pp_vec3 *grain, struct pp_error *err)
@@ -120,7 +121,8 @@ static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
         "constants and a dot, such as \"4 1 0 0 .\"");
 }
 
-/* The material of an illum to the eye, by its string; nothing where it has none. */
+/* Reads the alternate material of an illum, if it has one, and the material of its
+ * back. */
 static enum pp_status take_other(const struct pp_rad_reader *reader,
                                  const struct pp_rad_primitive *primitive,
                                  struct pp_material *illum, int *back,
@@ -152,7 +154,7 @@ static enum pp_status take_other(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
-/* A mirror's back is black. */
+/* Adds the black material of a mirror's back. */
 static enum pp_status add_black(struct pp_rad_reader *reader, int *index,
                                 struct pp_error *err)
 {

@@ -10,7 +10,7 @@ enum pp_status pp_rad_pipe_fail(const struct pp_rad_pipe *pipe, struct pp_error 
     return pp_rad_words_fail(pipe->words, pipe->line, err, "%s%.60s", what, word);
 }
 
-/* A pipe, or the end of the line, ends the command of the words from `begin` on. */
+/* Ends the command that consists of the words from index `begin` on. */
 static enum pp_status end_command(struct pp_rad_pipe *pipe, int begin, int count,
                                   struct pp_error *err)
 {
@@ -37,7 +37,7 @@ enum pp_status pp_rad_pipe_split(struct pp_rad_pipe *pipe, char *text,
             if (ended || status != PP_OK)
                 return status;
             begin = count;
-            *at++ = '\0'; /* of the word right before it too */
+            *at++ = '\0'; /* also ends the word before it */
             continue;
         }
         if (count == PP_RAD_PIPE_WORDS_MOST)
@@ -52,7 +52,7 @@ enum pp_status pp_rad_pipe_split(struct pp_rad_pipe *pipe, char *text,
                 pipe, err, "a quotation mark is not closed: ", pipe->list[count - 1]);
         if (quote)
             *at++ = '\0';
-        if (!strchr(" |", *at)) /* strchr finds the end of the text too */
+        if (!strchr(" |", *at)) /* strchr also matches the final NUL */
             return pp_rad_pipe_fail(
                 pipe, err,
                 "expected words separated by blanks, or in quotation marks; not ", at);

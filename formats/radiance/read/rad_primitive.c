@@ -9,12 +9,12 @@
 #include "formats/radiance/read/rad_sky.h"
 #include "model/base/array.h"
 
-/* Most strings, or numbers, of one primitive: those of a polygon of 100,000 corners.
- * Its triangulation takes half a minute, and the time grows with the square of the
+/* Limit on the strings, or numbers, of one primitive: enough for a polygon of 100,000
+ * corners. Its triangulation takes half a minute; the time grows with the square of the
  * corners. */
 enum { ARGUMENTS_MOST = 300000 };
 
-/* Reads the number of strings, whole numbers or numbers that follow. */
+/* Reads the number of strings, integers or numbers that follow. */
 static enum pp_status read_count(struct pp_rad_words *words, const char *what,
                                  int *count, struct pp_error *err)
 {
@@ -108,7 +108,7 @@ static enum pp_status say_unknown(const struct pp_rad_words *words,
                              pp_rad_words_shown(word), word.text);
 }
 
-/* "modifier alias new old": another name, with another modifier. */
+/* Reads "modifier alias new old": a second name, with its own modifier. */
 static enum pp_status take_alias(struct pp_rad_reader *reader,
                                  struct pp_rad_primitive *primitive,
                                  struct pp_rad_word modifier, struct pp_error *err)
@@ -147,7 +147,7 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
                                primitive->name.length, meaning, err);
 }
 
-/* A primitive by the first reader that knows its type. */
+/* Offers the primitive to each reader until one knows its type. */
 static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
                                          struct pp_rad_primitive *primitive,
                                          const struct pp_rad_context *context,

@@ -5,9 +5,9 @@
 
 #include "formats/radiance/read/rad_reader.h"
 
-/* Reads the next primitive, "modifier type name" with its strings and numbers or with
- * the name that it is an alias of, and adds its shape, material or pattern to the
- * scene; *ended at the end of the file. */
+/* Reads the next primitive: "modifier type name" with its strings and numbers, or an
+ * alias. Adds the shape, material or pattern to the scene. *ended is true at the end of
+ * the file. */
 enum pp_status pp_rad_primitive_read(struct pp_rad_reader *reader,
                                      struct pp_rad_words *words,
                                      const struct pp_rad_context *context, bool *ended,

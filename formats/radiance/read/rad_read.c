@@ -1,9 +1,9 @@
-/* rad_read.c - see rad_read.h: files, their primitives, and their lines that begin with
- * "!", whose commands are evaluated here and never executed.
+/* rad_read.c - reads files, their primitives, and lines that begin with "!". The
+ * commands in these lines are evaluated here and never executed.
  *
- * In a pipe of commands the last one is evaluated. An xform without a file evaluates
- * the command before it, once for each of its copies, with the copy's transform in the
- * context. An xform with files reads them in the same way.
+ * In a pipe, evaluation begins with the last command. An xform without a file evaluates
+ * the command before it, once for each of its copies, with the transform of the copy in
+ * the context. An xform with files reads the files in the same way.
  */
 #include "formats/radiance/read/rad_read.h"
 
@@ -36,7 +36,8 @@ static enum pp_status run_command(struct pp_rad_reader *reader,
 
 /* ---- commands ---- */
 
-/* Reads one copy of an xform's files; their texts are read for the first copy only. */
+/* Reads the files of an xform for one copy; their text is loaded for the first copy
+ * only. */
 static enum pp_status read_files(struct pp_rad_reader *reader,
                                  const struct pp_rad_pipe *pipe,
                                  const struct pp_rad_xform *xform,
@@ -69,7 +70,7 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
     return status;
 }
 
-/* Context of one copy, within that of the command. */
+/* Context of one copy, nested in the context of its command. */
 static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long copy,
                                         long copies,
                                         const struct pp_rad_context *context)
@@ -86,8 +87,8 @@ static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long c
     return next;
 }
 
-/* The xform of that command, read when it is first run: before another xform it is run
- * for each of that one's copies. */
+/* Returns the parsed xform of a command. It is parsed once, since an xform before
+ * another one runs for each copy of the second. */
 static enum pp_status find_xform(const struct pp_rad_xform **found,
                                  const struct pp_rad_reader *reader,
                                  struct pp_rad_pipe *pipe, int which,
@@ -108,8 +109,8 @@ static enum pp_status find_xform(const struct pp_rad_xform **found,
     return status;
 }
 
-/* Checks whether all copies together would have too many shapes, if each has as many as
- * the first. */
+/* Checks the total number of shapes, assuming that each copy has as many as the
+ * first. */
 static enum pp_status check_first(const struct pp_rad_reader *reader,
                                   const struct pp_rad_pipe *pipe, int shapes_before,
                                   double copies, struct pp_error *err)
@@ -174,7 +175,7 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, struct pp_rad_pipe
     return status;
 }
 
-/* Adds to the scene the primitives that command `which` of the pipe would print. */
+/* Adds the primitives that command `which` of the pipe would print to the scene. */
 static enum pp_status run_command(struct pp_rad_reader *reader,
                                   struct pp_rad_pipe *pipe, int which,
                                   const struct pp_rad_context *context,
@@ -247,7 +248,8 @@ static enum pp_status read_scene_text(struct scene_text *text, const char *path,
     return status;
 }
 
-/* A mistake in so many lines, with nothing understood before it. */
+/* A file is no Radiance scene if an error occurs in its first lines and nothing before
+ * it was understood. */
 static const int first_lines = 5;
 
 static enum pp_status read_text(struct pp_rad_reader *reader,
@@ -264,7 +266,8 @@ static enum pp_status read_text(struct pp_rad_reader *reader,
     reader->bytes += text->length;
     reader->copied_bytes += context->copied ? text->length : 0;
     enum pp_status status = read_words(reader, &words, context, err);
-    /* A file that a scene names, and that is none, is not quoted: it may be any. */
+    /* A file named by a scene can be any file of the user, so its text must not be
+     * quoted. */
     if (status == PP_BAD_INPUT && context->depth > 0 && !reader->too_deep
         && shapes == reader->scene->shape_count
         && materials == reader->scene->material_count && words.line <= first_lines)
@@ -300,7 +303,7 @@ static enum pp_status finish(struct pp_rad_reader *reader, enum pp_status status
     return status;
 }
 
-/* Outside all xforms. */
+/* Context outside all xforms. */
 static const struct pp_rad_context identity = {
     .transform = {.rows = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}},
                   .scale = 1.0}};

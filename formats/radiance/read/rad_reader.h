@@ -1,10 +1,9 @@
-/* rad_reader.h - the state of the Radiance reader, which its parts share. Inside
+/* rad_reader.h - state of the Radiance reader, shared by its parts. Inside
  * formats/radiance/ only.
  *
- * rad_read.c goes over files, primitives and commands; rad_primitive.c reads one
- * primitive, which becomes a part of the scene in rad_shapes.c, rad_materials.c,
- * rad_sky.c and rad_functions.c; rad_pipe.c, rad_xform.c and rad_genbox.c are about
- * commands.
+ * rad_read.c iterates over files, primitives and commands. rad_primitive.c reads one
+ * primitive; rad_shapes.c, rad_materials.c, rad_sky.c and rad_functions.c add it to the
+ * scene. rad_pipe.c, rad_xform.c and rad_genbox.c handle commands.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_READER_H
 #define PP_FORMATS_RADIANCE_READ_RAD_READER_H
@@ -14,13 +13,12 @@
 #include "formats/radiance/read/rad_transform.h"
 #include "formats/radiance/read/rad_words.h"
 
-/* Limits. On the bytes of one file, and of all files that xforms read; on the depth of
- * files that xforms read within files; and, for all files together, on the copies by
- * xforms, on shapes, and on materials and patterns. A line of a hundred characters can
- * request any number. The contents of copies, of which an array makes several,
- * therefore have their own limits: on shapes, their corners, and bytes read again for
- * each copy. A million polygons take 700 MiB when traced. The fuzzer's limits are
- * smaller, for speed. */
+/* Limits. BYTES: size of one file, and of all files read by xforms. DEPTH: nesting of
+ * files in xforms. COPIES: total of all xforms. SHAPES and MATERIALS (with patterns):
+ * total of all files. A line of a hundred characters can request any number of copies,
+ * so shapes in copies, their polygon corners, and the bytes read again for each copy
+ * have their own limits. A million polygons take 700 MiB when traced. The limits of the
+ * fuzzer are smaller, for speed. */
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
 #define PP_RAD_BYTES_MOST ((size_t)1 << 20)
 enum {
@@ -45,10 +43,10 @@ enum {
 };
 #endif
 
-/* "modifier type identifier" with its strings and numbers (whole numbers are passed
- * over). */
+/* "modifier type identifier" with its strings and numbers; integer arguments are
+ * skipped. */
 struct pp_rad_primitive {
-    struct pp_rad_words *words; /* where it stands, for messages */
+    struct pp_rad_words *words; /* source file, for messages */
     int line;
     struct pp_rad_word type, name;
     struct pp_rad_meaning modifier;
@@ -58,27 +56,28 @@ struct pp_rad_primitive {
     int number_count;
 };
 
-/* Transforms applied to shapes by xform. */
+/* Effect of the enclosing xforms on a shape. */
 struct pp_rad_context {
     struct pp_rad_transform transform;
-    bool inverted;                  /* front for back */
-    bool replaced;                  /* all modifiers of shapes, */
-    struct pp_rad_meaning modifier; /* by this one */
-    int depth;                      /* how many files are being read within files */
-    bool copied;                    /* by an array, with others */
+    bool inverted;                  /* front and back exchanged */
+    bool replaced;                  /* `modifier` replaces the modifiers of all
+                                     * shapes */
+    struct pp_rad_meaning modifier; /* valid if replaced */
+    int depth;                      /* nesting depth of files */
+    bool copied;                    /* in an array of several copies */
 };
 
 struct pp_rad_reader {
     struct pp_scene_description *scene;
     struct pp_rad_summary *summary;
     struct pp_rad_names names;
-    long copies;                     /* that xforms have made so far, */
-    unsigned long long bytes;        /* and of the files read, */
-    unsigned long long copied_bytes; /* bytes of the files read in copies */
-    int copied_shapes;               /* in copies, */
-    long copied_corners;             /* and of the polygons among them */
-    bool too_deep;                   /* files within files were too many */
-    /* Strings of the current primitive; kept from one to the next. */
+    long copies;                     /* total of all xforms so far */
+    unsigned long long bytes;        /* read from all files */
+    unsigned long long copied_bytes; /* read from files in copies */
+    int copied_shapes;               /* shapes in copies */
+    long copied_corners;             /* corners of polygons in copies */
+    bool too_deep;                   /* nesting exceeded PP_RAD_DEPTH_MOST */
+    /* Strings of the current primitive; the memory is reused for the next one. */
     struct pp_rad_word *strings;
     int string_space;
     double *numbers;

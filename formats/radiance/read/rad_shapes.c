@@ -5,15 +5,15 @@
 
 #include "model/base/array.h"
 
-/* A sky's pattern depends on direction, so only a source, which is infinitely far away,
+/* The pattern of a sky depends only on direction, so only an infinitely distant source
  * may have it. */
 static bool has_pattern(const struct pp_rad_reader *reader, int material)
 {
     return material >= 0 && reader->scene->materials[material].pattern >= 0;
 }
 
-/* Material of a shape with this modifier, -1 if the shape is left out, and that of its
- * back, -1 if it is the same. */
+/* Finds the material of a shape with this modifier. *material: -1 if the shape is left
+ * out; *back: material of its back, -1 if it is the same. */
 static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
                                          const struct pp_rad_words *words, int line,
                                          struct pp_rad_meaning modifier,
@@ -40,7 +40,7 @@ static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
-/* Checks whether there is room for another shape with this many corners. */
+/* Checks the limits on shapes and on corners in copies. */
 static enum pp_status check_count(struct pp_rad_reader *reader,
                                   const struct pp_rad_words *words, int line,
                                   int corners, bool copied, struct pp_error *err)
@@ -162,7 +162,7 @@ enum pp_status pp_rad_shapes_add(struct pp_rad_reader *reader,
     return pp_rad_words_locate(words, line, status, &said, err);
 }
 
-/* ---- the types ---- */
+/* ---- types of shapes ---- */
 
 static struct pp_vec3 vec_at(const double *numbers)
 {
@@ -241,7 +241,7 @@ static enum pp_status take_polygon(struct pp_rad_reader *reader,
                                  "a polygon has %d numbers; expected three for each of "
                                  "three corners or more",
                                  primitive->number_count);
-    /* Three numbers in a row are a corner. */
+    /* Each three numbers are a corner. */
     const struct pp_vec3 *corners =
         (const struct pp_vec3 *)(const void *)primitive->numbers;
     return pp_rad_shapes_add_polygon(reader, primitive->words, primitive->line,

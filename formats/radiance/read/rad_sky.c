@@ -20,9 +20,9 @@ enum pp_status pp_rad_sky_define(struct pp_rad_reader *reader,
                                primitive->name.length, meaning, err);
 }
 
-/* ---- as written ---- */
+/* ---- skies written as primitives ---- */
 
-/* The turn about the vertical that the strings behind the function's file ask for. */
+/* Rotation about the vertical, from the strings after the name of the function file. */
 static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
                                    const struct pp_rad_context *context,
                                    struct pp_rad_transform *turn, struct pp_error *err)
@@ -116,7 +116,7 @@ enum pp_status pp_rad_sky_read(struct pp_rad_reader *reader,
     return *taken ? take_sky(reader, primitive, context, err) : PP_OK;
 }
 
-/* ---- as a command ---- */
+/* ---- skies from the command gensky ---- */
 
 static enum pp_status define(struct pp_rad_reader *reader, const char *name,
                              enum pp_rad_kind kind, int index, struct pp_error *err)

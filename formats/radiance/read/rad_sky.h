@@ -1,4 +1,4 @@
-/* rad_sky.h - Radiance's skies: as gensky prints them into a scene, and by the command
+/* rad_sky.h - Radiance's skies, as printed by gensky into a scene and from the command
  * itself. Inside formats/radiance/ only. */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_SKY_H
 #define PP_FORMATS_RADIANCE_READ_RAD_SKY_H
@@ -6,21 +6,21 @@
 #include "formats/radiance/read/rad_pipe.h"
 #include "formats/radiance/read/rad_reader.h"
 
-/* Reads "void brightfunc NAME" of skybr, as gensky writes it; *taken is false if the
+/* Reads "void brightfunc NAME" of skybr, as written by gensky; *taken is false if the
  * primitive is no brightfunc. */
 enum pp_status pp_rad_sky_read(struct pp_rad_reader *reader,
                                const struct pp_rad_primitive *primitive,
                                const struct pp_rad_context *context, bool *taken,
                                struct pp_error *err);
 
-/* Adds the pattern to the scene, by the primitive's name. */
+/* Adds the pattern to the scene and defines the primitive's name. */
 enum pp_status pp_rad_sky_define(struct pp_rad_reader *reader,
                                  const struct pp_rad_primitive *primitive,
                                  const struct pp_pattern *pattern,
                                  struct pp_error *err);
 
-/* Generates the output of "gensky [options]": "skyfunc" and, of a sky with a sun, "solar"
- * and its source. */
+/* Adds the output of "gensky [options]" to the scene: "skyfunc" and, for a sky with a
+ * sun, "solar" and its source. */
 enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
                                    const struct pp_rad_pipe *pipe,
                                    const struct pp_rad_command *command,

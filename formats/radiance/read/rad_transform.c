@@ -44,7 +44,7 @@ struct pp_rad_transform pp_rad_transform_compose(const struct pp_rad_transform *
     return both;
 }
 
-/* A turn about an axis; by quarters exactly. */
+/* Rotation about an axis; exact for multiples of 90 degrees. */
 static struct pp_rad_transform turning(int axis, double degrees)
 {
     double quarters = degrees / 90.0, c = cos(degrees * PP_RAD),

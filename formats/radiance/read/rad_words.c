@@ -56,8 +56,8 @@ static void skip_space(struct pp_rad_words *words)
     }
 }
 
-/* The quote that begins the next word, which then may hold blanks; 0: none. A word that
- * is a quote at the end of the text is itself. */
+/* The quote that begins the next word, which may then contain blanks; 0: no quote. A
+ * lone quote at the end of the text is a word. */
 static char word_quote(const struct pp_rad_words *words)
 {
     char c = words->at + 1 < words->length ? words->bytes[words->at] : '\0';

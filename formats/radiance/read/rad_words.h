@@ -1,8 +1,8 @@
-/* rad_words.h - a Radiance scene file as words, one after the other.
+/* rad_words.h - splits a Radiance scene file into words.
  *
- * Words are separated by white space; "#" begins a comment to the end of its line; a
- * line that begins with "!" is a command. Nothing is copied: words are found on demand,
- * so that a file of any size needs no memory beyond its own.
+ * Words are separated by white space. "#" begins a comment to the end of the line; a
+ * line that begins with "!" is a command. Words point into the text and are found on
+ * demand, so that a file of any size needs no memory beyond its own.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_WORDS_H
 #define PP_FORMATS_RADIANCE_READ_RAD_WORDS_H
@@ -13,28 +13,28 @@
 #include "model/base/error.h"
 
 struct pp_rad_words {
-    const char *file; /* as messages call it; not owned */
+    const char *file; /* name in messages; not owned */
     const char *bytes;
     size_t length, at;
-    int line; /* that the next word is looked for on, from 1 */
+    int line; /* current line, from 1 */
 };
 
 struct pp_rad_word {
-    const char *text; /* not ended by a 0 */
-    size_t length;    /* 0: the file has ended */
+    const char *text; /* not NUL-terminated */
+    size_t length;    /* 0 at the end of the file */
     int line;
 };
 
 enum { PP_RAD_WORD_MOST = 4096 };
 
-/* The next word; a word of more than PP_RAD_WORD_MOST characters, or with control
- * characters in it, is PP_BAD_INPUT. */
+/* Reads the next word. PP_BAD_INPUT for a word of more than PP_RAD_WORD_MOST
+ * characters, or with control characters. */
 enum pp_status pp_rad_words_next(struct pp_rad_words *words, struct pp_rad_word *word,
                                  struct pp_error *err);
 
-/* If the next word begins with "!": the rest of its line behind that, lines that end in
- * a backslash joined (a blank in place of both). *command is NULL if it does not, else
- * the caller's to free. */
+/* If the next word begins with "!", *command is the rest of the line after it, freed by
+ * the caller; else NULL. A line that ends in a backslash continues on the next one; a
+ * blank replaces both characters. */
 enum pp_status pp_rad_words_next_command(struct pp_rad_words *words, char **command,
                                          int *line, struct pp_error *err);
 
@@ -43,13 +43,13 @@ enum pp_status pp_rad_words_fail(const struct pp_rad_words *words, int line,
                                  struct pp_error *err, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* Adds file and line of the primitive to the sentence of a PP_BAD_INPUT from another part
- * of the program; other statuses are unchanged. */
+/* Adds file and line of the primitive to the message of a PP_BAD_INPUT from another
+ * part of the program; other statuses are unchanged. */
 enum pp_status pp_rad_words_locate(const struct pp_rad_words *words, int line,
                                    enum pp_status status, const struct pp_error *said,
                                    struct pp_error *err);
 
-/* Number of the word's characters shown in a message, for "%.*s". */
+/* Number of characters of the word shown in a message, for "%.*s". */
 static inline int pp_rad_words_shown(struct pp_rad_word word)
 {
     return (int)(word.length < 60 ? word.length : 60);
@@ -57,7 +57,7 @@ static inline int pp_rad_words_shown(struct pp_rad_word word)
 
 bool pp_rad_words_is(struct pp_rad_word word, const char *text);
 
-/* The whole word as a number; false for anything else ("1,5", "nan", "0x1"). */
+/* Reads the whole word as a number; false for other text ("1,5", "nan", "0x1"). */
 bool pp_rad_words_number(struct pp_rad_word word, double *value);
 
 #endif

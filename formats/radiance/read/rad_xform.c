@@ -55,7 +55,7 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
         } else if (strcmp(*word, "-e") == 0 || strcmp(*word, "-c") == 0) {
             i++;
         } else if (strcmp(*word, "-n") == 0 && left > 1) {
-            i += 2; /* names of shapes play no part */
+            i += 2; /* names of shapes are ignored */
         } else if (strcmp(*word, "-m") == 0 && left > 1) {
             if (!pp_rad_names_find(names, word[1], strlen(word[1]), &xform->modifier))
                 return pp_rad_pipe_fail(pipe, err, "there is no material ", word[1]);
@@ -70,8 +70,7 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
     return PP_OK;
 }
 
-/* The step applied `times` times, by squaring: a million of them are twenty
- * products. */
+/* Applies a step `times` times, by squaring: a million times take twenty products. */
 static struct pp_rad_transform repeated(struct pp_rad_transform step, long times)
 {
     struct pp_rad_transform all = pp_rad_transform_identity();

@@ -7,7 +7,7 @@
 
 #include "model/base/text.h"
 
-/* The number with that many digits, with a point whatever the locale. */
+/* Prints the number with that many digits and a decimal point in any locale. */
 static void print_digits(char *text, int digits, double number)
 {
     const char *point = localeconv()->decimal_point;

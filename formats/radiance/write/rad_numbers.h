@@ -1,18 +1,18 @@
-/* rad_numbers.h - numbers in Radiance scene files: with a point whatever the locale,
- * and as many digits as bring the double back. */
+/* rad_numbers.h - numbers in Radiance scene files: a decimal point in any locale, and
+ * enough digits to read the same double back. */
 #ifndef PP_FORMATS_RADIANCE_WRITE_RAD_NUMBERS_H
 #define PP_FORMATS_RADIANCE_WRITE_RAD_NUMBERS_H
 
 #include <stdio.h>
 
-/* The shortest of 15 to 17 digits that reads back as the same double; `text` has room
- * for 32. */
+/* Writes the shortest of 15 to 17 digits that reads back as the same double; `text` has
+ * space for 32 characters. */
 void pp_rad_numbers_text(double number, char *text);
 
-/* The number of 15 digits nearest to it. */
+/* Rounds to 15 significant digits. */
 double pp_rad_numbers_round(double number);
 
-/* Writes the count, then all numbers, on a line. */
+/* Writes the count and all numbers on one line. */
 void pp_rad_numbers_write(FILE *out, const double *numbers, int count);
 
 #endif

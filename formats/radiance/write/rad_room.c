@@ -21,7 +21,7 @@ struct rad_room_builder {
     const struct pp_outside_light *light;
     double horizontal;
     struct pp_surface_materials materials;
-    int *described; /* a material's number in the scene; -1: not there yet */
+    int *described; /* scene index by material; -1: not yet added */
     struct pp_error *err;
 };
 
@@ -35,8 +35,8 @@ static enum pp_status describe(struct rad_room_builder *b, int material, int *in
     return status;
 }
 
-/* Both sides of a surface or pane; *back is -1 where they are the same but for their
- * names. */
+/* Materials of both sides of a surface or pane; *back is -1 if they differ only by
+ * name. */
 static enum pp_status sides_of(struct rad_room_builder *b, int which, int *front,
                                int *back)
 {
@@ -51,7 +51,8 @@ static enum pp_status sides_of(struct rad_room_builder *b, int which, int *front
     return status;
 }
 
-/* The number in the scene of what glows: a new one, or that of one like it. */
+/* Scene index of a glowing material, which is added unless the scene has the same
+ * one. */
 static enum pp_status glow_of(struct rad_room_builder *b,
                               const struct pp_material *glow, int *index)
 {
@@ -118,7 +119,7 @@ static enum pp_status add_panes(struct rad_room_builder *b)
         const struct pp_material *in = &b->materials.list[b->materials.sides[pane][0]];
         if (in->kind == PP_MATERIAL_GLASS && in->glass[0].panes == 0
             && in->clear_share == 1.0 && in->dirt == 1.0)
-            continue; /* nothing but air */
+            continue; /* an air opening without any loss */
         status = sides_of(b, pane, &front, &back);
         if (status == PP_OK)
             status = add_polygon(b, opening->outer.vertices, opening->outer.count,
@@ -127,7 +128,7 @@ static enum pp_status add_panes(struct rad_room_builder *b)
     return status;
 }
 
-/* ---- skylines without a distance ---- */
+/* ---- skylines at infinite distance ---- */
 
 static struct pp_vec3 outward_of(const struct pp_world *world,
                                  const struct pp_skyline *skyline)
@@ -136,8 +137,7 @@ static struct pp_vec3 outward_of(const struct pp_world *world,
     return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
 }
 
-/* Radiance of the skyline's side with that normal, lit by the open sky and the
- * ground. */
+/* Radiance of a skyline's side with that normal, lit by the open sky and the ground. */
 static double radiance_of(const struct rad_room_builder *b,
                           const struct pp_skyline *skyline, struct pp_vec3 normal)
 {
@@ -184,7 +184,7 @@ static enum pp_status add_half(struct rad_room_builder *b, const char *name,
                : status;
 }
 
-/* The sun as Radiance's sky generators have it: a disc of 0.533 degrees. */
+/* Adds the sun as in Radiance's sky generators: a disc of 0.533 degrees. */
 static enum pp_status add_solar(struct rad_room_builder *b)
 {
     static const double HALF_RAD = 0.2665 * PP_RAD;
@@ -222,23 +222,24 @@ static enum pp_status add_sky(struct rad_room_builder *b)
 
 /* ---- the ground outside as a disc ----
  *
- * It is diffuse and lies at the level of ground.h, about the middle of the room, a fifth
- * of a millimetre lower, so that floors and surfaces on the ground stand out. Its radius
- * is 100 times the distance of the farthest thing outside: what lies beyond is seen within
- * 0.6 degrees below the horizon, and less than a thousandth of its sky is hidden. Where the
- * room reaches below it, it has a hole of the room's section.
+ * The ground is diffuse. Its centre is below the centre of the room, at the level of
+ * ground.h less a fifth of a millimetre, so that floors and surfaces on the ground stay
+ * visible. Its radius is 100 times the distance of the farthest object outside. Ground
+ * beyond it is seen only within 0.6 degrees below the horizon, and the objects hide less
+ * than a thousandth of its sky. If the room reaches below ground level, the disc has a
+ * hole with the section of the room.
  */
 
-/* Radius of the disc over the distance of the farthest thing. */
+/* Radius of the disc over the distance of the farthest object. */
 static const double WIDE = 100.0;
-/* From a hole to the inner edge of the disc, at least. */
+/* Least distance between the hole and the inner edge of the disc. */
 static const double MARGIN_M = 1.0;
 
 struct rad_ground_builder {
     struct pp_scene_description *scene;
     int material;
-    struct pp_vec3 middle; /* of the ground below the room */
-    double reach_m;        /* from there to what is farthest */
+    struct pp_vec3 middle; /* on the ground below the centre of the room */
+    double reach_m;        /* distance from `middle` to the farthest object */
     struct pp_error *err;
 };
 
@@ -250,7 +251,7 @@ static void measure_ground(struct rad_ground_builder *b, const struct pp_world *
     b->middle.z = level;
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        /* The wall of a skyline is as long as half the disc is wide. */
+        /* The wall of a skyline is half as long as the disc's diameter. */
         if (surface->role == PP_SKYLINE)
             b->reach_m = fmax(b->reach_m, world->skylines[surface->owner].distance_m);
         else
@@ -271,7 +272,7 @@ static enum pp_status add_disc(struct rad_ground_builder *b, double hole_m)
     return pp_scene_description_add_shape(b->scene, &disc, NULL, b->err);
 }
 
-/* A triangle of the ground round a room that reaches below it. */
+/* Adds a triangle of the ground around a room that reaches below it. */
 static enum pp_status add_ground_triangle(struct rad_ground_builder *b, double xy[3][2])
 {
     struct pp_vec3 corners[3];
@@ -283,7 +284,7 @@ static enum pp_status add_ground_triangle(struct rad_ground_builder *b, double x
                                             b->err);
 }
 
-/* A square less the room, as triangles. */
+/* Adds a square less the room's section, as triangles. */
 static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
                                  const struct pp_region *room)
 {
@@ -312,7 +313,7 @@ static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
     return status;
 }
 
-/* The disc begins at the circle within the square: where both are they are one. */
+/* Adds a disc whose hole is inside the square; where both overlap they coincide. */
 static enum pp_status add_round(struct rad_ground_builder *b,
                                 const struct pp_region *room)
 {
@@ -357,7 +358,7 @@ static enum pp_status add_outside(struct rad_room_builder *b)
     return status != PP_OK || b->world->ground_is_open ? status : add_rad_ground(b);
 }
 
-/* Adds all shapes, group after group. */
+/* Adds all shapes, one group after the other. */
 static enum pp_status add_groups(struct rad_room_builder *b, int first[])
 {
     static enum pp_status (*const add[PP_RAD_GROUPS])(struct rad_room_builder *) = {

@@ -1,4 +1,4 @@
-/* rad_write.c - see rad_write.h: names and shapes. */
+/* rad_write.c - names and shapes of the scene. */
 #include "formats/radiance/write/rad_write.h"
 
 #include <stdlib.h>
@@ -10,9 +10,9 @@
 
 /* ---- names ---- */
 
-/* Letters, digits and characters beyond ASCII stay; all others become "_", once in a
- * row and never at the end. Radiance's own words get a number. `fit` has room for two
- * characters more than PP_RAD_NAME_MOST. */
+/* Makes a valid Radiance name. Letters, digits, "-", "." and characters beyond ASCII
+ * stay; each run of others becomes one "_", none at the end. Radiance's reserved words
+ * get a number. `fit` has space for two characters more than PP_RAD_NAME_MOST. */
 static void make_fit(char *fit, const char *name)
 {
     int count = 0;
@@ -47,7 +47,7 @@ static enum pp_status take_name(struct pp_rad_writer *writer, const char *name,
     return pp_rad_names_define(&writer->taken, name, strlen(name), meaning, err);
 }
 
-/* The next name of the list; there is room. */
+/* Appends a unique name to the list; the list has space for it. */
 static enum pp_status add_name(struct pp_rad_writer *writer, const char *from,
                                const char *behind, struct pp_error *err)
 {
@@ -68,11 +68,12 @@ static enum pp_status add_name(struct pp_rad_writer *writer, const char *from,
     return status == PP_OK ? take_name(writer, name->text, 1, err) : status;
 }
 
-/* Numbers the pairs as they come up. */
+/* Finds the pairs of different front and back materials, and numbers them in order of
+ * occurrence. */
 static enum pp_status find_pairs(struct pp_rad_writer *writer, struct pp_error *err)
 {
     const struct pp_scene_description *scene = writer->scene;
-    struct pp_rad_names known = {0}; /* by both numbers */
+    struct pp_rad_names known = {0}; /* by front and back index */
     enum pp_status status = PP_OK;
     for (int i = 0; i < scene->shape_count && status == PP_OK; i++) {
         const struct pp_shape *shape = &scene->shapes[i];
@@ -199,7 +200,7 @@ static void write_polygon(const struct pp_rad_writer *writer,
     }
 }
 
-/* By kind, and by the side on which the front is. */
+/* Radiance type by kind and by the side that is the front. */
 static const char *type_of(const struct pp_shape *shape)
 {
     switch (shape->kind) {

@@ -14,15 +14,15 @@ enum {
         PP_RAD_SKY_NUMBERS + PP_PATTERN_SKYLINES_MOST * PP_RAD_SKYLINE_NUMBERS
 };
 
-/* A material as Radiance has it: its type, strings, numbers. */
+/* A material as a Radiance primitive: type, strings, numbers. */
 struct rad_primitive_text {
     const char *type;
-    char strings[256]; /* with their count before them */
+    char strings[256]; /* preceded by their count */
     double numbers[16];
     int count;
 };
 
-/* The same but for rounding? */
+/* True if the numbers are equal apart from rounding. */
 static bool near(double a, double b)
 {
     return fabs(a - b) <= 1e-12;
@@ -38,7 +38,7 @@ static void add_material_number(struct rad_primitive_text *said, double number)
     said->numbers[said->count++] = number;
 }
 
-/* A number that was worked out: without the last digits, which are rounding. */
+/* Adds a calculated number, rounded to the digits that are certain. */
 static void add_worked(struct rad_primitive_text *said, double number)
 {
     add_material_number(said, pp_rad_numbers_round(number));
@@ -58,7 +58,7 @@ static void add_rgb(struct rad_primitive_text *said, struct pp_rgb c)
     add_material_number(said, c.b);
 }
 
-/* "4 ux uy uz .": the direction of the first roughness. */
+/* Sets "4 ux uy uz .", the direction of the first roughness. */
 static void say_grain(struct rad_primitive_text *said, struct pp_vec3 grain)
 {
     char x[32], y[32], z[32];
@@ -68,7 +68,7 @@ static void say_grain(struct rad_primitive_text *said, struct pp_vec3 grain)
     snprintf(said->strings, sizeof said->strings, "4 %s %s %s .", x, y, z);
 }
 
-/* The ratio of two colours, where it is the same in all channels; else below 0. */
+/* Ratio of two colours if it is equal in all channels; otherwise negative. */
 static double ratio_of(struct pp_rgb part, struct pp_rgb whole)
 {
     double most = pp_rgb_most(whole);
@@ -88,7 +88,8 @@ static bool is_mirror(const struct pp_material *m)
            && m->roughness[0] == 0.0 && m->roughness[1] == 0.0;
 }
 
-/* Radiance's `mirror` is black from behind: where both sides are seen it is a metal. */
+/* Radiance's `mirror` is black from behind, so a mirror seen from both sides is a
+ * metal. */
 static bool say_opaque(struct rad_primitive_text *said, const struct pp_material *m,
                        bool both_sides)
 {
@@ -141,7 +142,7 @@ static bool say_translucent(struct rad_primitive_text *said,
     return true;
 }
 
-/* Nothing but one pane, as Radiance's own glass has it? */
+/* True for one clean pane without a frame, as described by Radiance's `glass`. */
 static bool is_plain_pane(const struct pp_material *m)
 {
     for (int i = 0; i < 3; i++)
@@ -183,7 +184,7 @@ static bool say_glass(struct rad_primitive_text *said, const struct pp_material 
     return true;
 }
 
-/* Gives off light, and nothing else. */
+/* Describes a material that only emits light; false for others. */
 static bool say_emitter(struct rad_primitive_text *said, const struct pp_material *m)
 {
     bool air = m->kind == PP_MATERIAL_AIR;
@@ -199,7 +200,8 @@ static bool say_emitter(struct rad_primitive_text *said, const struct pp_materia
     return true;
 }
 
-/* both_sides: it is seen from behind too. */
+/* Describes a material. both_sides: the back is visible too. Returns false if no
+ * Radiance type can describe it. */
 static bool say(struct rad_primitive_text *said, const struct pp_material *m,
                 bool both_sides)
 {
@@ -272,9 +274,10 @@ static void write_gensky(const struct pp_pattern *pattern, const char *name, FIL
     pp_rad_numbers_write(out, numbers, sunny ? 7 : 3);
 }
 
-/* ---- all of them ---- */
+/* ---- materials of a scene ---- */
 
-/* True if two clear panes are of the same glass and differ in their frames' sides. */
+/* True if two clear panes have the same glass and differ only in the sides of their
+ * frames. */
 static bool is_one_glazing(const struct pp_material *front,
                            const struct pp_material *back)
 {
@@ -294,8 +297,8 @@ bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
            && back->emits == PP_EMITS_NOTHING && !writer->behind[pair->front];
 }
 
-/* A pair of clear panes of the same glass is a single BRTDfunc, and neither of its
- * materials is written; nor is the back of a mirror. */
+/* A pair of clear panes with the same glass becomes one BRTDfunc, and neither of its
+ * materials is written. The back of a mirror is not written either. */
 void pp_rad_write_materials_classify(struct pp_rad_writer *writer)
 {
     const struct pp_scene_description *scene = writer->scene;

@@ -11,19 +11,19 @@
 struct pp_rad_writer;
 struct pp_rad_pair;
 
-/* Writes all patterns and materials of the writer's scene; errors of the stream are the
- * caller's to look for. */
+/* Writes all patterns and materials of the writer's scene. The caller checks the stream
+ * for errors. */
 void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out);
 
-/* PP_BAD_INPUT where Radiance has no type for the material. */
+/* PP_BAD_INPUT if no Radiance type can describe the material. */
 enum pp_status pp_rad_write_materials_check(const struct pp_material *material,
                                             struct pp_error *err);
 
-/* Fills the writer's in_pairs, on_its_own and behind by its pairs and shapes. */
+/* Sets the writer's in_pairs, on_its_own and behind from its pairs and shapes. */
 void pp_rad_write_materials_classify(struct pp_rad_writer *writer);
 
-/* Is the pair a mirror as Radiance has it, black from behind and used in no other
- * way? */
+/* True if the pair can be a Radiance mirror: its back is black, and its front is never
+ * used as a back. */
 bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
                                       const struct pp_rad_pair *pair);
 

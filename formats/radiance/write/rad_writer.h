@@ -1,5 +1,5 @@
-/* rad_writer.h - the state of the Radiance writer, which rad_write.c (names and shapes)
- * and rad_write_materials.c share. Inside formats/radiance/ only. */
+/* rad_writer.h - state of the Radiance writer, shared by rad_write.c (names and shapes)
+ * and rad_write_materials.c. Inside formats/radiance/ only. */
 #ifndef PP_FORMATS_RADIANCE_WRITE_RAD_WRITER_H
 #define PP_FORMATS_RADIANCE_WRITE_RAD_WRITER_H
 
@@ -12,25 +12,25 @@ struct pp_rad_name_text {
     char text[PP_RAD_NAME_MOST + 1 + 32];
 };
 
-/* Materials of front and back, and the name of both together; of a mirror, which is
- * black from behind anyway, that of the front. */
+/* Materials of front and back, and the index of the pair's name. A mirror, black from
+ * behind in Radiance, has the name of its front. */
 struct pp_rad_pair {
     int front, back, name;
 };
 
 struct pp_rad_writer {
     const struct pp_scene_description *scene; /* not owned */
-    struct pp_rad_name_text *names; /* of materials, then patterns, then pairs */
+    struct pp_rad_name_text *names;           /* order: materials, patterns, pairs */
     int name_count;
     struct pp_rad_names
         taken; /* the names in use; each with the last number that was put
                                 * behind it to make others */
     struct pp_rad_pair *pairs;
     int pair_count;
-    int *pair_of;     /* of each shape; -1: it has one material */
-    bool *in_pairs;   /* of each material: is it written within a pair? */
-    bool *on_its_own; /* and by itself? */
-    bool *behind;     /* true for the back of a shape */
+    int *pair_of;     /* by shape; -1: one material */
+    bool *in_pairs;   /* by material: used in a pair */
+    bool *on_its_own; /* by material: used alone */
+    bool *behind;     /* by material: used as the back of a shape */
 };
 
 #endif
