@@ -1,4 +1,4 @@
-/* chart_kind.c - the list of charts, in the order in which it is printed: a line each. */
+/* chart_kind.c - the list of charts, in the order in which it is printed. */
 #include "api/chart_kind.h"
 
 #include <string.h>

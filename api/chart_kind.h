@@ -1,7 +1,9 @@
-/* chart_kind.h - list of all charts: each draws a room, or a blank, on a canvas.
+/* chart_kind.h - list of all charts. Each chart draws a room, or a blank form, on a
+ * canvas.
  *
- * A kind computes its data by studies and methods and draws them by a chart of charts/.
- * A new one is a file of its own, its entry declared here, and a line in chart_kind.c.
+ * A chart kind computes its data by studies and methods and draws them with functions
+ * of charts/. A new kind needs a file of its own, a declaration here, and a line in
+ * chart_kind.c.
  */
 #ifndef PP_API_CHART_KIND_H
 #define PP_API_CHART_KIND_H
@@ -21,105 +23,106 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
-/* Tri-state choice of what a diagram shows. */
+/* Option of a diagram; PP_UNSAID: option not given. */
 enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
 
 struct pp_overlay_options {
     enum pp_lens lens;
-    double diameter_mm;    /* 0: as large as the sheet allows */
-    bool said;             /* are these: */
-    bool dots, cells, sun; /* parts that are drawn */
-    const char *typed;     /* the last of these options as typed; NULL: none */
+    double diameter_mm;    /* 0: the largest that fits on the sheet */
+    bool said;             /* true if any of the next three is given */
+    bool dots, cells, sun; /* parts to draw */
+    const char *typed;     /* last of these options as typed; NULL: none */
 };
 
 struct pp_board_options {
-    enum pp_yes_no glazed;   /* a blank: with clear single glass? unsaid: yes */
-    bool fine;               /* pepper-pot: dots worth 0.01 % */
-    enum pp_yes_no vertical; /* a blank pepper-pot's receiver; unsaid: no */
-    double viewing_mm; /* pepper-pot: from the eye to the drawing; 0: 30, fine 60 */
-    struct pp_sky sky; /* of a blank; set by the caller, */
-    struct pp_sky_picture *picture; /* and its photograph, held; NULL: it has none */
+    enum pp_yes_no glazed;   /* blank form: clear single glazing; default yes */
+    bool fine;               /* pepper-pot diagram: dots of 0.01 % */
+    enum pp_yes_no vertical; /* vertical receiver of a blank pepper-pot diagram;
+                              * default no */
+    double viewing_mm;       /* pepper-pot diagram, eye to drawing; 0: 30, fine 60 */
+    struct pp_sky sky;       /* sky of a blank form; set by the caller */
+    struct pp_sky_picture *picture; /* photograph of the sky; reference held; NULL:
+                                     * none */
 
-    int number;          /* a blank protractor of the ten; 0: not said */
-    const char *glazing; /* or of any glazing, "none" too; NULL: not said */
-    double slope_deg;    /* of that glazing, by --slope, */
-    bool slope_said;     /* if it was */
-    bool any_protractor; /* not one of the ten by number but the one described below;
-                          * set by pp_board_options_check */
+    int number;          /* number of a published protractor, 1 to 10; 0: not given */
+    const char *glazing; /* protractor for any glazing, or "none"; NULL: not given */
+    double slope_deg;    /* slope of that glazing, from --slope */
+    bool slope_said;     /* true if slope_deg is given */
+    bool any_protractor; /* use glass and slope_rad below in place of a published
+                          * protractor; set by pp_board_options_check */
     struct pp_glass glass;
     double slope_rad;
     char glass_words[72];
 
-    enum pp_nomogram_kind nomogram; /* by --which, */
-    bool nomogram_said;             /* if it was */
+    enum pp_nomogram_kind nomogram; /* from --which */
+    bool nomogram_said;             /* true if nomogram is given */
 
-    bool unsolved; /* of kinds from a point: the exercise in place of its solution */
+    bool unsolved; /* for a point: draw the exercise, not its solution */
 
     struct pp_overlay_options overlay;
-    double inclined_deg; /* Waldram: droop lines of edges at that angle in plan, */
-    bool inclined;       /* if it was said */
+    double inclined_deg; /* Waldram: droop lines of edges at this angle in plan */
+    bool inclined;       /* true if inclined_deg is given */
 
-    const char *window; /* of kinds that are of one, by line or wall; NULL: the first
-                         * upright one */
+    const char *window; /* window by its line or wall, for kinds that show one; NULL:
+                         * the first vertical window */
 };
 
 /* Options of a scale model. */
 struct pp_model_options {
-    double scale; /* 20 for 1:20; 0: not said */
+    double scale; /* 20 for 1:20; 0: not given */
     struct pp_mirror_box box;
     bool has_box;
-    const char *typed; /* the last of these options as typed; NULL: none */
+    const char *typed; /* last of these options as typed; NULL: none */
 };
 
 /* Rooms of one file, each with its former state. */
 struct pp_chart_site {
     const struct pp_study_room *rooms;
-    const struct pp_study_room *const *before; /* as many; NULL: it was not there, or
-                                                * nothing is known of it */
+    const struct pp_study_room *const *before; /* count entries; NULL: new room, or
+                                                * former state unknown */
     int count;
-    double french_m; /* as a site's rooms' (site_study.h) */
+    double french_m; /* French windows: point height, m; see vertical_sky.h */
 };
 
-/* Choices for the content of a chart. */
+/* Options for the content of a chart. */
 struct pp_chart_choice {
     struct pp_chart_site
         site;              /* for kinds that compare states or draw a site: the first
                             * room or all rooms are drawn; set for each sheet */
-    bool line_said;        /* plan: not contours but the part that is lit, by */
-    enum pp_lit_line line; /* this */
+    bool line_said;        /* plan: lit area instead of contours */
+    enum pp_lit_line line; /* boundary of the lit area, if line_said */
 
-    enum pp_section_scale scale;   /* section: of the daylight factors */
-    enum pp_plan_fill fill;        /* plan: between the contours */
-    struct pp_board_options board; /* of kinds worked at the drawing board */
+    enum pp_section_scale scale;   /* scale of the daylight factors in a section */
+    enum pp_plan_fill fill;        /* filling between the contours of a plan */
+    struct pp_board_options board; /* for diagrams of the drawing board */
     struct pp_model_options model;
-    struct pp_year_options availability; /* for kinds of the light outside */
+    struct pp_year_options availability; /* for kinds that show light outside */
 };
 
 struct pp_chart_kind {
     const char *name;    /* as typed on the command line */
     const char *summary; /* one line, without a full stop */
-    bool board;          /* worked at the drawing board: can be blank, without a room */
-    bool from_point;     /* and is drawn from one point of a room */
-    bool of_window;      /* or for one window of a room, under the overcast sky */
-    bool outside;        /* draws the light outside: needs no room */
-    bool compares;       /* can draw a room's former state as well */
-    bool of_site;        /* one sheet for all rooms of a file */
+    bool board;          /* drawing-board diagram: can be blank, without a room */
+    bool from_point;     /* such a diagram, for one point of a room */
+    bool of_window;      /* such a diagram, for one window under the overcast sky */
+    bool outside;        /* shows light outside: needs no room */
+    bool compares;       /* can show a room's former state too */
+    bool of_site;        /* one sheet shows all rooms of a file */
     enum pp_paper paper; /* default paper */
-    bool of_sun;         /* takes a latitude, for the sun's paths */
+    bool of_sun;         /* needs a latitude for sun paths */
     bool of_year;        /* needs a weather file and a room */
-    bool transparent;    /* is laid on something: has no white ground */
+    bool transparent;    /* overlay: no white background */
 
-    bool landscape; /* its sheet always lies on its side */
-    bool (*landscape_for)(const struct pp_world *world); /* or does so for some rooms;
-                                                          * NULL: for none */
+    bool landscape; /* the sheet is always landscape */
+    bool (*landscape_for)(const struct pp_world *world); /* by room; NULL: never */
 
-    /* Checks whether the kind can draw these methods (NULL: its own choice), or the
-     * simulation if simulate is set. PP_BAD_INPUT names the ones it can. NULL function:
-     * all. */
+    /* Checks whether the kind can draw these methods (NULL: default), or the simulation
+     * if simulate is set. PP_BAD_INPUT lists the methods it can draw. NULL function:
+     * all methods. */
     enum pp_status (*check)(const char *methods, bool simulate, struct pp_error *err);
 
-    /* Computes and draws the chart of the room (NULL: a blank); may change the room's
-     * points. Sets *finished to false if the simulation was stopped. */
+    /* Computes and draws the chart of the room (NULL: a blank form); may change the
+     * room's points. Sets *finished to false if the simulation was stopped. */
     enum pp_status (*draw)(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
                            const struct pp_chart_choice *choice, bool *finished,
@@ -132,14 +135,13 @@ extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_site_pl
     pp_draw_vertical_sky, pp_draw_skylight_indicator, pp_draw_overlay, pp_draw_sun_path,
     pp_draw_model_net, pp_draw_availability, pp_draw_year;
 
-/* Chart kinds in list order; NULL for the index just past the end of the list. */
+/* Chart kinds in list order; NULL for the first index past the end. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);
 
-/* The kind of that name, or NULL. */
+/* Chart kind of that name; NULL if there is none. */
 const struct pp_chart_kind *pp_chart_kind_find(const char *name);
 
-/* Does the kind look better on a sheet that lies on its side for this room (NULL: for a
- * blank)? */
+/* True if the sheet of this room (NULL: blank form) is landscape. */
 bool pp_chart_kind_landscape(const struct pp_chart_kind *kind,
                              const struct pp_world *world);
 

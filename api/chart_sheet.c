@@ -1,4 +1,4 @@
-/* chart_sheet.c - writes version, file and seed on a sheet, and has the chart drawn. */
+/* chart_sheet.c - writes version, file and seed on a sheet, and draws the chart. */
 #include "api/chart_sheet.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* cited_works.c - the list, made from docs/SOURCES.md when the program is built. */
+/* cited_works.c - list of works, generated from docs/SOURCES.md by the build. */
 #include "api/cited_works.h"
 
 #include <stddef.h>

@@ -1,10 +1,10 @@
-/* cited_works.h - the works that methods and formulae name by key, as docs/SOURCES.md has
- * them. */
+/* cited_works.h - the works that methods and formulae cite by key, from
+ * docs/SOURCES.md. */
 #ifndef PP_API_CITED_WORKS_H
 #define PP_API_CITED_WORKS_H
 
-/* The work of a key, or of a place in it ("GEEBELEN, eq. 15"): the key's end is at a
- * comma. NULL: there is none. *key (may be NULL) is the key as listed. */
+/* Finds a work by its key; `place` may continue after a comma ("GEEBELEN, eq. 15").
+ * NULL if there is none. *key (may be NULL) is set to the key. */
 const char *pp_cited_works_find(const char *place, const char **key);
 
 #endif

@@ -1,5 +1,5 @@
-/* draw_availability.c - how often the light outside gives how much, and a room's share
- * of it where there is a room. */
+/* draw_availability.c - frequency of outdoor illuminances, and, if there is a room, of
+ * the illuminances in it. */
 #include "api/chart_kind.h"
 #include "charts/availability_chart.h"
 #include "studies/climate/availability.h"

@@ -1,5 +1,5 @@
-/* draw_board.c - the diagrams that are worked at the drawing board: blank, or with a
- * room's windows seen from its one point. */
+/* draw_board.c - the diagrams of the drawing board: blank, or with a room's windows as
+ * seen from its point. */
 #include "api/chart_kind.h"
 #include "charts/drawing_board/brs_table_chart.h"
 #include "charts/drawing_board/nomogram_chart.h"
@@ -15,8 +15,8 @@
 #include "methods/protractor/protractor_sheet_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
 
-/* The exercise's drawings; *blank says that the empty diagram follows, on a sheet of its
- * own, where the format has several. */
+/* Draws the exercise. *blank: the empty diagram must follow on the next sheet; false
+ * for formats that have only one sheet. */
 static enum pp_status draw_exercise(bool *blank, struct pp_canvas *canvas,
                                     const struct pp_study_room *room, const char *tool,
                                     const char *unit, double viewing_mm,
@@ -33,7 +33,7 @@ static enum pp_status draw_exercise(bool *blank, struct pp_canvas *canvas,
     return status == PP_OK && *blank ? pp_canvas_next_sheet(canvas, err) : status;
 }
 
-/* Is the first of the room's openings glazed? */
+/* True if the first opening is glazed. */
 static bool is_glazed(const struct pp_study_room *room)
 {
     return room->world->opening_count > 0 && room->world->openings[0].glass.panes > 0;
@@ -116,7 +116,8 @@ static enum pp_status draw_pepper_pot(struct pp_canvas *canvas,
     return status;
 }
 
-/* The protractor that the options ask for: a published one, or any. */
+/* Protractor selected by the options: a published one, or one for any glass and
+ * slope. */
 static enum pp_status choose_protractor(struct pp_protractor *protractor,
                                         const struct pp_board_options *options,
                                         struct pp_error *err)
@@ -131,7 +132,7 @@ static enum pp_status choose_protractor(struct pp_protractor *protractor,
                                          options->number ? options->number : 2, err);
 }
 
-/* The blank that follows is the protractor that the sheet has for the room. */
+/* Draws the exercise, then the room's protractor as a blank form. */
 static enum pp_status draw_protractor_exercise(struct pp_canvas *canvas,
                                                const struct pp_study_room *room,
                                                struct pp_protractor_sheet *sheet,

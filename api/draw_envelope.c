@@ -12,10 +12,10 @@
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/site/site_study.h"
 
-/* The rooms of the building as it stands, each resolved. */
+/* The rooms of the building in its present state, resolved. */
 struct standing_rooms {
     struct pp_study_room *list;
-    const struct pp_study_room **before; /* nothing is known of any */
+    const struct pp_study_room **before; /* former states: NULL for each room */
     int count;
 };
 
@@ -49,8 +49,8 @@ static enum pp_status add_room(struct standing_rooms *rooms,
     return PP_OK;
 }
 
-/* Adds the cells of the envelope to the sheet of a building as pp_plot_envelope_find leaves
- * it. They are drawn in place of the block of that name, which is taken off the sheet. */
+/* Replaces the block of that name on the sheet by the cells of the envelope. The sheet
+ * shows the building in the state left by pp_plot_envelope_find. */
 static enum pp_status add_envelope_cells(struct pp_site_sheet *sheet,
                                          const struct pp_plot_envelope *envelope,
                                          const char *block, struct pp_error *err)
@@ -114,7 +114,7 @@ static enum pp_status draw_plot_plan(struct pp_canvas *canvas,
     return status;
 }
 
-/* The deciding window's room, and its number there; NULL: there is none. */
+/* Room and opening index of the window that limits the envelope; NULL: none. */
 static const struct pp_world *find_deciding(int *opening,
                                             const struct standing_rooms *rooms,
                                             const struct pp_plot_envelope *found)

@@ -1,5 +1,5 @@
-/* draw_envelope.h - the largest envelope on a plot, in plan and as the window that decides
- * sees it. */
+/* draw_envelope.h - the largest envelope on a plot, in plan and as seen from the window
+ * that limits it. */
 #ifndef PP_API_DRAW_ENVELOPE_H
 #define PP_API_DRAW_ENVELOPE_H
 

@@ -14,14 +14,14 @@
 
 enum { POINTS_MOST = 12, WORKS_MOST = 32, NOTES_MOST = 32, SENTENCE = 256, WORK = 512 };
 
-/* Words of the note besides the report. */
+/* Texts of the note that are not part of the report. */
 struct note_words {
-    char (*sentences)[SENTENCE]; /* for each column */
-    const char **contents;       /* that point to them */
+    char (*sentences)[SENTENCE]; /* one per column */
+    const char **contents;       /* pointers to sentences */
     char works[WORKS_MOST][WORK];
     const char *sources[WORKS_MOST], *keys[WORKS_MOST];
     int source_count;
-    char *text; /* text of the notes, which `lines` point into */
+    char *text; /* the notes, one after the other; `notes` points into it */
     const char *notes[NOTES_MOST];
     int note_count;
 };
@@ -40,7 +40,7 @@ static void add_work(struct note_words *words, const char *place)
     words->source_count++;
 }
 
-/* Adds the allowances of the method itself and of its formulae. */
+/* Adds the allowances that the method and its formulae include. */
 static void add_method(struct note_words *words, const char *name, int column)
 {
     const struct pp_method *method = pp_method_find(name);

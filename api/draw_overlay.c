@@ -1,4 +1,5 @@
-/* draw_overlay.c - overlays for fisheye photographs: the sky in equal parts, sun paths. */
+/* draw_overlay.c - overlays for fisheye photographs: equal parts of the sky, and sun
+ * paths. */
 #include <math.h>
 #include <stdlib.h>
 

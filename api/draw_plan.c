@@ -1,5 +1,5 @@
 /* draw_plan.c - contours of the daylight factor and the no-sky line on the room's plan,
- * or its lit area now and before. */
+ * or its lit area at present and before. */
 #include "api/chart_kind.h"
 #include "charts/room/lit_area_chart.h"
 #include "charts/room/plan_chart.h"

@@ -1,5 +1,5 @@
-/* draw_sun_path.c - the sun's paths over the obstructions of a window: the
- * stereographic sheet. */
+/* draw_sun_path.c - sun paths over the obstructions of a window, on a stereographic
+ * diagram. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,11 +13,11 @@
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/windows/opening_words.h"
 
-/* Notes on a window's sun, now or before. */
+/* Visible sky and sunlit hours of a window, at present or before. */
 struct window_sun {
     struct pp_sky_mask mask;
     struct pp_sunlit_year hours;
-    struct pp_sunlit_day march; /* times of sun on 21 March */
+    struct pp_sunlit_day march; /* sunlit times on 21 March */
 };
 
 static enum pp_status find_sun(struct window_sun *sun, const struct pp_world *world,
@@ -111,7 +111,8 @@ static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
     return pp_overlay_chart_draw(canvas, &overlay, err);
 }
 
-/* The same window of the room before; PP_BAD_INPUT where the rooms differ. */
+/* Finds the sun of the same window in the room before; PP_BAD_INPUT if the rooms
+ * differ. */
 static enum pp_status find_before(struct window_sun *sun, const struct pp_world *world,
                                   const struct pp_world *before, int window,
                                   struct pp_error *err)

@@ -1,4 +1,4 @@
-/* draw_year.c - the year's daylight of a room. */
+/* draw_year.c - daylight in a room over a year. */
 #include <math.h>
 
 #include "api/chart_kind.h"

@@ -1,4 +1,4 @@
-/* lists.c - pepperpot.h: lists by name; the version. */
+/* lists.c - pepperpot.h: lists by name, and the version. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -26,7 +26,7 @@ void pp_free(void *bytes)
     free(bytes);
 }
 
-/* Name and summary of one entry of one list; both NULL behind the last. */
+/* Name and summary of an entry of a list; both NULL past the end. */
 struct list_entry {
     const char *name, *summary;
 };

@@ -34,7 +34,7 @@ static void forget_results(struct pp_study *study)
     study->has_assessment = false;
 }
 
-/* The building's room as it is, with another sky, resolved. */
+/* Copies and resolves a room of the building, with another sky if `sky` is given. */
 static enum pp_status resolve_study_room(struct pp_study *study,
                                          struct pp_building *building, int index,
                                          const char *sky, struct pp_mistakes *mistakes,
@@ -122,7 +122,7 @@ enum pp_status pp_study_set_sky(struct pp_study *study, const char *sky,
     return status;
 }
 
-/* Takes over the list. */
+/* Replaces the study's points by the list, which the study then owns. */
 static void take_over_points(struct pp_study *study, struct pp_receiver *points,
                              int count, struct pp_grid_choice grid)
 {

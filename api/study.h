@@ -10,20 +10,21 @@
 
 struct pp_study {
     struct pp_study_room room;
-    char *file;                      /* its name for people */
-    struct pp_room *description;     /* a copy of the building's room, with the sky */
+    char *file;                      /* file name for messages and reports */
+    struct pp_room *description;     /* copy of the building's room, with the sky */
     struct pp_study_options options; /* options of the last evaluation */
     struct pp_variant_list
-        variants; /* of formulae; the methods' options point to them */
+        variants; /* variants of formulae; the methods' options point to them */
     struct pp_report report;
-    struct pp_light_scene *scene;     /* of the world; NULL: not needed yet */
+    struct pp_light_scene *scene;     /* scene of the world; NULL: not yet built */
     struct pp_simulation *simulation; /* NULL: none requested */
-    struct pp_grid_choice grid;       /* that the points are; empty: other points */
+    struct pp_grid_choice grid;       /* grid of the points; empty: points are no
+                                       * grid */
     struct pp_assessment assessment;
     bool has_assessment;
 };
 
-/* An empty report on the room and points as they are. */
+/* Replaces the report by an empty one for the present room and points. */
 void pp_study_begin_report(struct pp_study *study);
 
 #endif

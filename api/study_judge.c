@@ -1,4 +1,4 @@
-/* study_judge.c - pepperpot.h: a study held against criteria, and its windows sized. */
+/* study_judge.c - pepperpot.h: assesses a study by criteria, and sizes its windows. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "model/room/text/room_text.h"
 #include "studies/sizing/size_room.h"
 
-/* Moves the study's simulated factors, if they are those of the grid. */
+/* Copies the simulated factors of the study's grid to the assessment's report. */
 static enum pp_status take_simulated(struct pp_report *to, const struct pp_report *from,
                                      struct pp_error *err)
 {
@@ -69,7 +69,7 @@ struct pp_judgement pp_study_judgement(const struct pp_study *study, int index)
                                  .note = finding->note};
 }
 
-/* The room file with the windows found. */
+/* Text of the room file with the windows that were found. */
 static enum pp_status write_sized_room_text(char **file,
                                             struct pp_size_room_result *result,
                                             struct pp_error *err)

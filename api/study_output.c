@@ -1,4 +1,4 @@
-/* study_output.c - pepperpot.h: a study as a report, and as a chart. */
+/* study_output.c - pepperpot.h: reports and charts of a study. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,8 +37,8 @@ enum pp_status pp_study_report(const struct pp_study *study, enum pp_format form
     return status;
 }
 
-/* The room as charts take it: a section may put a line of points of its own in place of
- * the study's, which stay as they are. */
+/* Copies the study's room with its own list of points, since a section may replace the
+ * points. */
 static enum pp_status borrow_room(struct pp_study_room *room,
                                   const struct pp_study *study, struct pp_error *err)
 {
@@ -67,7 +67,7 @@ static enum pp_status check_kind(const struct pp_chart_kind *kind, const char *n
     return PP_OK;
 }
 
-/* Draws on a new canvas and copies the canvas's bytes. */
+/* Draws on a new canvas and copies its bytes. */
 static enum pp_status draw_on_own_canvas(const struct pp_chart_kind *kind,
                                          struct pp_study_room *room,
                                          const struct pp_chart_request *request,

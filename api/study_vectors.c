@@ -1,4 +1,4 @@
-/* study_vectors.c - pepperpot.h: a study's geometry and its contours, for programs that
+/* study_vectors.c - pepperpot.h: geometry and contours of a study, for programs that
  * draw them. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "reports/vectors/scene_json.h"
 #include "studies/plan_study.h"
 
-/* Closes the stream; what a failed call has written is thrown away. */
+/* Closes the stream; after a failure its bytes are discarded. */
 static enum pp_status finish_vectors(FILE *out, enum pp_status status, char **bytes,
                                      size_t *length, struct pp_error *err)
 {

@@ -1,7 +1,7 @@
 /* endpoint.h - the list of the interface's endpoints. Inside serve/ only.
  *
- * A new one is a line in endpoint.c, a run function in a file of its own, and a path in
- * docs/openapi.json, which a test compares with this list.
+ * A new endpoint needs a line in endpoint.c, a run function in its own file, and a path
+ * in docs/openapi.json, which a test compares with this list.
  */
 #ifndef PP_SERVE_ENDPOINT_H
 #define PP_SERVE_ENDPOINT_H
@@ -12,19 +12,20 @@ enum pp_endpoint_line { PP_LINE_STUDIES, PP_LINE_PROGRAMS };
 
 struct pp_endpoint {
     const char *method;    /* "GET" or "POST" */
-    const char *path;      /* "/api/df"; one that ends with "/" takes one more part */
-    const char *body_type; /* of a POST */
+    const char *path;      /* "/api/df"; a final "/" stands for one variable part */
+    const char *body_type; /* media type of a POST; NULL for GET */
     size_t body_most;      /* bytes */
     enum pp_endpoint_line line;
     pp_task_run *run;
     const char *summary;
 };
 
-/* In list order; NULL behind the last. */
+/* Endpoints in list order; NULL past the end. */
 const struct pp_endpoint *pp_endpoint_at(int index);
 
-/* The endpoint of a path and method; kind gets the last part of a path that takes one.
- * NULL, and *allowed NULL: there is no such path; *allowed: the path takes that method. */
+/* Finds an endpoint by path and method; kind is the variable part of the path. If it
+ * returns NULL, *allowed is the method that the path supports, or NULL if there is no
+ * such path. */
 const struct pp_endpoint *pp_endpoint_find(const char *method, const char *path,
                                            char kind[32], const char **allowed);
 

@@ -17,7 +17,8 @@
 #include "serve/stores/weather_store.h"
 #include "serve/work/work_line.h"
 
-/* Seconds for work to end by itself, and for answers to be sent, once the server ends. */
+/* Seconds for work to finish, and for answers to be sent, after the server was
+ * stopped. */
 static const double work_grace_s = 1.0, sending_grace_s = 0.3;
 
 static enum pp_status fail_serve(struct pp_error *err, const char *what)
@@ -36,7 +37,7 @@ static void sleep_s(double seconds)
     nanosleep(&time, NULL);
 }
 
-/* The address as a socket has it. False: it is no number. */
+/* Converts a numeric address to a socket address. False if it is not numeric. */
 static bool socket_address(struct sockaddr_storage *storage, const char *address,
                            int port)
 {
@@ -95,9 +96,9 @@ static int count_work(const struct pp_server *server)
     return pp_work_line_count(server->studies) + pp_work_line_count(server->programs);
 }
 
-/* Accepts no more requests, gives work time to end, stops the rest, and sends the
- * available answers. False: work in this process did not stop in time, and ends with
- * the process. */
+/* Stops accepting requests, gives running work time to finish, stops the rest, and
+ * sends the available answers. False if work in this process did not stop in time; it
+ * then ends with the process. */
 static bool end_server(struct pp_server *server)
 {
     MHD_socket listening = MHD_quiesce_daemon(server->daemon);

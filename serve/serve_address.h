@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-/* True if the address can be reached from this machine only. NULL is 127.0.0.1. */
+/* True if the address can be reached from this machine only. NULL means 127.0.0.1. */
 bool pp_serve_address_is_loopback(const char *address);
 
 #endif

@@ -1,4 +1,4 @@
-/* server.h - what the parts of a running server share. Inside serve/ only. */
+/* server.h - state shared by the parts of a running server. Inside serve/ only. */
 #ifndef PP_SERVE_SERVER_H
 #define PP_SERVE_SERVER_H
 
@@ -16,8 +16,8 @@ struct pp_server {
     struct MHD_Daemon *daemon;
     int port;
     bool is_loopback;
-    struct pp_work_line *studies;  /* work in this process */
-    struct pp_work_line *programs; /* work of child processes */
+    struct pp_work_line *studies;  /* work done in this process */
+    struct pp_work_line *programs; /* work done by child processes */
     struct pp_http_deadlines *deadlines;
     struct pp_weather_store *weather;
     atomic_bool ending;

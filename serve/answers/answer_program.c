@@ -46,7 +46,7 @@ bool pp_answer_program(struct pp_task *task)
     return true;
 }
 
-/* { "gbxml": "<gbXML ...>" }: converts it to a room file. */
+/* Converts { "gbxml": "<gbXML ...>" } to a room file. */
 bool pp_answer_program_import(struct pp_task *task)
 {
     static const char *const words[] = {"pepperpot", "import", "-", NULL};
@@ -56,7 +56,7 @@ bool pp_answer_program_import(struct pp_task *task)
                             ? json_object_get_string(text)
                             : NULL;
     const char *first = bytes ? bytes + strspn(bytes, " \t\r\n\xEF\xBB\xBF") : "";
-    /* Any other scene may name files. */
+    /* Other scene formats may refer to files of the server. */
     if (*first != '<' || !strstr(first, "<gbXML")) {
         pp_task_fail(task, MHD_HTTP_UNPROCESSABLE_CONTENT,
                      "expected { \"gbxml\": TEXT } of a gbXML file");

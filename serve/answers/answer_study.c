@@ -69,7 +69,8 @@ bool pp_answer_study_df(struct pp_task *task)
 
 /* ---- plan ---- */
 
-/* { "scene": ..., "plan": ... } of two texts; a part without text is null, with why. */
+/* Answers with { "scene": ..., "plan": ... } of two JSON texts. If plan is NULL the
+ * answer has null, and the reason in "why". */
 static void answer_plan(struct pp_task *task, const char *scene, const char *plan,
                         const struct pp_error *err)
 {
@@ -123,8 +124,8 @@ bool pp_answer_study_plan(struct pp_task *task)
 
 /* ---- check ---- */
 
-/* A room without mistakes gives an empty list: the file is what is asked about, so that one
- * with mistakes is an answer, too, and no error. */
+/* Answers with the list of mistakes in the room file; mistakes are a result here, not
+ * an HTTP error. The list is empty for a valid file. */
 bool pp_answer_study_check(struct pp_task *task)
 {
     static const char *const names[] = {NULL};
@@ -155,7 +156,7 @@ bool pp_answer_study_check(struct pp_task *task)
         pp_study_destroy(asked.study);
         asked.study = NULL;
         if (status == PP_BAD_INPUT)
-            status = PP_OK; /* the mistakes say so; more may follow */
+            status = PP_OK; /* recorded as mistakes; other rooms may have more */
     }
     if (status == PP_SYSTEM || !rooms || !object) {
         json_object_put(rooms);

@@ -7,7 +7,7 @@
 
 #include "serve/answers/mistake_place.h"
 
-/* Limits of one request. Larger rooms are for the command. */
+/* Limits of one request; larger rooms need the command line. */
 enum {
     POINTS_MOST = 5000,
     OPENINGS_MOST = 200,
@@ -160,7 +160,7 @@ static void fail_mistakes(struct pp_task *task, const struct pp_asked_room *aske
     pp_task_answer_json(task, MHD_HTTP_UNPROCESSABLE_CONTENT, object);
 }
 
-/* The study of the room of that name; NULL: of the first. */
+/* Creates the study of the room of that name (NULL: the first room). */
 static enum pp_status choose_room(struct pp_asked_room *asked, const char *name,
                                   const char *sky, struct pp_error *err)
 {
@@ -181,7 +181,7 @@ static enum pp_status choose_room(struct pp_asked_room *asked, const char *name,
     return PP_BAD_INPUT;
 }
 
-/* [[x, y], [x, y, z], ...] in place of the room's own points. */
+/* Replaces the room's points by [[x, y], [x, y, z], ...]. */
 static bool set_points(struct pp_asked_room *asked, struct pp_task *task,
                        struct json_object *points)
 {

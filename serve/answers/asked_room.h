@@ -1,4 +1,4 @@
-/* asked_room.h - the room and the options that a request carries. Inside serve/ only.
+/* asked_room.h - the room and the options in the body of a request. Inside serve/ only.
  *
  *     { "room": "<room version='1'>...</room>", "options": { "methods": "exact+bre" } }
  */
@@ -8,43 +8,42 @@
 #include "serve/work/task.h"
 
 struct pp_asked_room {
-    const char *text; /* of the room file; the task's */
+    const char *text; /* room file; owned by the task */
     size_t length;
     struct pp_mistakes *mistakes;
     struct pp_building *building;
     struct pp_study *study;
 };
 
-/* True if the request's options are among these, and the body has the members room and
- * options only. If false, the answer is set. names ends with NULL. */
+/* True if the body has only the members room and options, and its options are among
+ * `names` (NULL-terminated). If false, the error answer is set. */
 bool pp_asked_room_options(struct pp_task *task, const char *const *names);
 
-/* Gets an option of a JSON type; NULL: it is not there. False: it has another type, and
- * the answer is set. */
+/* Gets an option; *option is NULL if it is missing. False if it has another JSON type;
+ * the error answer is then set. */
 bool pp_asked_room_option(struct json_object **option, struct pp_task *task,
                           const char *name, enum json_type type);
 
-/* True if the sky needs no file (a photograph does); NULL is allowed. If false, the
- * answer is set. */
+/* True if the sky needs no file, as a photograph would; NULL is allowed. If false, the
+ * error answer is set. */
 bool pp_asked_room_sky(struct pp_task *task, const char *sky);
 
-/* Gets a number from `least` to `most`; `usual` if the option is missing. False: the
- * answer is set. */
+/* Gets a number from `least` to `most`; `usual` if the option is missing. False if it
+ * is invalid; the error answer is then set. */
 bool pp_asked_room_number(double *number, struct pp_task *task, const char *name,
                           double usual, double least, double most);
 
-/* Reads the room, which names no files, with the options "room" (a name) and "sky" and
- * "points", within the limits of the server. False: the answer is set; cleared in any case
- * by pp_asked_room_clear. */
+/* Reads the room, with the options "room" (a name), "sky" and "points". The room file
+ * must not refer to other files and must keep the limits of the server. On failure
+ * returns false and sets the error answer. The caller clears *asked in any case. */
 bool pp_asked_room_open(struct pp_asked_room *asked, struct pp_task *task);
 void pp_asked_room_clear(struct pp_asked_room *asked);
 
-/* Checks the room of a request for a child process: its limits and mistakes, and that it
- * names no files. The options are the command's own and are not read. False: the answer is
- * set. */
+/* Checks a room that a child process will read: limits, mistakes, and that it refers to
+ * no files. Options are not checked. If false, the error answer is set. */
 bool pp_asked_room_check(struct pp_task *task);
 
-/* The mistakes of the room as a list; NULL: memory is out. */
+/* List of the mistakes of the room; NULL without memory. */
 struct json_object *pp_asked_room_mistakes(const struct pp_asked_room *asked);
 
 #endif

@@ -4,7 +4,8 @@
 
 #include <stddef.h>
 
-/* RFC 4648, section 4, with a 0 behind; the caller frees it. NULL: memory is out. */
+/* Encodes bytes by RFC 4648, section 4. Returns a NUL-terminated string that the caller
+ * frees; NULL without memory. */
 char *pp_base64_of(const char *bytes, size_t length);
 
 #endif

@@ -23,7 +23,7 @@ static int line_at(const char *text, const char *at)
     return line;
 }
 
-/* Column of a place: characters of its line before it, and 1. */
+/* Column of a position: 1 + number of characters before it in its line. */
 static int column_at(const char *text, const char *at)
 {
     int column = 1;
@@ -51,8 +51,8 @@ static struct text_span line_span(const char *text, const char *end, int line)
     return span;
 }
 
-/* The next tag from `at` on, from "<" to ">" inclusive; comments are skipped. At the
- * end of the text: an empty span. */
+/* Next tag from `at` on, including "<" and ">"; comments are skipped. The span is empty
+ * at the end of the text. */
 static struct text_span tag_behind(const char *at, const char *end)
 {
     while (at < end) {
@@ -85,7 +85,8 @@ static bool tag_is_named(struct text_span tag, const char *name, size_t length)
            && (is_blank(tag.from[length + 1]) || strchr("/>", tag.from[length + 1]));
 }
 
-/* The attribute in a tag, from its name to behind its value; empty: it has none such. */
+/* Attribute of a tag, including name and value; the span is empty if the tag lacks
+ * it. */
 static struct text_span attribute_in(struct text_span tag, const char *name,
                                      size_t length)
 {
@@ -107,7 +108,7 @@ static struct text_span attribute_in(struct text_span tag, const char *name,
     return (struct text_span){tag.to, tag.to};
 }
 
-/* The word in quotes behind `before` in the sentence; empty: there is none. */
+/* Word between `before` and the next quote in the sentence; empty if there is none. */
 static struct text_span quoted_behind(const char *sentence, const char *before)
 {
     const char *found = strstr(sentence, before);

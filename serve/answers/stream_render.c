@@ -1,7 +1,7 @@
 /* stream_render.c - see stream_render.h.
  *
- * Each pass is a run of pepperpot render: an eighth of the size with one path a pixel, half,
- * and all of it with 4 and 16. An event "picture" has the PNG in base64.
+ * Each pass runs pepperpot render: at 1/8 of the size with 1 path per pixel, at 1/2
+ * with 4, at full size with 4 and then 16. Each event "picture" has a PNG in base64.
  */
 #include "serve/answers/stream_render.h"
 
@@ -22,8 +22,8 @@ struct render {
     int pass, width, height;
 };
 
-/* Reads "640x480", within limits, and removes it from the options. False: the answer is
- * set. */
+/* Reads the option size ("640x480"), within limits, and removes it from the options. If
+ * false, the error answer is set. */
 static bool take_size(struct render *render, struct pp_task *task)
 {
     struct json_object *size, *options = NULL;

@@ -1,5 +1,5 @@
-/* stream_render.h - the endpoint render: a picture as a stream, coarse first. Inside serve/
- * only. */
+/* stream_render.h - the endpoint render: a stream of pictures, coarse ones first.
+ * Inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_STREAM_RENDER_H
 #define PP_SERVE_ANSWERS_STREAM_RENDER_H
 

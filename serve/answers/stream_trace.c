@@ -1,7 +1,7 @@
 /* stream_trace.c - see stream_trace.h.
  *
- * Events: "estimate" after each slice of work, with what is known so far, and "result" at the
- * end, which is what df prints of it.
+ * Events: "estimate" after each slice of work, with the present values, and "result" at
+ * the end, with the JSON output of df.
  */
 #include "serve/answers/stream_trace.h"
 
@@ -11,8 +11,8 @@
 
 #include "serve/answers/asked_room.h"
 
-/* Time (s) between checks whether the client still waits; shorter at first, for an
- * early first estimate. */
+/* Time (s) between checks whether the client is still connected; shorter at first, for
+ * an early first estimate. */
 static const double first_slice_s = 0.01, slice_s = 0.04;
 
 struct trace {
@@ -27,7 +27,7 @@ static void free_trace(void *state)
     free(trace);
 }
 
-/* Per cent with so many digits that the rest is far below the standard error. */
+/* Writes per cent with 6 digits: the rounding error is far below the standard error. */
 static void put_per_cent(FILE *out, double factor)
 {
     if (isfinite(factor))
@@ -98,7 +98,7 @@ static bool begin_trace(struct trace *trace, struct pp_task *task)
     return false;
 }
 
-/* Sends what df prints. */
+/* Sends the JSON output of df as the event "result". */
 static void send_result(struct pp_task *task, const struct pp_study *study)
 {
     char *bytes;

@@ -18,16 +18,16 @@ struct pp_http_deadline;
 struct pp_http_deadlines *pp_http_deadline_list_create(void); /* NULL: no memory */
 void pp_http_deadline_list_destroy(struct pp_http_deadlines *list);
 
-/* Begins a connection on that socket; NULL: there are too many. */
+/* Registers a connection on that socket; NULL if there are too many. */
 struct pp_http_deadline *pp_http_deadline_begin(struct pp_http_deadlines *list,
                                                 int socket);
-/* Starts the connection's time for a request, or stops it when the request is
- * complete. */
+/* waits: starts the time for the connection's next request; else stops it, when a
+ * request is complete. */
 void pp_http_deadline_wait(struct pp_http_deadlines *list, struct pp_http_deadline *one,
                            bool waits);
 void pp_http_deadline_end(struct pp_http_deadlines *list, struct pp_http_deadline *one);
 
-/* Shuts down the sockets whose time is over. */
+/* Shuts down the sockets whose time has expired. */
 void pp_http_deadline_look(struct pp_http_deadlines *list);
 
 #endif

@@ -12,7 +12,7 @@
 
 enum { HOST_BYTES = 256 };
 
-/* The host without its port: "[::1]:80" gives "::1". False: it is none. */
+/* The host without its port: "[::1]:80" gives "::1". False if it is no host. */
 static bool bare_host(char bare[HOST_BYTES], const char *host)
 {
     size_t length;
@@ -66,14 +66,14 @@ bool pp_http_guard_same(const char *wanted, const char *given)
     return differences == 0;
 }
 
-/* "https://host:1" has the authority of Host "host:1". */
+/* True if the origin's host and port equal the Host header. */
 static bool is_own_origin(const char *origin, const char *host)
 {
     const char *scheme_end = strstr(origin, "://");
     return scheme_end && host && strcasecmp(scheme_end + 3, host) == 0;
 }
 
-/* Media type without its parameters. */
+/* True if the media types are equal, apart from parameters of `given`. */
 static bool is_of_type(const char *given, const char *wanted)
 {
     size_t length = strlen(wanted);

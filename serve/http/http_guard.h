@@ -6,24 +6,25 @@
 
 #include "serve/serve.h"
 
-/* Headers of a request; NULL where there is none. */
+/* Headers of a request; NULL: missing. */
 struct pp_http_headers {
     const char *method;
     const char *host, *origin, *content_type, *authorization, *fetch_site;
 };
 
-/* Is the Host one of the server's? A loopback server goes by 127.0.0.1, localhost and
- * [::1]; any other by every numeric address, too, since only names can be made to point to
- * it by others (DNS rebinding); and both by the names in `hosts`. The port, if any, is
- * not compared: a proxy may have another. */
+/* True if the Host header is allowed: 127.0.0.1, localhost, [::1], the server's address
+ * and the names in `hosts`. Unless the server is a loopback server, any numeric address
+ * is allowed too: a DNS rebinding attack needs a name. The port is not compared, since
+ * a proxy may have another one. */
 bool pp_http_guard_host(const struct pp_serve_options *options, const char *host);
 
-/* True if both texts are equal; the time does not depend on where they differ. wanted
- * NULL: true. */
+/* True if the texts are equal, or wanted is NULL. Constant time: its duration does not
+ * depend on the position of a difference. */
 bool pp_http_guard_same(const char *wanted, const char *given);
 
-/* Returns 0, or the status to refuse the request with, and *why. is_page: the path is of the
- * page, whose files are no secret. token: that the path needs; NULL: none. */
+/* Returns 0 if the request is accepted, else the HTTP status of the refusal, with its
+ * reason in *why. is_page: the path is a file of the page, which is public. token:
+ * required by the path; NULL: none. */
 unsigned pp_http_guard_check(const struct pp_serve_options *options,
                              const struct pp_http_headers *headers,
                              const char *body_type, bool is_page, const char *token,

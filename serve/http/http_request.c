@@ -22,7 +22,7 @@ struct http_request {
 
 /* ---- answers ---- */
 
-/* Only the page's own files may run, be displayed, or be connected to. */
+/* Scripts, images and connections are limited to the page's own. */
 static const char content_policy[] =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: "
     "blob:; "
@@ -49,7 +49,8 @@ static enum MHD_Result send_response(struct MHD_Connection *connection, unsigned
     return queued;
 }
 
-/* { "error": "..." } of a sentence without characters to escape. allowed: of a 405. */
+/* Answers with { "error": "..." }; the sentence must need no JSON escapes. allowed: the
+ * Allow header of a 405, or NULL. */
 static enum MHD_Result refuse(struct MHD_Connection *connection, unsigned status,
                               const char *sentence, const char *allowed)
 {
@@ -98,7 +99,7 @@ static enum MHD_Result send_answer(struct MHD_Connection *connection,
         response = MHD_create_response_from_buffer(task->length, task->bytes,
                                                    MHD_RESPMEM_MUST_FREE);
         if (response)
-            task->bytes = NULL; /* the response has it */
+            task->bytes = NULL; /* now owned by the response */
     }
     pthread_mutex_unlock(&task->lock);
     if (!status)
@@ -118,7 +119,7 @@ static enum MHD_Result send_page_file(struct MHD_Connection *connection,
     return send_response(connection, MHD_HTTP_OK, file->type, response);
 }
 
-/* ---- the beginning of a request ---- */
+/* ---- first headers of a request ---- */
 
 static const char *header(struct MHD_Connection *connection, const char *name)
 {
@@ -180,10 +181,10 @@ static enum MHD_Result begin_request(struct pp_server *server,
     return request->body ? MHD_YES : MHD_NO;
 }
 
-/* ---- the end of a request ---- */
+/* ---- end of a request ---- */
 
-/* Client of a connection: its page, or its machine if none is named. Clients are served
- * in turn. */
+/* Identifies the client for fair scheduling: a hash of its page, or of its address if
+ * no page is named. */
 static uint64_t client_of(struct MHD_Connection *connection)
 {
     uint64_t hash = 1469598103934665603u; /* FNV-1a */
@@ -204,7 +205,7 @@ static uint64_t client_of(struct MHD_Connection *connection)
     return hash;
 }
 
-/* The body as an object: of JSON, or { "bytes": "..." } of others. */
+/* Body as a JSON object; for other media types { "bytes": "..." }. */
 static struct json_object *body_object(const struct http_request *request)
 {
     enum { DEPTH_MOST = 8 };

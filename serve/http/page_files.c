@@ -1,4 +1,4 @@
-/* page_files.c - see page_files.h. page2c.awk makes the list of the files in page/. */
+/* page_files.c - looks up the files of page/; page2c.awk generates their list. */
 #include "serve/http/page_files.h"
 
 #include <string.h>

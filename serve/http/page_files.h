@@ -11,7 +11,7 @@ struct pp_page_file {
     size_t length;
 };
 
-/* The file of a path; "/" is the page itself. NULL: there is none. */
+/* File of a path; "/" is the page itself. NULL if there is none. */
 const struct pp_page_file *pp_page_files_find(const char *path);
 
 #endif

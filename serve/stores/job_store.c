@@ -21,7 +21,7 @@ static void job_path(char path[PATH_BYTES], const struct pp_task *task,
     snprintf(path, PATH_BYTES, "%s/%s%s", task->server->options->jobs, name, ending);
 }
 
-/* Writes a file whole or not at all. */
+/* Writes a file completely or not at all. */
 static bool write_whole(const struct pp_task *task, const char *name,
                         const char *ending, const char *bytes, size_t length)
 {
@@ -53,7 +53,7 @@ static bool write_state(const struct pp_task *task, const char *name, const char
     return good;
 }
 
-/* The job itself, behind its own request. */
+/* Runs the job; the request that began it is already answered. */
 static bool run_job(struct pp_task *task)
 {
     const char *name = task->state;
@@ -81,7 +81,7 @@ static char *new_name(void)
     if (name && getrandom(random, sizeof random, 0) == (ssize_t)sizeof random) {
         for (size_t i = 0; i < sizeof random; i++)
             snprintf(name + 2 * i, 3, "%02x", random[i]);
-        name[NAME_DIGITS] = '\0'; /* as long as the last part of a path may be */
+        name[NAME_DIGITS] = '\0'; /* the longest final part of a path */
         return name;
     }
     free(name);
@@ -158,7 +158,7 @@ static char *read_job_file(const char *path, size_t *length)
     return bytes;
 }
 
-/* The media type that the state names, as one that outlives it. */
+/* Media type named in the state file, as a static string. */
 static const char *result_type(struct json_object *state)
 {
     static const char *const types[] = {

@@ -1,18 +1,20 @@
-/* job_store.h - commands whose results are fetched later, from the folder of --jobs. Inside
- * serve/ only.
+/* job_store.h - commands whose results are fetched later, from the folder of --jobs.
+ * Inside serve/ only.
  *
- * A job is named by 128 random bits, which only who has begun it knows. Its folder entry
- * NAME.json is its state, NAME.result its result: both outlive the server.
+ * The name of a job is 128 random bits, known only to the client that began it.
+ * NAME.json is its state, NAME.result its result; both remain after the server has
+ * stopped.
  */
 #ifndef PP_SERVE_STORES_JOB_STORE_H
 #define PP_SERVE_STORES_JOB_STORE_H
 
 #include "serve/work/task.h"
 
-/* { "command": "report", "room": ..., "options": ... } begins a job: { "job": NAME }. */
+/* Begins a job: { "command": "report", "room": ..., "options": ... }. Answers with {
+ * "job": NAME }. */
 pp_task_run pp_job_store_put;
 
-/* State of the job, or its result once it is done. */
+/* Answers with the state of the job or, once it is done, with its result. */
 pp_task_run pp_job_store_get;
 
 #endif

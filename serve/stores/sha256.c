@@ -1,4 +1,4 @@
-/* sha256.c - SHA-256 as FIPS 180-4 has it, with its names: Sigma, sigma, Ch, Maj. */
+/* sha256.c - SHA-256 with the symbols of FIPS 180-4: Sigma, sigma, Ch, Maj. */
 #include "serve/stores/sha256.h"
 
 #include <stdint.h>

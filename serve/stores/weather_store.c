@@ -51,7 +51,7 @@ void pp_weather_store_destroy(struct pp_weather_store *store)
     free(store);
 }
 
-/* Under the lock. */
+/* Finds a file by its hash. Needs the lock. */
 static struct weather_file *find_file(struct pp_weather_store *store, const char *hash)
 {
     for (int i = 0; i < PP_WEATHER_STORE_MOST; i++)
@@ -70,7 +70,7 @@ const char *pp_weather_store_path(struct pp_weather_store *store, const char *ha
     return file ? file->path : NULL;
 }
 
-/* Under the lock: writes the file in the place of the one that was used longest ago. */
+/* Writes the file in place of the least recently used one. Needs the lock. */
 static bool keep_file(struct pp_weather_store *store, const char *hash,
                       const char *bytes, size_t length)
 {

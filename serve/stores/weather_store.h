@@ -1,7 +1,7 @@
-/* weather_store.h - weather files that were uploaded, by their hash. Inside serve/ only.
+/* weather_store.h - uploaded weather files, by their hash. Inside serve/ only.
  *
- * They lie in a folder of the server's own, which goes with it. The store holds the last
- * ones used.
+ * The store keeps the last files used, in a temporary folder that is removed when the
+ * server stops.
  */
 #ifndef PP_SERVE_STORES_WEATHER_STORE_H
 #define PP_SERVE_STORES_WEATHER_STORE_H
@@ -10,15 +10,15 @@
 
 enum { PP_WEATHER_STORE_MOST = 32 };
 
-struct pp_weather_store *pp_weather_store_create(void); /* NULL: it cannot be made */
+struct pp_weather_store *pp_weather_store_create(void);        /* NULL on failure */
 void pp_weather_store_destroy(struct pp_weather_store *store); /* NULL is allowed */
 void pp_weather_store_empty(struct pp_weather_store *store);   /* removes the folder */
 
-/* The path of the file of that hash; NULL: there is none. Good while the store lives: a file
- * that leaves the store may be gone, which the command then says. */
+/* Path of the file with that hash; NULL if there is none. The string is valid while the
+ * store lives. The file may be removed meanwhile; the command then reports that. */
 const char *pp_weather_store_path(struct pp_weather_store *store, const char *hash);
 
-/* The endpoint: { "hash": "...", "place": "..." }. */
+/* Stores a weather file; answers with { "hash": "...", "place": "..." }. */
 pp_task_run pp_weather_store_put;
 
 #endif

@@ -16,7 +16,8 @@
 extern char **environ;
 
 static const size_t output_most = (size_t)48 << 20, errors_most = (size_t)64 << 10;
-static const rlim_t memory_most = (rlim_t)4 << 30; /* of addresses: threads, fonts */
+static const rlim_t memory_most = (rlim_t)4 << 30; /* address space, with threads and
+                                                    * fonts */
 
 struct pipes {
     int in[2], out[2], err[2];
@@ -60,12 +61,13 @@ static bool spawn_child(pid_t *child, const struct pp_task *task,
     posix_spawn_file_actions_adddup2(&actions, pipes->in[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, pipes->out[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, pipes->err[1], STDERR_FILENO);
-    /* A folder without files of anybody's. */
+    /* A working directory that contains no files of the user. */
     posix_spawn_file_actions_addchdir_np(&actions, "/proc/self/fdinfo");
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &standard);
-    posix_spawnattr_setpgroup(&attributes, 0); /* the terminal's interrupt is ours */
+    posix_spawnattr_setpgroup(&attributes, 0); /* own process group: the terminal's
+                                                * Ctrl-C must not reach it */
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF
                                               | POSIX_SPAWN_SETPGROUP);
     int failed = posix_spawn(child, task->server->options->program, &actions,
@@ -85,8 +87,8 @@ static bool spawn_child(pid_t *child, const struct pp_task *task,
     return true;
 }
 
-/* Reads the available output; closes the pipe at its end. False: too much output, or
- * out of memory. */
+/* Reads the available output; closes the pipe at its end. False if there is too much
+ * output, or without memory. */
 static bool take_output(int *pipe, char **bytes, size_t *length, size_t most)
 {
     enum { BLOCK = 64 << 10 };
@@ -110,7 +112,7 @@ static double child_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Writes the input and reads until both outputs end. */
+/* Writes the input and reads both outputs until they end. */
 static enum pp_child_end pump(struct pp_child_result *result, struct pp_task *task,
                               struct pipes *pipes, const char *input, size_t left)
 {
@@ -141,7 +143,7 @@ static enum pp_child_end pump(struct pp_child_result *result, struct pp_task *ta
                 input += written;
                 left -= (size_t)written;
             } else if (errno != EAGAIN && errno != EINTR) {
-                close_end(&pipes->in[1]); /* it does not read on */
+                close_end(&pipes->in[1]); /* the child stopped reading */
             }
         }
     }
@@ -176,7 +178,7 @@ const char *pp_child_sentence(struct pp_child_result *result)
 {
     if (result->end == PP_CHILD_LIMIT)
         return "the command took too long, or its result is too large";
-    /* "pepperpot: sentence" or "pepperpot size: sentence". */
+    /* The message begins "pepperpot: " or "pepperpot COMMAND: ". */
     char *sentence = result->errors ? strstr(result->errors, "pepperpot") : NULL;
     sentence = sentence ? strstr(sentence, ": ") : NULL;
     if (!sentence)

@@ -1,9 +1,9 @@
-/* child.h - the program run as a child process, for what pepperpot.h lacks. Inside serve/
- * only.
+/* child.h - runs the program as a child process, for functions that pepperpot.h lacks.
+ * Inside serve/ only.
  *
- * It reads a text, and its standard output and error are kept. It has limits of time,
- * memory and output, a lower priority, an empty folder to work in, and ends when the task is
- * cancelled.
+ * The child's standard input is a text; its output and errors are kept. It has limits
+ * on time, memory and output, a low priority and an empty working directory. It ends
+ * when the task is cancelled.
  */
 #ifndef PP_SERVE_WORK_CHILD_H
 #define PP_SERVE_WORK_CHILD_H
@@ -13,26 +13,26 @@
 enum { PP_CHILD_WORDS_MOST = 64, PP_CHILD_SECONDS_MOST = 120 };
 
 enum pp_child_end {
-    PP_CHILD_DONE,      /* it has ended by itself, with `status` */
-    PP_CHILD_CANCELLED, /* the client no longer waits for it */
-    PP_CHILD_LIMIT,     /* it took too long, or wrote too much */
-    PP_CHILD_FAILED     /* it could not be started, or died */
+    PP_CHILD_DONE,      /* exited; see `status` */
+    PP_CHILD_CANCELLED, /* the client is no longer connected */
+    PP_CHILD_LIMIT,     /* exceeded the limit on time or output */
+    PP_CHILD_FAILED     /* could not be started, or died */
 };
 
 struct pp_child_result {
     enum pp_child_end end;
     int status;
-    char *output, *errors; /* malloc, with a 0 behind; NULL: memory is out */
+    char *output, *errors; /* malloc, NUL-terminated; NULL: out of memory */
     size_t length, error_length;
 };
 
-/* Runs the server's program with these words, NULL behind the last; input is written to
- * it. The caller frees output and errors. */
+/* Runs the server's program with these arguments (NULL-terminated) and this standard
+ * input. The caller frees output and errors. */
 struct pp_child_result pp_child_run(struct pp_task *task, const char *const *words,
                                     const char *input, size_t input_length);
 
-/* The fault, by the child's own first message or by how it ended; it cuts the errors off
- * there. */
+/* Reason of a failure: the child's first message, or how it ended. Cuts `errors` off
+ * after that message. */
 const char *pp_child_sentence(struct pp_child_result *result);
 
 #endif

@@ -9,7 +9,7 @@
 #include "serve/stores/weather_store.h"
 
 /* A command, the options that a request may set (separated by blanks), and its formats,
- * the default one first. None of the options names a file. */
+ * the default first. No option may name a file. */
 static const struct {
     const char *command, *options, *formats;
 } commands[] = {
@@ -92,7 +92,7 @@ void pp_program_words_clear(struct pp_program_words *words)
     words->owned_count = 0;
 }
 
-/* Is the word in a list between blanks? */
+/* True if the word is in a list of words separated by blanks. */
 static bool is_listed(const char *list, const char *word)
 {
     size_t length = strlen(word);
@@ -102,7 +102,7 @@ static bool is_listed(const char *list, const char *word)
     return false;
 }
 
-/* A list of points or numbers as the command line has it: "1.5,2 1.5,3". */
+/* Writes a list of points or numbers as on the command line: "1.5,2 1.5,3". */
 static void write_list(FILE *out, struct json_object *list, const char *between)
 {
     for (size_t i = 0; i < json_object_array_length(list); i++) {
@@ -115,7 +115,7 @@ static void write_list(FILE *out, struct json_object *list, const char *between)
     }
 }
 
-/* Adds the word of one option. False: the answer is set. */
+/* Adds an option as an argument. If false, the error answer is set. */
 static bool add_option(struct pp_program_words *words, struct pp_task *task,
                        const char *name, struct json_object *value)
 {
@@ -168,7 +168,7 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
     }
 }
 
-/* Sets the format and its media type. False: the answer is set. */
+/* Sets the format and its media type. If false, the error answer is set. */
 static bool add_format(struct pp_program_words *words, struct pp_task *task,
                        const char *formats, const char *format)
 {

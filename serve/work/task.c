@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Bytes of a stream that wait for their reader, at most. */
+/* Limit on the unsent bytes of a stream. */
 enum { WAITING_MOST = 8 << 20 };
 
 static const char json_media_type[] = "application/json";
@@ -69,7 +69,7 @@ void pp_task_cancel(struct pp_task *task)
     pthread_mutex_unlock(&task->lock);
 }
 
-/* Under the lock. */
+/* Needs the lock. */
 static void wake_connection(struct pp_task *task)
 {
     if (!task->is_suspended)
@@ -141,7 +141,7 @@ void pp_task_fail_with(struct pp_task *task, const struct pp_error *err)
                  "%s", err->message);
 }
 
-/* Under the lock: adds to what is to be sent. False: memory is out. */
+/* Appends to the unsent bytes. Needs the lock. False without memory. */
 static bool append_bytes(struct pp_task *task, const char *bytes, size_t length)
 {
     if (task->taken > 0) {
@@ -158,7 +158,7 @@ static bool append_bytes(struct pp_task *task, const char *bytes, size_t length)
     return true;
 }
 
-/* "event: NAME", the lines of the data, and an empty line. */
+/* Text of an event: "event: NAME", "data: " and each line, and an empty line. */
 static char *event_text(const char *name, const char *data, size_t *length)
 {
     char *text = NULL;

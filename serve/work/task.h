@@ -1,9 +1,10 @@
 /* task.h - the work for a request, and its answer. Inside serve/ only.
  *
- * A task belongs to the thread that reads requests until it is submitted to a line
- * (work_line.h). From then on a worker runs it, in slices, while its connection is
- * suspended. The answer is one whole, or a stream of events that begins before the work
- * ends. Both the request and the line own the task: the last to release it frees it.
+ * A task belongs to the thread that reads requests until it is submitted to a queue
+ * (work_line.h). Then a worker runs it, in slices, while its connection is suspended.
+ * The answer is sent as a whole, or is a stream of events that begins before the work
+ * ends. The request and the queue both own the task; the last owner that releases it
+ * frees it.
  */
 #ifndef PP_SERVE_WORK_TASK_H
 #define PP_SERVE_WORK_TASK_H
@@ -17,62 +18,63 @@
 
 struct pp_task;
 
-/* One slice of work, some 50 ms. True: the answer is complete. */
+/* Runs one slice of work, about 50 ms. Returns true if the answer is complete. */
 typedef bool pp_task_run(struct pp_task *task);
 
 struct pp_task {
     struct pp_server *server;
     pp_task_run *run;
-    const char *command;      /* "df", of the endpoint */
-    char kind[32];            /* last part of the path, "waldram"; empty: none */
-    struct json_object *body; /* of the request, an object */
-    uint64_t client;          /* whose turn it is */
+    const char *command;      /* "df": the last part of the endpoint's path */
+    char kind[32];            /* variable part of the path, "waldram"; empty: none */
+    struct json_object *body; /* request body, an object */
+    uint64_t client;          /* hash of the client, for fair scheduling */
 
-    void *state; /* of the run function, between slices */
+    void *state; /* kept for the run function between slices */
     void (*free_state)(void *state);
 
-    /* The answer, under the lock. */
+    /* The answer; access needs the lock. */
     pthread_mutex_t lock;
     unsigned status;  /* HTTP's */
-    const char *type; /* its media type, not owned */
+    const char *type; /* media type, not owned */
     char *bytes;
-    size_t length, taken; /* taken: of a stream, what has been sent */
+    size_t length, taken; /* taken: bytes of a stream that were sent */
     bool is_stream, is_done, is_suspended, is_cancelled;
-    struct MHD_Connection *connection; /* NULL: it has none, or has lost it */
+    struct MHD_Connection *connection; /* NULL: none, or closed */
     int socket;
     int owners;
 
-    /* Set by the work line. */
+    /* Set by the queue. */
     struct pp_task *next;
     uint64_t turn;
 };
 
-/* A task without a connection; NULL: memory is out. Takes over body. */
+/* Creates a task without a connection; NULL without memory. Takes ownership of body. */
 struct pp_task *pp_task_create(struct pp_server *server, pp_task_run *run,
                                const char *command, struct json_object *body);
 void pp_task_release(struct pp_task *task); /* NULL is allowed */
 
-/* True if the client has closed its connection; checks the socket, too. */
+/* True if the client has closed its connection or the server is stopping; polls the
+ * socket. */
 bool pp_task_is_cancelled(struct pp_task *task);
 void pp_task_cancel(struct pp_task *task);
 
-/* Sets the whole answer; takes over bytes (malloc; NULL: memory is out). */
+/* Sets the complete answer; takes ownership of bytes (malloc; NULL: out of memory). */
 void pp_task_answer(struct pp_task *task, unsigned status, const char *type,
                     char *bytes, size_t length);
-/* The same of an object, which is freed; NULL: memory is out. */
+/* Sets a JSON object as the answer and frees it; NULL: out of memory. */
 void pp_task_answer_json(struct pp_task *task, unsigned status,
                          struct json_object *object);
-/* { "error": "..." }; in a stream that has begun, an event "error". */
+/* Answers with { "error": "..." }; a stream that has begun gets an event "error". */
 void pp_task_fail(struct pp_task *task, unsigned status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* The same with the status that belongs to the error of the library. */
+/* Answers with the library's error and the HTTP status for it. */
 void pp_task_fail_with(struct pp_task *task, const struct pp_error *err);
 
-/* Begins the stream, if it has not begun, and adds an event of one or more lines of data.
- * A client that does not read is cancelled. */
+/* Adds an event to the stream, and begins the stream if necessary; data may have
+ * several lines. A client that does not read is cancelled. */
 void pp_task_event(struct pp_task *task, const char *name, const char *data);
 
-/* Ends the work: wakes the connection. */
+/* Marks the answer as complete and resumes the connection. */
 void pp_task_finish(struct pp_task *task);
 
 #endif

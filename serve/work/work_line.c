@@ -7,15 +7,15 @@
 struct pp_work_line {
     pthread_mutex_t lock;
     pthread_cond_t wake;
-    struct pp_task *waiting; /* in the order in which they came */
+    struct pp_task *waiting; /* in order of arrival */
     int waiting_count, working;
-    uint64_t turn; /* of the task begun last */
+    uint64_t turn; /* turn of the task begun last */
     bool ending;
     pthread_t *workers;
     int worker_count;
 };
 
-/* Under the lock: puts a task at the end, with its turn. */
+/* Appends a task to the queue and sets its turn. Needs the lock. */
 static void join_line(struct pp_work_line *line, struct pp_task *task)
 {
     uint64_t turn = line->turn;
@@ -29,7 +29,7 @@ static void join_line(struct pp_work_line *line, struct pp_task *task)
     line->waiting_count++;
 }
 
-/* Under the lock: takes the task of the lowest turn, the first of several. */
+/* Removes the task with the lowest turn, the first of equal ones. Needs the lock. */
 static struct pp_task *leave_line(struct pp_work_line *line)
 {
     struct pp_task **best = &line->waiting;
@@ -101,7 +101,7 @@ enum pp_work_line_verdict pp_work_line_submit(struct pp_work_line *line,
     else if (own >= PP_WORK_LINE_CLIENT_MOST)
         verdict = PP_WORK_LINE_CLIENT_FULL;
     if (verdict == PP_WORK_LINE_TAKEN) {
-        task->owners++; /* nobody else has it yet */
+        task->owners++; /* safe without its lock: no other thread has the task yet */
         join_line(line, task);
         pthread_cond_signal(&line->wake);
     }

@@ -1,9 +1,10 @@
-/* work_line.h - the line of tasks that wait for a worker, fair between clients. Inside
+/* work_line.h - a queue of tasks for worker threads, fair between clients. Inside
  * serve/ only.
  *
- * Start-time fair queueing: a task's turn is one behind the last turn of its client's that
- * waits, or of the line where none does; the lowest turn is next. So a client with many tasks
- * does not delay one with few. A task with more to do goes back to the line after each slice.
+ * Start-time fair queueing: the turn of a task is 1 + the last turn of the same client
+ * in the queue, or of the task begun last. The task with the lowest turn is next. A
+ * client with many tasks therefore does not delay one with few. An unfinished task
+ * returns to the queue after each slice.
  */
 #ifndef PP_SERVE_WORK_WORK_LINE_H
 #define PP_SERVE_WORK_WORK_LINE_H
@@ -14,7 +15,7 @@ struct pp_work_line;
 
 enum { PP_WORK_LINE_MOST = 512, PP_WORK_LINE_CLIENT_MOST = 256 };
 
-/* Starts the workers; NULL: memory or threads are out. */
+/* Starts the workers; NULL without memory or threads. */
 struct pp_work_line *pp_work_line_create(int workers);
 
 enum pp_work_line_verdict {
@@ -23,15 +24,16 @@ enum pp_work_line_verdict {
     PP_WORK_LINE_CLIENT_FULL
 };
 
-/* Takes the task into the line, which then owns it, too; or leaves it as it is. */
+/* Adds the task to the queue, which becomes an owner; or rejects it unchanged. */
 enum pp_work_line_verdict pp_work_line_submit(struct pp_work_line *line,
                                               struct pp_task *task);
 
-/* Number of tasks that wait or are worked on. */
+/* Number of tasks in the queue or running. */
 int pp_work_line_count(struct pp_work_line *line);
 
-/* Ends the workers behind their present slice and finishes all tasks; NULL is allowed. False: a
- * slice takes longer than so many whole seconds; the line is then left as it is. */
+/* Stops the workers after their present slice and finishes all tasks; NULL is allowed.
+ * False if a slice takes longer than `seconds` (whole seconds); the queue is then not
+ * freed. */
 bool pp_work_line_destroy(struct pp_work_line *line, double seconds);
 
 #endif

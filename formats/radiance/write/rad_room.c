@@ -225,7 +225,7 @@ static enum pp_status add_sky(struct rad_room_builder *b)
  * The ground is diffuse. Its centre is below the centre of the room, at the level of
  * ground.h less a fifth of a millimetre, so that floors and surfaces on the ground stay
  * visible. Its radius is 100 times the distance of the farthest object outside. Ground
- * beyond it is seen only within 0.6 degrees below the horizon, and the objects hide less
+ * beyond it is seen only within 0.6 degrees below the horizon; the objects hide less
  * than a thousandth of its sky. If the room reaches below ground level, the disc has a
  * hole with the section of the room.
  */
