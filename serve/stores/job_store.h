@@ -1,7 +1,7 @@
 /* job_store.h - commands whose results are fetched later, from the folder of --jobs.
  * Inside serve/ only.
  *
- * The name of a job is 128 random bits, known only to the client that began it.
+ * The name of a job is 124 random bits, known only to the client that began it.
  * NAME.json is its state, NAME.result its result; both remain after the server has
  * stopped.
  */
