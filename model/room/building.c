@@ -41,7 +41,7 @@ static enum pp_status parse(struct pp_building **building, const char *bytes,
     pp_xml_clear(&xml);
     pp_mistakes_sort(mistakes);
 
-    /* A truncated file gives no valid room: missing parts may have followed. */
+    /* A truncated file may lack parts, so it gives no valid room. */
     if (whole)
         *building = made;
     else
@@ -63,15 +63,15 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
     return parse(building, bytes, length, NULL, mistakes, err);
 }
 
-/* Folder of a path, with the / after it: "" for the current one. The caller frees it;
- * NULL: out of memory. */
+/* Folder of a path, including the final "/"; "" for the current folder. Freed by the
+ * caller; NULL without memory. */
 static char *folder_of(const char *path)
 {
     const char *end = strrchr(path, '/');
     return strndup(path, end ? (size_t)(end - path) + 1 : 0);
 }
 
-/* Parses the text with the changes in it. */
+/* Parses the text after applying the changes. */
 static enum pp_status parse_changed(struct pp_building **building, const char *bytes,
                                     size_t length, const char *path,
                                     const struct pp_room_changes *changes,
@@ -201,9 +201,9 @@ enum pp_status pp_building_mirror(struct pp_building *building,
     return pp_building_site_settle(building, PP_STATE_BOTH, err);
 }
 
-/* ---- Blocks by their names ---- */
+/* ---- blocks by name ---- */
 
-/* Room that holds the building, or a lone room. */
+/* The room that stores the building's blocks: the common part, or a lone room. */
 static struct pp_room *holder(const struct pp_building *building)
 {
     bool lone = building->read_count == 1 && building->common.block_count == 0
@@ -221,8 +221,8 @@ static bool is_called(const char *own, const char *name)
     return own && strcmp(own, name) == 0;
 }
 
-/* Finds the z of the lowest and highest corner of the block of that line, without the box
- * itself: a roof, or the walls over a footprint. */
+/* Finds the lowest and highest z of the surfaces of the block on that line: its roof,
+ * or its walls over a footprint. The box itself is not included. */
 static void find_reach(double reach_m[2], const struct pp_room *room, int line)
 {
     reach_m[0] = INFINITY;
@@ -238,8 +238,8 @@ static void find_reach(double reach_m[2], const struct pp_room *room, int line)
         }
 }
 
-/* The line of the one block of that name; 0 where there is none, or several. *box: its
- * index among the room's boxes, -1: it stands over a footprint. */
+/* Line of the only block with that name; 0 if there is none, or several. *box: its
+ * index among the room's boxes; -1: it has a footprint instead. */
 static int find_block(const struct pp_room *room, const char *name, int *box)
 {
     int line = 0;
@@ -326,7 +326,7 @@ enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
                                  pp_vec_add(b->corner, across)};
         return copy_corners(corners, count, four, 4, b->corner.z, err);
     }
-    /* The roof is the last of the parts over an outline. */
+    /* The roof is the last surface of a block with a footprint. */
     const struct pp_surface_part *roof = NULL;
     for (int i = 0; i < room->surface_count && line; i++)
         if (room->surfaces[i].is_of_block && room->surfaces[i].line == line)
@@ -340,8 +340,8 @@ enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
                         reach_m[0], err);
 }
 
-/* Removes all boxes and surfaces of blocks with that name. *like: a box with their
- * common properties, without a name. False: there were none. */
+/* Removes all boxes and surfaces of blocks with that name. *like: an unnamed box with
+ * their properties. False if there are none. */
 static bool take_out(struct pp_block *like, struct pp_room *room, const char *name)
 {
     int kept = 0;

@@ -1,5 +1,5 @@
-/* building.h - a parsed room file: a room, or a building of several rooms on one site.
- * world.h makes worlds of its rooms. */
+/* building.h - a parsed room file: one room, or a building of several rooms on one
+ * site. world.h makes worlds of its rooms. */
 #ifndef PP_MODEL_ROOM_BUILDING_H
 #define PP_MODEL_ROOM_BUILDING_H
 
@@ -12,7 +12,7 @@
 #include "model/room/text/room_change.h"
 #include "model/room/world.h"
 
-/* One room as described in the file: names, lengths and lines, unresolved. */
+/* One room as described in the file: names, lengths and lines, not yet resolved. */
 struct pp_room;
 
 /* A line in plan. */
@@ -24,25 +24,26 @@ struct pp_mirror_line {
 struct pp_building;
 
 /* Reads a room file; path "-" is standard input. Mistakes in the file's form or values
- * go to mistakes (PP_BAD_INPUT); an unreadable file is PP_SYSTEM (or PP_BAD_INPUT if it
- * does not exist). *building is made even if there are mistakes, as far as the file
- * could be understood, so that pp_world_create can find the rest of them; NULL if
- * nothing could. */
+ * are added to mistakes (PP_BAD_INPUT). An unreadable file is PP_SYSTEM, or
+ * PP_BAD_INPUT if it does not exist. *building is made even if there are mistakes, as
+ * far as the file was understood, so that pp_world_create can find further ones; else
+ * NULL. */
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 
-/* The same with changes in its text (room_change.h), which pp_building_text then has. */
+/* Reads a room file and changes its text first (room_change.h). pp_building_text
+ * returns the changed text. */
 enum pp_status pp_building_read_changed(struct pp_building **building, const char *path,
                                         const struct pp_room_changes *changes,
                                         struct pp_mistakes *mistakes,
                                         struct pp_error *err);
 
-/* The same from memory. */
+/* Reads from memory. */
 enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
                                  size_t length, struct pp_mistakes *mistakes,
                                  struct pp_error *err);
 
-/* The same of the text that another was read from, in its folder. */
+/* Reads the text of another building again, with changes, in the same folder. */
 enum pp_status pp_building_read_again(struct pp_building **building,
                                       const struct pp_building *other,
                                       struct pp_mistakes *mistakes,
@@ -54,66 +55,68 @@ const char *pp_building_name(
 int pp_building_room_count(const struct pp_building *building);
 struct pp_room *pp_building_room(struct pp_building *building, int index);
 
-/* Index of that room among all rooms of the file, of any state, from 0. */
+/* Index of the room among all rooms of the file, of any state, from 0. */
 int pp_building_place(const struct pp_building *building, int index);
 
-/* Number of windows, rooflights and openings before those of that room in the file,
- * over rooms of any state. */
+/* Number of windows, rooflights and openings in the file before those of that room,
+ * including rooms of any state. */
 int pp_building_openings_before(const struct pp_building *building, int index);
 
-/* True if the file has anything that exists in one state only. */
+/* True if any part of the file exists in one state only. */
 bool pp_building_has_states(const struct pp_building *building);
 
-/* Replaces the rooms, whose pointers become invalid, by the rooms in that state,
- * PP_STATE_EXISTING or PP_STATE_PROPOSED. A building just read is in the proposed
- * state. Fails only if out of memory. */
+/* Replaces the rooms by those of a state, PP_STATE_EXISTING or PP_STATE_PROPOSED;
+ * pointers to rooms become invalid. A building just read is in the proposed state.
+ * Fails only without memory. */
 enum pp_status pp_building_set_state(struct pp_building *building,
                                      enum pp_site_state state, struct pp_error *err);
 
-/* Replaces all rooms by those that exist in both states, with their common
- * surroundings, and by the mirror image of those with a place; otherwise like
- * pp_building_set_state. The line is in the building's axes (m), its ends apart.
- * PP_BAD_INPUT if rooms stand on both sides of it, or none has a place. */
+/* Replaces all rooms by those that exist in both states, with their common surroundings
+ * and the mirror image of the placed rooms; pointers to rooms become invalid. The line
+ * is in the building's axes (m); its ends must differ. PP_BAD_INPUT if rooms stand on
+ * both sides of it, or no room has a place. */
 enum pp_status pp_building_mirror(struct pp_building *building,
                                   const struct pp_mirror_line *line,
                                   struct pp_error *err);
 
-/* For whom and by whom the file was made; not owned. */
+/* Client, author and other facts for title blocks; not owned. */
 const struct pp_project *pp_building_project(const struct pp_building *building);
 
-/* The file's own text, as it was read; not owned. */
+/* Text of the file as it was read; not owned. */
 const char *pp_building_text(const struct pp_building *building, size_t *length);
 
-/* Height (m) of the block of that name, of the building or of a lone room: of its walls,
- * where it has a roof. NAN where there is none, or more than one. */
+/* Height (m) of the block with that name, of the building or of a lone room; the height
+ * of its walls if it has a roof. NAN if there is none, or several. */
 double pp_building_block_height(const struct pp_building *building, const char *name);
 
-/* Gives that block another height (m, greater than 0), roof and all; base and footprint
- * stay. For the rooms of the building it counts from the next pp_building_set_state
- * on. */
+/* Changes the height (m, greater than 0) of the block with that name; its roof moves
+ * along, base and footprint stay. For the rooms of a building the change takes effect
+ * at the next pp_building_set_state. */
 void pp_building_set_block_height(struct pp_building *building, const char *name,
                                   double height_m);
 
-/* The outline that the block of that name stands on: its corners, counter-clockwise seen
- * from above, at its base; to be freed. PP_BAD_INPUT where there is not one so called. */
+/* Footprint of the block with that name: its corners at the base, counter-clockwise
+ * seen from above; freed by the caller. PP_BAD_INPUT if there is no single block of
+ * that name. */
 enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
                                            const struct pp_building *building,
                                            const char *name, struct pp_error *err);
 
-/* A box that stands on a part of a block's plot: turned about its corner. */
+/* A box on a part of a block's plot, rotated about its corner. */
 struct pp_building_cell {
     struct pp_vec3 corner;
     double width_m, depth_m, height_m;
     double rotate_rad;
 };
 
-/* Puts boxes (1 or more) of that name in place of all that the block is, or of the boxes
- * before; they are like it otherwise. It counts as a new height does, above. */
+/* Replaces the block with that name, or the boxes of an earlier call, by these boxes (1
+ * or more) with the same other properties. Takes effect like a change of height,
+ * above. */
 enum pp_status pp_building_divide_block(struct pp_building *building, const char *name,
                                         const struct pp_building_cell *cells, int count,
                                         struct pp_error *err);
 
-/* Gives up to `most` names of blocks, the building's or a lone room's; not owned.
+/* Gets up to `most` names of blocks, of the building or of a lone room; not owned.
  * Returns their number. */
 int pp_building_block_names(const struct pp_building *building, const char **names,
                             int most);

@@ -63,7 +63,8 @@ double pp_corrections_maintenance(enum pp_dirt edition,
         row++;
     if (row == count)
         return NAN;
-    /* Vertical from 75 degrees, horizontal below 15, whatever the rounding. */
+    /* Vertical from 75 degrees, horizontal below 15; the small term absorbs
+     * rounding. */
     double slope_deg = slope_rad / PP_RAD + 1e-6;
     if (slope_deg >= 75.0)
         return maintenance[row].vertical;

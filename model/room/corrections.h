@@ -1,6 +1,6 @@
-/* corrections.h - the published corrections of the daylight factor: frames and
- * curtains that have a name, dirt and decorations by place and work
- * (tables/frames.csv, curtains.csv, maintenance.csv, decorations.csv). */
+/* corrections.h - published correction factors of the daylight factor: named frames and
+ * curtains, dirt and decorations by place and work (tables/frames.csv, curtains.csv,
+ * maintenance.csv, decorations.csv). */
 #ifndef PP_MODEL_ROOM_CORRECTIONS_H
 #define PP_MODEL_ROOM_CORRECTIONS_H
 
@@ -8,8 +8,8 @@
 
 struct pp_named_factor {
     const char *name;
-    double factor;      /* share of the light that it leaves, 0 to 1 */
-    const char *source; /* as the head of the table explains it */
+    double factor;      /* transmitted share of the light, 0 to 1 */
+    const char *source; /* as explained at the head of the table */
     const char *description;
 };
 
@@ -20,12 +20,13 @@ struct pp_named_factors {
 
 extern const struct pp_named_factors pp_frames, pp_curtains;
 
-/* The factor of that name, or NULL. */
+/* Finds a factor by name; NULL if there is none. */
 const struct pp_named_factor *pp_corrections_find(
     const struct pp_named_factors *factors, const char *name);
 
-/* M, the share of the light that dirt leaves on glass of that slope (rad, 0
- * horizontal); NAN where that edition has no figures for such a place or work. */
+/* Maintenance factor M, 0 to 1: light transmitted through dirty glass of that slope
+ * (rad, 0 horizontal) over light through clean glass. NAN if the edition has no value
+ * for the place and work. */
 double pp_corrections_maintenance(enum pp_dirt edition,
                                   enum pp_surroundings surroundings, enum pp_work work,
                                   double slope_rad);
@@ -33,8 +34,8 @@ double pp_corrections_maintenance(enum pp_dirt edition,
 /* Keys in docs/SOURCES.md, by enum pp_dirt. */
 extern const char *const pp_corrections_editions[];
 
-/* D, the share of the internally reflected component that the deterioration of
- * decorations leaves. */
+/* Factor D, 0 to 1, by which the deterioration of decorations reduces the internally
+ * reflected component. */
 double pp_corrections_decorations(enum pp_surroundings surroundings, enum pp_work work);
 
 #endif

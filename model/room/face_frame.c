@@ -12,7 +12,7 @@ enum pp_status pp_face_frame_init(struct pp_face_frame *frame,
 {
     int count = face->outline.count;
     *frame = (struct pp_face_frame){.face = face, .count = count, .convex = true};
-    /* A face that is not quite plane uses its best-fit plane. */
+    /* Slightly uneven faces use their best-fit plane. */
     frame->origin = face->outline.vertices[0];
     double height = pp_polygon_height(&face->outline, frame->origin);
     if (fabs(height) > PP_ROUNDING_M)
@@ -46,7 +46,7 @@ struct pp_vec3 pp_face_frame_point(const struct pp_face_frame *frame, double x,
     return pp_vec_along(pp_vec_along(frame->origin, x, frame->along), y, frame->up);
 }
 
-/* The area of the ring that lies outside the face (m2). */
+/* Area (m2) of the ring outside the face. */
 static enum pp_status area_outside(double *area_m2, struct pp_clipper *clipper,
                                    const struct pp_face_frame *frame,
                                    const double (*xy)[2], int count,

@@ -4,8 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-/* Corners that come back from the clipper are the polygons' own when they are nearer
- * than this. */
+/* A corner returned by the clipper equals a polygon's corner if nearer than this. */
 static const double SAME_POINT_M = 1e-7;
 
 static enum pp_status region_of(struct pp_region *region, struct pp_clipper *clipper,
@@ -26,7 +25,7 @@ static enum pp_status region_of(struct pp_region *region, struct pp_clipper *cli
     return status;
 }
 
-/* Takes an opening's outline from the region. */
+/* Subtracts an opening's outline from the region. */
 static enum pp_status cut_opening_from_face(struct pp_region *region,
                                             struct pp_clipper *clipper,
                                             const struct pp_face_axes *axes,

@@ -1,5 +1,5 @@
-/* face_less_openings.h - a polygon in coordinates of its own plane, less the openings
- * in it, for the clipper; and the way back into the room, to the bit. */
+/* face_less_openings.h - a polygon less its openings, in coordinates of its own plane,
+ * for the clipper; and the exact conversion back to points of the room. */
 #ifndef PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 #define PP_MODEL_ROOM_FACE_LESS_OPENINGS_H
 
@@ -8,14 +8,14 @@
 #include "model/geometry/region.h"
 #include "model/room/world.h"
 
-/* The coordinates: along a and b (unit, in the plane) from a corner. */
+/* Axes in the plane: unit vectors a and b from a corner. */
 struct pp_face_axes {
     struct pp_vec3 origin, a, b;
 };
 
-/* The polygon as a region, by crossings (region.h), without the world's openings in
- * `face` (-1: none are cut, and the world may be NULL). Whatever is returned, the
- * region is the caller's to clear. */
+/* The polygon as a region, by crossings (region.h), less the world's openings in
+ * `face`. face -1: no openings; the world may then be NULL. The caller clears the
+ * region in any case. */
 enum pp_status pp_face_less_openings(struct pp_region *region,
                                      struct pp_clipper *clipper,
                                      const struct pp_face_axes *axes,
@@ -23,8 +23,8 @@ enum pp_status pp_face_less_openings(struct pp_region *region,
                                      const struct pp_world *world, int face,
                                      struct pp_error *err);
 
-/* Point at xy: a corner of the polygon or of one of those openings if it is within 0.1
- * um, the clipper's rounding. */
+/* Point at xy. A corner of the polygon, or of one of those openings, is returned
+ * exactly if it is within 0.1 um, the rounding of the clipper. */
 struct pp_vec3 pp_face_less_openings_corner(const struct pp_face_axes *axes,
                                             const double xy[2],
                                             const struct pp_polygon *polygon,

@@ -1,7 +1,7 @@
 /* keyhole.c - see keyhole.h.
  *
- * The next hole to be joined is the one with a corner nearest to a corner of the
- * current outline, with no edge in between; these corners form the bridge.
+ * The hole joined next is the one with the shortest bridge: a line from a corner of the
+ * hole to a corner of the present outline that crosses no edge.
  */
 #include "model/room/keyhole.h"
 
@@ -17,7 +17,7 @@ typedef double point[2];
 static struct pp_face_axes axes_of(const struct pp_polygon *face)
 {
     struct pp_face_axes axes = {.origin = face->vertices[0]};
-    /* The first axis runs along the first edge: vertical walls then have vertical
+    /* The first axis follows the first edge, so that vertical walls have vertical
      * coordinates. */
     axes.a = pp_vec_unit(pp_vec_sub(face->vertices[1], face->vertices[0]));
     axes.b = pp_vec_cross(face->normal, axes.a);
@@ -36,7 +36,8 @@ static bool same(const double *a, const double *b)
     return a[0] == b[0] && a[1] == b[1];
 }
 
-/* True if the corner `at` of a line, with the figure on its left, is open towards p. */
+/* True if p is inside the angle at corner `at`, for a line with the figure on its
+ * left. */
 static bool opens(const struct closed_line *line, int at, const double *p)
 {
     const double *before = line->xy[(at + line->count - 1) % line->count];
@@ -48,14 +49,14 @@ static bool opens(const struct closed_line *line, int at, const double *p)
                                                       : left_of_in || left_of_out;
 }
 
-/* Do the pieces a to b and c to d meet, other than at a or b? */
+/* True if the segments a b and c d meet, other than at a or b. */
 static bool meet(const double *a, const double *b, const double *c, const double *d)
 {
     if (same(c, a) || same(c, b) || same(d, a) || same(d, b))
         return false;
     double c_side = pp_region_turn(a, b, c), d_side = pp_region_turn(a, b, d);
     double a_side = pp_region_turn(c, d, a), b_side = pp_region_turn(c, d, b);
-    if (c_side == 0.0 && d_side == 0.0) { /* on one line: do they overlap? */
+    if (c_side == 0.0 && d_side == 0.0) { /* collinear: test for overlap */
         int k = fabs(b[0] - a[0]) < fabs(b[1] - a[1]);
         return fmin(c[k], d[k]) <= fmax(a[k], b[k])
                && fmin(a[k], b[k]) <= fmax(c[k], d[k]);
@@ -72,12 +73,12 @@ static bool blocked(const struct closed_line *line, const double *a, const doubl
 }
 
 struct keyhole_bridge {
-    int rim;          /* corner of the outline */
-    int hole, corner; /* which hole, and which of its corners */
+    int rim;          /* corner index in the outline */
+    int hole, corner; /* index of the hole, and of its corner */
     double length;
 };
 
-/* The shortest bridge that no edge blocks; rim is -1 where there is none. */
+/* Shortest bridge that no edge blocks; rim is -1 if there is none. */
 static struct keyhole_bridge find_bridge(const struct closed_line *outline,
                                          const struct closed_line *holes, int count)
 {
@@ -99,8 +100,8 @@ static struct keyhole_bridge find_bridge(const struct closed_line *outline,
     return best;
 }
 
-/* Takes the outline along the bridge, round the hole, and back. There is room for
- * it. */
+/* Extends the outline along the bridge, around the hole, and back; the outline has
+ * space for it. */
 static void join_hole(struct closed_line *outline, const struct closed_line *hole,
                       struct keyhole_bridge bridge)
 {
@@ -128,9 +129,10 @@ static enum pp_status join_holes(struct closed_line *outline, struct closed_line
     return PP_OK;
 }
 
-/* ---- back into the room ---- */
+/* ---- conversion to points of the room ---- */
 
-/* An outer ring and its holes, rings[0] to rings[count - 1], as one more outline. */
+/* Adds an outline made of an outer ring, rings[0], and its holes, rings[1] to
+ * rings[count - 1]. */
 static enum pp_status add_outline(struct pp_keyhole_outlines *cut,
                                   const struct pp_face_axes *axes,
                                   const struct pp_ring *rings, int count,

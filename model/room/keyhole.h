@@ -1,19 +1,20 @@
-/* keyhole.h - a wall less its windows as outlines without holes: each hole is joined to
- * the rim by a bridge, along which the outline runs there and back, as Radiance's
- * polygons have them. */
+/* keyhole.h - a wall less its windows, as outlines without holes. Each hole is joined
+ * to the outer ring by a bridge that the outline traverses in both directions, as in
+ * Radiance's polygons. */
 #ifndef PP_MODEL_ROOM_KEYHOLE_H
 #define PP_MODEL_ROOM_KEYHOLE_H
 
 #include "model/base/error.h"
 #include "model/room/world.h"
 
-/* Outlines of a face of the room without its openings: one, or several where openings
- * part it. Corners are the face's and the openings' own to the bit. */
+/* Outlines of a face of the room less its openings; several if openings divide it.
+ * Corners are exactly those of the face and the openings. */
 struct pp_keyhole_outlines {
     int count;
     struct pp_ring_3d {
         int count;
-        struct pp_vec3 *corners; /* counter-clockwise seen against the normal */
+        struct pp_vec3 *corners; /* counter-clockwise as seen by a viewer whom the
+                                  * normal points at */
     } * outlines;
 };
 

@@ -1,5 +1,5 @@
-/* placement.h - where a room stands in its building: its own origin, and how far it is turned
- * about it, counter-clockwise seen from above.
+/* placement.h - position of a room in its building: its origin, and its rotation about
+ * it, counter-clockwise seen from above.
  *
  *     p_building = (x, y, z) + R(rotate) p_room
  */
@@ -12,11 +12,11 @@
 #include "model/geometry/vec.h"
 
 struct pp_placement {
-    bool given; /* any of it; else the room stands by itself, and all else is 0 */
+    bool given; /* false: not placed; all other members are 0 */
     double x, y, z, rotate_rad;
 };
 
-/* A direction turned about the vertical. */
+/* Rotates a direction about the vertical. */
 static inline struct pp_vec3 pp_placement_turn(struct pp_vec3 p, double angle_rad)
 {
     double c = cos(angle_rad), s = sin(angle_rad);

@@ -1,9 +1,9 @@
 /* position.c - see position.h.
  *
- * A line straight up from a point in the room meets one ceiling more than floors. Which
- * faces it meets is decided in plan, half-open at their edges: as neighbours share the
- * ends of an edge to the bit, the line meets one of the two, never both or none, and
- * upright faces not at all.
+ * A vertical line upwards from a point in the room crosses one more ceiling than
+ * floors. Crossings are decided in plan, with half-open edges. Since neighbouring faces
+ * share the ends of an edge exactly, the line crosses exactly one of the two, and never
+ * a vertical face.
  */
 #include "model/room/position.h"
 
@@ -12,7 +12,7 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/tolerance.h"
 
-/* Does the line through (x, y) pass through the face, seen in plan? */
+/* True if the vertical line through the point crosses the face, in plan. */
 static bool is_over_or_under(const struct pp_polygon *face, struct pp_vec3 point)
 {
     bool inside = false;
@@ -28,7 +28,8 @@ static bool is_over_or_under(const struct pp_polygon *face, struct pp_vec3 point
     return inside;
 }
 
-/* Height of the face's plane at the point's x and y, within the face's own heights. */
+/* Height of the face's plane at the point's x and y, limited to the face's own
+ * heights. */
 static double height_at(const struct pp_polygon *face, struct pp_vec3 point)
 {
     double low = INFINITY, high = -INFINITY;
@@ -87,7 +88,7 @@ bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point)
     return false;
 }
 
-/* Is the point between the two outlines of an opening, or in its plane? */
+/* True if the point is between the two outlines of an opening, or in its plane. */
 static bool is_in_opening(const struct pp_opening *opening, struct pp_vec3 point)
 {
     double height = pp_polygon_height(&opening->inner, point);
@@ -122,7 +123,7 @@ bool pp_position_in_fitting(const struct pp_world *world, struct pp_vec3 point)
     return false;
 }
 
-/* Fault of a receiver on a surface of that role. */
+/* Message for a receiver on a surface of that role. */
 static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {
@@ -149,7 +150,8 @@ static const char *fault_on_surface(enum pp_role role)
     return "lies in a surface";
 }
 
-/* Does a receiver on that surface measure the light that falls on it from the room? */
+/* True if a receiver on that surface receives the light that falls on it from the
+ * room. */
 static bool lies_on(const struct pp_surface *surface, struct pp_vec3 normal)
 {
     bool envelope = surface->role == PP_FLOOR || surface->role == PP_WALL
@@ -178,7 +180,7 @@ enum pp_status pp_position_find_surfaces(struct pp_position_surfaces *surfaces,
     return PP_OK;
 }
 
-/* `among` NULL: all surfaces. */
+/* among NULL: all surfaces. */
 static const char *find_fault(const struct pp_world *world,
                               const struct pp_position_surfaces *among,
                               struct pp_vec3 position, struct pp_vec3 normal)
@@ -195,7 +197,7 @@ static const char *find_fault(const struct pp_world *world,
     const int count = among ? among->count : world->surface_count;
     for (int i = 0; i < count; i++) {
         const struct pp_surface *surface = &world->surfaces[among ? among->list[i] : i];
-        /* Wider at a door, to include a point on the wall behind it. */
+        /* Larger at a door, to include a point on the wall behind it. */
         double near_m = surface->role == PP_COVER ? 2.0 * PP_TOUCH_M : PP_TOUCH_M;
         if (!(fabs(pp_polygon_height(&surface->outline, position)) < near_m
               && pp_polygon_distance(&surface->outline, position) < near_m))

@@ -1,4 +1,5 @@
-/* position.h - is a point in the room, and can light be measured there? */
+/* position.h - tests whether a point is in the room, and whether a receiver can be
+ * there. */
 #ifndef PP_MODEL_ROOM_POSITION_H
 #define PP_MODEL_ROOM_POSITION_H
 
@@ -6,36 +7,35 @@
 
 #include "model/room/world.h"
 
-/* Does a point lie within the room's envelope? For a point exactly on it
- * the answer may be either. */
+/* True if the point is inside the room's envelope; either result for a point on the
+ * envelope. */
 bool pp_position_in_room(const struct pp_world *world, struct pp_vec3 point);
 
-/* Bounds of the room, and whether an object with these corners comes within 2 mm of
- * them. */
+/* Bounds of the room, and a test whether an object with these corners comes within 2 mm
+ * of bounds. */
 struct pp_bounds3 pp_position_bounds(const struct pp_world *world);
 bool pp_position_is_near(const struct pp_bounds3 *room, const struct pp_vec3 *corners,
                          int count);
 
-/* Is the point in a face or any other surface of the world, to a tenth of a
- * millimetre? */
+/* True if the point is within 0.1 mm of a surface of the world. */
 bool pp_position_in_surface(const struct pp_world *world, struct pp_vec3 point);
 
-/* Is the point within furniture, a column or a partition, or on their sides? */
+/* True if the point is inside furniture, a column or a partition, or on their sides. */
 bool pp_position_in_fitting(const struct pp_world *world, struct pp_vec3 point);
 
 /* Fault of a receiver at this position with that unit normal, as the end of a sentence
- * ("lies outside the room", "lies in an opening"), or NULL if there is none. A receiver
- * may lie on floor, walls and ceiling if it faces straight into the room. */
+ * ("lies outside the room", "lies in an opening"); NULL if valid. A receiver may be on
+ * floor, walls and ceiling if it faces straight into the room. */
 const char *pp_position_receiver_fault(const struct pp_world *world,
                                        struct pp_vec3 position, struct pp_vec3 normal);
 
-/* The surfaces of a world that come near a box, for many receivers in it. */
+/* The surfaces of a world near a box, for many receivers in the box. */
 struct pp_position_surfaces {
     int *list; /* indices, in order */
     int count;
 };
 
-/* On success the list is the caller's to free. */
+/* Finds the surfaces near the box. On success the caller frees the list. */
 enum pp_status pp_position_find_surfaces(struct pp_position_surfaces *surfaces,
                                          const struct pp_world *world,
                                          const struct pp_bounds3 *box,
@@ -46,8 +46,8 @@ const char *pp_position_fault_among(const struct pp_world *world,
                                     const struct pp_position_surfaces *surfaces,
                                     struct pp_vec3 position, struct pp_vec3 normal);
 
-/* A receiver that faces up at a place, z NAN: on the working plane; PP_BAD_INPUT where
- * light can't be measured there. */
+/* Makes a receiver that faces up at a place; z NAN: on the working plane. PP_BAD_INPUT
+ * if no receiver can be there. */
 enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,
                                           const struct pp_world *world,
                                           struct pp_vec3 place, struct pp_error *err);

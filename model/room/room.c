@@ -10,7 +10,7 @@
 
 /* ---- Copies ---- */
 
-/* A copy of a list, NULL of an empty one; *good is made false when memory is out. */
+/* Copies a list; NULL for an empty one. *good becomes false without memory. */
 static void *copy_list(const void *list, int count, size_t size, bool *good)
 {
     if (count == 0)
@@ -53,8 +53,8 @@ static void copy_plan(struct pp_plan_part *plan, bool *good)
     }
 }
 
-/* Puts copies in place of all that the room points to. Parts that are reached after
- * memory was out are empty, so that the room can be cleared. */
+/* Replaces all data that the room points to by copies. After a failure the remaining
+ * parts are empty, so that the room can be cleared. */
 static void copy_parts(struct pp_room *room, bool *good)
 {
     copy_text(&room->name, good);
@@ -237,7 +237,7 @@ void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance
     room->openings[index].glazing.maintenance = maintenance;
 }
 
-/* ---- The room itself, and its surroundings ---- */
+/* ---- the room and its surroundings ---- */
 
 enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
                                struct pp_error *err)
@@ -305,7 +305,7 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
         pp_room_parts_clear_mesh(&room->meshes[i]);
     room->skyline_count = room->block_count = room->mesh_count = 0;
 
-    /* The world has the free-standing surfaces in the file's order. */
+    /* Free-standing surfaces of the world are in file order. */
     int kept = 0, index = 0;
     for (int i = 0; i < world->surface_count && index < room->surface_count; i++) {
         if (world->surfaces[i].role != PP_FREE_SURFACE)
@@ -327,7 +327,7 @@ void pp_room_clear_facades(struct pp_room *room)
     room->facade_count = 0;
 }
 
-/* ---- Does it make sense? ---- */
+/* ---- validity ---- */
 
 enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,
                                 struct pp_error *err)

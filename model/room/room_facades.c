@@ -44,7 +44,8 @@ static enum pp_status try_facade(struct pp_room *room, struct pp_facade_part fac
     return status;
 }
 
-/* Beside an inner corner a wall can't go on. */
+/* Adds a facade to the wall. Tries both sides, then one, then none: a wall cannot
+ * extend beyond an inner corner. */
 static enum pp_status extend(struct pp_room *room, const char *wall, double reach_m,
                              double up_m, int *added, struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* room_light.c - the words for a room's sky become that sky, turned into its axes. */
+/* room_light.c - makes the sky in the room's axes from its description in words. */
 #include "model/room/room_light.h"
 
 #include "model/room/room_parts.h"

@@ -1,6 +1,6 @@
-/* room_light.h - the light from outside that a room's file describes: its sky, and the
- * reflectance of its ground. A world does not contain it: it is a separate argument of
- * methods and simulations. */
+/* room_light.h - the outdoor light that a room's file describes: its sky, and the
+ * reflectance of its ground. A world does not contain it; methods and simulations take
+ * it as a separate argument. */
 #ifndef PP_MODEL_ROOM_ROOM_LIGHT_H
 #define PP_MODEL_ROOM_ROOM_LIGHT_H
 
@@ -8,10 +8,10 @@
 #include "model/light/outside_light.h"
 #include "model/room/building.h"
 
-/* The light of a room, in the axes of its world. PP_BAD_INPUT where its sky needs a sun
- * that is not given, or that stands below the horizon; the reader of room files and
- * pp_room_set_sky refuse both, so that it does not fail for a room that they made. On
- * failure *light stays as it was. */
+/* Outdoor light of a room, in the axes of its world. PP_BAD_INPUT if its sky needs a
+ * sun that is not given or is below the horizon. The reader of room files and
+ * pp_room_set_sky reject both, so that it does not fail for their rooms. On failure
+ * *light is unchanged. */
 enum pp_status pp_room_light(struct pp_outside_light *light, const struct pp_room *room,
                              struct pp_error *err);
 

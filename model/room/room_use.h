@@ -1,4 +1,4 @@
-/* room_use.h - the use of a room, by which criteria apply or not. */
+/* room_use.h - the use of a room, which decides which criteria apply. */
 #ifndef PP_MODEL_ROOM_ROOM_USE_H
 #define PP_MODEL_ROOM_ROOM_USE_H
 
@@ -8,8 +8,8 @@ enum pp_room_use {
     PP_USE_LIVING_ROOM,
     PP_USE_DINING_ROOM,
     PP_USE_KITCHEN,
-    PP_USE_LIVING_KITCHEN, /* a living room with a kitchen in it */
-    PP_USE_STUDIO,         /* one room to live, cook and sleep in */
+    PP_USE_LIVING_KITCHEN, /* living room with a kitchen */
+    PP_USE_STUDIO,         /* one room for living, cooking and sleeping */
     PP_USE_STUDY,
     PP_USE_OFFICE,
     PP_USE_MEETING_ROOM,
@@ -24,8 +24,8 @@ enum pp_room_use {
     PP_USE_COUNT
 };
 
-/* Words of room files by enum pp_room_use; PP_USE_UNKNOWN is "unknown"; ends with
- * NULL. */
+/* Words of room files by enum pp_room_use; PP_USE_UNKNOWN is "unknown";
+ * NULL-terminated. */
 extern const char *const pp_room_use_words[];
 
 #endif

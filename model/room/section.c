@@ -1,10 +1,10 @@
 /* section.c - see section.h.
  *
- * The plane cuts each face along segments, from where the face's outline comes up
- * through it to where it goes down again, which with the room on the left run round
- * the section counter-clockwise, and round holes clockwise. A segment ends on an edge
- * that two faces share; there the other face's begins. Corners that lie in the plane
- * count as below it: the section is the one just above.
+ * The plane cuts each face along segments. A segment begins where the face's outline
+ * crosses the plane upwards and ends where it crosses downwards. With the room on the
+ * left, segments traverse the section counter-clockwise and its holes clockwise. A
+ * segment ends on an edge shared by two faces, where the segment of the other face
+ * begins. Corners in the plane count as below it, so the section is the one just above.
  */
 #include "model/room/section.h"
 
@@ -14,11 +14,11 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/tolerance.h"
 
-/* One edge of a face that crosses the plane. */
+/* Edge of a face that crosses the plane. */
 struct plane_crossing {
-    int low, high;   /* numbers of the edge's corners, below and above the plane */
-    bool upward;     /* the face runs up it */
-    double position; /* along the face's section */
+    int low, high;   /* numbers of its corners below and above the plane */
+    bool upward;     /* the face traverses it upwards */
+    double position; /* along the section of the face */
     double xy[2];
 };
 
@@ -40,8 +40,8 @@ static struct plane_crossing crossing_of(struct pp_vec3 low, struct pp_vec3 high
         .xy = {low.x + t * (high.x - low.x), low.y + t * (high.y - low.y)}};
 }
 
-/* The crossings of a face in order along the direction in which the room lies on the
- * left; returns how many (an even number). */
+/* Finds the crossings of a face, in order along the direction that has the room on its
+ * left. Returns their number, which is even. */
 static int face_crossings(struct plane_crossing *crossings,
                           const struct pp_polygon *face, const int *corners, double z)
 {
@@ -64,7 +64,7 @@ static int face_crossings(struct plane_crossing *crossings,
             crossings[k] = crossings[k - 1];
         crossings[k] = crossing;
     }
-    /* Upward and downward crossings alternate, also where two are at one place. */
+    /* Upward and downward crossings alternate, even if two coincide. */
     for (int i = 0; i + 1 < count; i++)
         if (crossings[i].upward != (i % 2 == 0)) {
             struct plane_crossing swap = crossings[i];
@@ -125,8 +125,8 @@ static struct segment *segment_from(const struct plane_section *section,
                    compare_segments);
 }
 
-/* Puts the points of a ring at the end of the region; a point that repeats the one
- * before is left out, and so is a ring without area. */
+/* Appends a ring to the region, without repeated points; a ring without area is left
+ * out. */
 static enum pp_status add_section_ring(struct pp_region *region, const double (*xy)[2],
                                        int count, struct pp_error *err)
 {
@@ -174,7 +174,7 @@ static enum pp_status join_segments(struct pp_region *region,
     return status;
 }
 
-/* Outer rings, each followed by the holes in it. */
+/* Sorts the rings: outer rings, each followed by its holes. */
 static enum pp_status sort_rings(struct pp_region *region, struct pp_error *err)
 {
     struct pp_ring *sorted = malloc((region->count + 1) * sizeof *sorted);
@@ -220,10 +220,10 @@ enum pp_status pp_section_cut(struct pp_region *region, const struct pp_world *w
     return status;
 }
 
-/* Corner of a face, by its place; corners at one place have the same number. */
+/* Corner of a face; corners with equal coordinates get the same number. */
 struct corner {
     struct pp_vec3 place;
-    int at; /* in the list of all faces' vertices */
+    int at; /* index in the list of all faces' vertices */
 };
 
 static int compare_corners(const void *left, const void *right)
@@ -235,7 +235,7 @@ static int compare_corners(const void *left, const void *right)
                         : (a.z > b.z) - (a.z < b.z);
 }
 
-/* Faces share their corners to the bit. */
+/* Numbers the corners; faces that meet share them exactly. */
 static void number_corners(int *numbers, struct corner *corners,
                            const struct pp_world *world)
 {
@@ -297,7 +297,7 @@ enum pp_status pp_section_open(struct pp_region *region, const struct pp_world *
     enum pp_status status = pp_clipper_create(&clipper, err);
     if (status != PP_OK)
         return status;
-    pp_clipper_set_grid(clipper, 1e-9); /* beside a slanting wall no slivers are left */
+    pp_clipper_set_grid(clipper, 1e-9); /* avoids slivers along sloping walls */
     status = pp_region_copy(region, &world->plane, err);
     for (int i = 0; status == PP_OK && i < world->fitting_count; i++)
         if (pp_section_meets(world, &world->fittings[i]))

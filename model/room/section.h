@@ -1,24 +1,25 @@
-/* section.h - the room's section by a level plane. */
+/* section.h - horizontal sections of the room. */
 #ifndef PP_MODEL_ROOM_SECTION_H
 #define PP_MODEL_ROOM_SECTION_H
 
 #include "model/room/world.h"
 
-/* The section by the plane at z (m), as world->plane is that by the working plane;
- * empty where the room does not reach. The region is the caller's. */
+/* Section by the plane at z (m), like world->plane for the working plane; empty outside
+ * the room's heights. The caller clears the region. */
 enum pp_status pp_section_at(struct pp_region *region, const struct pp_world *world,
                              double z, struct pp_error *err);
 
-/* The same where the envelope's corners are numbered already: `corners` has a number
- * for each vertex, face after face, the same for all faces that meet in a corner. */
+/* Section for an envelope with numbered corners: `corners` has a number for each vertex
+ * of each face in order, equal for faces that meet in a corner. The caller clears the
+ * region. */
 enum pp_status pp_section_cut(struct pp_region *region, const struct pp_world *world,
                               const int *corners, double z, struct pp_error *err);
 
-/* True if it stands through the working plane. */
+/* True if the fitting crosses the working plane. */
 bool pp_section_meets(const struct pp_world *world, const struct pp_fitting *fitting);
 
-/* The working plane less the furniture, columns and partitions that it cuts; all of it where
- * they leave nothing. The region is the caller's. */
+/* Working plane less the fittings that cross it; the whole plane if nothing is left.
+ * The caller clears the region. */
 enum pp_status pp_section_open(struct pp_region *region, const struct pp_world *world,
                                struct pp_error *err);
 

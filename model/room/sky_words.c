@@ -45,7 +45,7 @@ void pp_sky_words_clear(struct pp_sky_part *part)
     part->picture = NULL;
 }
 
-/* The sun of "TYPE,ALTITUDE,BEARING", behind the first comma. */
+/* Reads the sun of "TYPE,ALTITUDE,BEARING", after the first comma. */
 static bool read_sun(const char *text, double *altitude_deg, double *bearing_deg)
 {
     char copy[128];
@@ -134,8 +134,8 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
     return PP_OK;
 }
 
-/* A bearing, clockwise from true north, as a direction in the room's own axes, where +y
- * lies at north_rad. */
+/* Converts a bearing, clockwise from true north, and an altitude to a direction in the
+ * room's axes, whose +y has the bearing north_rad. */
 static struct pp_vec3 direction_of(double bearing_rad, double altitude_rad,
                                    double north_rad)
 {

@@ -71,7 +71,7 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int i
     return material;
 }
 
-/* M K: the share of the light that dirt and curtains leave. */
+/* M K: share of the light transmitted by dirt and curtains. */
 static double clean_share(const struct pp_opening *opening)
 {
     return opening->maintenance * opening->curtains;
@@ -147,14 +147,14 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
 bool pp_surface_materials_same(const struct pp_material *a, const struct pp_material *b)
 {
     if (a->diffuse.r != b->diffuse.r || strcmp(a->name, b->name) != 0)
-        return false; /* two comparisons tell most materials that differ */
+        return false; /* decides most cases without a key */
     struct pp_material_key keys[2] = {pp_surface_materials_key(a),
                                       pp_surface_materials_key(b)};
     return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0;
 }
 
-/* A new material is compared with this many of the last: a world of a million surfaces
- * has few materials, and neighbours mostly share theirs. */
+/* Number of previous materials that a new one is compared with. A world of a million
+ * surfaces has few materials, and neighbours mostly share theirs. */
 enum { LOOKED_BACK = 64 };
 
 static enum pp_status find_material(struct pp_surface_materials *materials,

@@ -7,15 +7,14 @@
 #include "model/light/material.h"
 #include "model/room/world.h"
 
-/* The material of the side that the surface's normal points to, or of the other one. It
- * is named after the surface: "floor", "ceiling", a wall's name, "reveal", "surface",
- * "block", "facade"; backs of the envelope and of reveals have " (outside)" behind. Its emission
- * is over Eh. */
+/* Material of the front (the side of the normal) or back of a surface. Its name is
+ * "floor", "ceiling", a wall's name, "reveal", "surface", "block" or "facade"; backs of
+ * the envelope and of reveals have " (outside)" appended. Its emission is relative to
+ * Eh. */
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);
 
-/* Material of a surface without gloss and colour, as used by hand methods and daylight
- * factors. */
+/* Material without gloss and colour, as used for daylight factors. */
 struct pp_material pp_surface_materials_matt(const struct pp_world *world, int surface,
                                              bool front);
 
@@ -23,14 +22,15 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int s
  *
  *     straight(cosine) = tau(cosine) F M K         mirrored(cosine) = rho(cosine) F
  *
- *   F   share of the opening's area that is glass
- *   M   maintenance: the share of the light that dirt leaves
- *   K   the share that curtains leave
+ *   F   frame factor: glass area over opening area
+ *   M   maintenance factor: share of the light transmitted by dirt
+ *   K   share of the light transmitted by curtains
  *
  * All simulations use these functions. The tracer, its cache, photons, pictures and the
- * Radiance export use a material, seen from inside or outside and named "glazing".
- * Radiosity, which has no scene materials, uses the two shares of the light at a cosine
- * of incidence. Hand methods use methods/allowance.h. */
+ * Radiance export use a material named "glazing", seen from inside or outside.
+ * Radiosity, which has no scene materials, uses the two shares at a cosine of incidence
+ * (0 to 1). Hand methods use methods/allowance.h.
+ */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
 double pp_surface_materials_pane_straight(const struct pp_opening *opening,
@@ -38,8 +38,8 @@ double pp_surface_materials_pane_straight(const struct pp_opening *opening,
 double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
                                           double cosine);
 
-/* All fields of a material, its name included: materials are the same where their keys
- * are the same to the byte. -0 counts as 0. */
+/* All fields of a material, including its name. Materials are the same if their keys
+ * are equal byte for byte; -0 counts as 0. */
 enum { PP_MATERIAL_KEY_NUMBERS = 39 };
 struct pp_material_key {
     char name[PP_MATERIAL_NAME_SIZE];
@@ -47,19 +47,19 @@ struct pp_material_key {
 };
 struct pp_material_key pp_surface_materials_key(const struct pp_material *material);
 
-/* True if they are the same, name included. */
+/* True if the materials are the same, including their names. */
 bool pp_surface_materials_same(const struct pp_material *a,
                                const struct pp_material *b);
 
-/* All materials of a world, and the index of each surface's. */
+/* All materials of a world, and their indices by surface. */
 struct pp_surface_materials {
     struct pp_material *list;
     int count;
-    int (*sides)[2]; /* front and back, by surface, then by opening's pane */
+    int (*sides)[2]; /* indices of front and back; surfaces, then panes */
 };
 
-/* Makes the materials; equal ones are as a rule one entry. With `matt` those of
- * surfaces are without gloss and grey. */
+/* Makes the materials; equal ones usually share an entry. matt: surfaces without gloss
+ * and colour. */
 enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
                                          const struct pp_world *world, bool matt,
                                          struct pp_error *err);

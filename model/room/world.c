@@ -1,5 +1,5 @@
-/* world.c - see world.h: from a room to its world, step by step. Large steps are
- * files of build/ and outside/; small ones are here. */
+/* world.c - resolves a room into its world, step by step. Large steps are files of
+ * build/ and outside/; small ones are here. */
 #include "model/room/world.h"
 
 #include <math.h>
@@ -157,7 +157,7 @@ static enum pp_status find_triangles(struct pp_resolver *r, struct pp_error *err
 /* Thickest wall between two rooms; chosen, not measured. */
 static const double inner_wall_most_m = 0.6;
 
-/* Walls that the file states to be inner ones. */
+/* Marks walls that the file declares as inner ones; reports those with openings. */
 static void mark_stated_inner_walls(struct pp_resolver *r)
 {
     for (int i = 0; i < r->room->wall_kind_count; i++) {
@@ -178,15 +178,15 @@ static void mark_stated_inner_walls(struct pp_resolver *r)
     }
 }
 
-/* Is the other room's face turned to the wall, close behind its middle? */
+/* True if the other room's face is opposite the wall and close behind its centre. */
 static bool is_behind(const struct pp_polygon *wall, const struct pp_polygon *other)
 {
     return pp_vec_dot(wall->normal, other->normal) < -0.5
            && pp_polygon_distance(other, pp_polygon_middle(wall)) <= inner_wall_most_m;
 }
 
-/* Marks inner walls: those stated in the file, and those with another placed room right
- * behind them. Notes stated ones that have openings. */
+/* Marks inner walls: those declared in the file, and those with another placed room
+ * directly behind them. */
 static enum pp_status mark_inner_walls(struct pp_resolver *r, struct pp_error *err)
 {
     struct pp_world *world = r->world;
@@ -209,9 +209,9 @@ static enum pp_status mark_inner_walls(struct pp_resolver *r, struct pp_error *e
     return PP_OK;
 }
 
-/* ---- gardens: pieces of ground that the sun has to reach ---- */
+/* ---- gardens ---- */
 
-/* Adds a garden at ground level, its normal up. */
+/* Adds a garden at ground level, with its normal up. */
 static enum pp_status add_garden(struct pp_resolver *r,
                                  const struct pp_garden_part *part,
                                  struct pp_error *err)
@@ -282,8 +282,8 @@ static enum pp_status resolve_working_plane(struct pp_resolver *r, struct pp_err
 
 /* ---- self-occlusion ---- */
 
-/* Compares the corners of the opening with the planes of faces, and the corners of faces
- * with the plane of its glass. */
+/* Compares the corners of the opening with the planes of faces, and the corners of
+ * faces with the plane of its glass. */
 static void find_self_occlusion(struct pp_opening *opening,
                                 const struct pp_world *world)
 {
@@ -295,8 +295,8 @@ static void find_self_occlusion(struct pp_opening *opening,
     }
 }
 
-/* Finds whether faces can hide each opening, on its inner and on its outer side, and
- * whether surfaces stand in the room. */
+/* Finds whether faces can hide each opening, from inside and from outside, and whether
+ * free-standing surfaces are in the room. */
 static enum pp_status resolve_self_occlusion(struct pp_resolver *r,
                                              struct pp_error *err)
 {
@@ -361,7 +361,7 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
     struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
     struct pp_error fault = {0};
     enum pp_status status = resolve_world(&r, &fault);
-    /* For example polygons that GEOS can't overlay. */
+    /* For example polygons that GEOS cannot overlay. */
     if (status == PP_BAD_INPUT)
         pp_mistakes_add(mistakes, room->line, "room: %s", fault.message);
     else if (status != PP_OK)

@@ -1,5 +1,4 @@
-/* corners.c - see corners.h. Points are hashed by the cube of space that they are
- * in. */
+/* corners.c - merges points by a spatial hash with cubes of 4 mm. */
 #include "model/room/build/corners.h"
 
 #include <stdint.h>
@@ -7,19 +6,19 @@
 
 #include "model/geometry/tolerance.h"
 
-/* Points by the cube of space they are in, to find near ones without looking at all. */
+/* Hash table of points by cube, so that only near points are compared. */
 struct cubes {
     struct pp_vec3 *points;
-    int *next;  /* of the points in the same bucket; -1: the last */
-    int *first; /* of a bucket */
+    int *next;  /* next point in the same bucket, by point; -1: none */
+    int *first; /* first point, by bucket; -1: none */
     int count;
     unsigned bucket_count;
 };
 
 static const double cube_m = 4.0 * PP_SAME_M;
 
-/* Corners typed a millimetre apart, in whatever direction, are two, however their
- * difference rounds. */
+/* Distance below which points are merged. Corners that the file puts exactly 1 mm apart
+ * stay separate, whatever the rounding of their difference. */
 static const double one_m = PP_SAME_M - PP_ROUNDING_M;
 
 static unsigned bucket_of(const struct cubes *cubes, double x, double y, double z)
@@ -30,7 +29,7 @@ static unsigned bucket_of(const struct cubes *cubes, double x, double y, double 
     return (hash >> 32) % cubes->bucket_count;
 }
 
-/* The number of the point that p is one with, or of p as a new one. */
+/* Number of the point equal to p within one_m; p is added if there is none. */
 static int point_number(struct cubes *cubes, struct pp_vec3 p)
 {
     double low[3] = {floor((p.x - PP_SAME_M) / cube_m),

@@ -10,10 +10,10 @@
 
 static const char *const words[] = {[PP_DOOR] = "door", [PP_DADO] = "dado"};
 
-/* ---- A piece of a cover ---- */
+/* ---- pieces of a cover ---- */
 
-/* Adds a piece to a wall, surface `face`: the frame's own pointer to it holds until
- * surfaces are added. */
+/* Adds a piece to the wall with surface index `face`. frame->face is not used, since
+ * adding surfaces invalidates it. */
 static enum pp_status add_cover_piece(struct pp_resolver *r,
                                       const struct pp_cover_part *part, int face,
                                       const struct pp_face_frame *frame,
@@ -43,10 +43,10 @@ static enum pp_status add_cover_piece(struct pp_resolver *r,
     return status;
 }
 
-/* ---- Other parts of a wall ---- */
+/* ---- other parts of a wall ---- */
 
-/* The outline of opening `i`, or behind the openings of cover `i`, in the frame of a
- * wall, to be freed; NULL with *count 0 where it is in another wall. */
+/* Outline, in the frame of a wall, of opening i or of surface i - opening_count if that
+ * is a cover; freed by the caller. NULL, and *count 0, if it is not in this wall. */
 static enum pp_status neighbour(double (**xy)[2], int *count, int *line,
                                 const struct pp_world *world, int i,
                                 const struct pp_face_frame *frame, struct pp_error *err)
@@ -128,7 +128,7 @@ static enum pp_status add_door(struct pp_resolver *r, const struct pp_cover_part
     if (face < 0)
         return PP_OK;
     enum pp_status status = pp_face_frame_init(&frame, &r->world->surfaces[face], err);
-    /* Left is left from outside: it is the high end of `along`. */
+    /* `left` is measured as seen from outside, from the high end of `along`. */
     double right = frame.bounds.high[0] - part->left_m, left = right - part->width_m;
     double low = frame.bounds.low[1], high = low + part->height_m;
     double xy[4][2] = {{left, low}, {right, low}, {right, high}, {left, high}};
@@ -142,7 +142,7 @@ static enum pp_status add_door(struct pp_resolver *r, const struct pp_cover_part
 
 /* ---- Dados ---- */
 
-/* Replaces the region by its part outside the ring (or, if `common`, inside it). */
+/* Replaces the region by its part outside the ring, or inside it if `common`. */
 static enum pp_status cut_region_by_ring(struct pp_region *region,
                                          struct pp_clipper *clipper,
                                          const double (*xy)[2], int count, bool common,
@@ -161,7 +161,7 @@ static enum pp_status cut_region_by_ring(struct pp_region *region,
     return status;
 }
 
-/* The wall's lower part without its openings and doors. */
+/* Lower part of the wall, without openings and doors. */
 static enum pp_status dado_region(struct pp_region *region, struct pp_resolver *r,
                                   const struct pp_cover_part *part,
                                   const struct pp_face_frame *frame,
@@ -189,7 +189,7 @@ static enum pp_status dado_region(struct pp_region *region, struct pp_resolver *
     return status;
 }
 
-/* The middle of the leftmost hole along the wall; INFINITY where there is none. */
+/* Centre of the leftmost hole along the wall; INFINITY if there is no hole. */
 static double first_hole(const struct pp_region *region)
 {
     double first = INFINITY;
@@ -207,7 +207,7 @@ static double first_hole(const struct pp_region *region)
     return first;
 }
 
-/* The region has no holes: each ring is a piece. */
+/* Adds each ring as a piece; the region has no holes. */
 static enum pp_status add_rings(struct pp_resolver *r, const struct pp_cover_part *part,
                                 int face, const struct pp_face_frame *frame,
                                 const struct pp_region *region, struct pp_error *err)
@@ -222,8 +222,8 @@ static enum pp_status add_rings(struct pp_resolver *r, const struct pp_cover_par
     return status;
 }
 
-/* A dado round a low window has a hole. It is cut upright through the middle of each, so
- * that the pieces have none. */
+/* Adds a dado. Vertical cuts through the centre of each hole, as around a low window,
+ * leave pieces without holes. */
 static enum pp_status add_pieces(struct pp_resolver *r,
                                  const struct pp_cover_part *part, int face,
                                  const struct pp_face_frame *frame,
@@ -272,8 +272,8 @@ static enum pp_status add_dado(struct pp_resolver *r, const struct pp_cover_part
     return status;
 }
 
-/* Assigns dado i to a face; false, and reported, if one of its kind (of that wall, or
- * of all walls) exists already. */
+/* Assigns dado i to a face. Reports a second dado for the same wall, or for all walls,
+ * and returns false. */
 static bool put_dado(struct pp_resolver *r, int *dado, int i)
 {
     const struct pp_cover_part *part = &r->room->covers[i];
@@ -287,7 +287,7 @@ static bool put_dado(struct pp_resolver *r, int *dado, int i)
     return false;
 }
 
-/* Finds the dado of each face: its own, or that for all walls; -1: none. */
+/* Finds the dado of each face, -1 if none: its own, or the one for all walls. */
 static void find_dados(struct pp_resolver *r, int *dados)
 {
     const struct pp_room *room = r->room;

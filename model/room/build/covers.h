@@ -1,9 +1,9 @@
-/* covers.h - the step that puts doors and dados before the walls that they lie in, as
- * surfaces of another reflectance. Inside model/room/ only.
+/* covers.h - the step that adds doors and dados: surfaces of another reflectance in
+ * front of a wall. Inside model/room/ only.
  *
- * A cover is set off its wall by PP_SET_OFF_M into the room: rays meet it and not the
- * wall. It hides nothing, and a mean of reflectances counts it in its wall's place. A
- * dado leaves out openings and doors.
+ * A cover is offset from its wall by PP_SET_OFF_M into the room, so that rays hit the
+ * cover. It obstructs nothing else. In mean reflectances it replaces that part of its
+ * wall. A dado leaves out openings and doors.
  */
 #ifndef PP_MODEL_ROOM_BUILD_COVERS_H
 #define PP_MODEL_ROOM_BUILD_COVERS_H

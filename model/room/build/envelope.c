@@ -9,7 +9,7 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/build/outline.h"
 
-/* Reflectance of the outer sides of walls and roof: assumed. */
+/* Reflectance of the outer sides of walls and roof; assumed. */
 static const double outer_reflectance = 0.2;
 
 static enum pp_status name_wall(struct pp_resolver *r, const char *name, int face,
@@ -30,13 +30,13 @@ static enum pp_status make_wall_list(struct pp_resolver *r, int most,
     return r->walls && r->wall_faces ? PP_OK : pp_fail_memory(err);
 }
 
-/* A reflectance, and the finish where it was given by one. */
+/* A reflectance, and its finish; finish is NULL if the file gives a number. */
 struct face_finish {
     double reflectance;
     const struct pp_finish *finish;
 };
 
-/* Finish of a wall: its own if the file gives one, else that of all walls. */
+/* Finish of a wall: its own if the file gives one, else the finish of all walls. */
 static struct face_finish finish_of_wall(const struct pp_room *room, const char *name)
 {
     for (int i = 0; i < room->finish_count; i++)
@@ -46,7 +46,7 @@ static struct face_finish finish_of_wall(const struct pp_room *room, const char 
     return (struct face_finish){room->walls, room->walls_finish};
 }
 
-/* The finish of a face of the role. */
+/* Finish of a face with that role. */
 static struct face_finish finish_of_role(const struct pp_room *room, enum pp_role role,
                                          const char *name)
 {
@@ -98,8 +98,8 @@ static enum pp_status add_envelope_face(struct pp_resolver *r, enum pp_role role
 }
 
 /* Makes floor, ceiling, and a wall on each edge of the counter-clockwise ring. Walls
- * are numbered by the file's edges. If the ring is reversed (turned), its edge i is the
- * file's count - 2 - i. */
+ * are numbered by the edges of the file. If the ring is reversed (turned), edge i of
+ * the ring is edge count - 2 - i of the file. */
 static enum pp_status raise_plan(struct pp_resolver *r, const struct pp_vec3 *ring,
                                  int count, bool turned, struct pp_error *err)
 {
@@ -189,7 +189,7 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
     if (pp_polygon_area_vector(ring, count).z > 0.0)
         return raise_plan(r, ring, count, false, err);
 
-    /* Continue with the reversed plan, to find further mistakes. */
+    /* Continues with the reversed plan, to find further mistakes. */
     pp_mistakes_add(r->mistakes, plan->line,
                     "plan: is clockwise seen from above; expected counter-clockwise");
     struct pp_vec3 *turned = malloc(count * sizeof *turned);
@@ -202,7 +202,7 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
     return status;
 }
 
-/* Faces of an envelope as the file gives them. */
+/* Adds the faces of an envelope as given in the file. */
 static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_plan_part *plan = &r->room->plan;
@@ -233,11 +233,11 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
     return PP_OK;
 }
 
-/* Checks that each finish is for an existing wall, and the only one for it. */
+/* Checks that each finish names an existing wall, and that no wall has two. */
 static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
-    int *lines = calloc(r->wall_count + 1, sizeof *lines); /* of each wall's finish */
+    int *lines = calloc(r->wall_count + 1, sizeof *lines); /* line of finish, by wall */
     if (!lines)
         return pp_fail_memory(err);
     for (int i = 0; i < room->plan.face_count; i++) {

@@ -9,7 +9,7 @@
 
 enum { SIDES_ROUND = PP_FITTING_CORNERS };
 
-/* Name of the part in messages. Furniture has a height. */
+/* Name of the part in messages; only furniture always has a height. */
 static const char *words_of(const struct pp_fitting_part *part)
 {
     static const char *const words[] = {[PP_FURNITURE] = "furniture",
@@ -22,7 +22,7 @@ static const char *words_of(const struct pp_fitting_part *part)
                                                                : words[part->kind];
 }
 
-/* Twelve corners outside the circle; the polygon's area is that of the circle. */
+/* Twelve corners outside the circle; the polygon has the area of the circle. */
 static int round_outline(double xy[PP_FITTING_CORNERS][2],
                          const struct pp_fitting_part *part)
 {
@@ -35,7 +35,7 @@ static int round_outline(double xy[PP_FITTING_CORNERS][2],
     return SIDES_ROUND;
 }
 
-/* The outline seen from above, counter-clockwise; returns the number of corners. */
+/* Outline seen from above, counter-clockwise; returns the number of corners. */
 static int outline_of(double xy[PP_FITTING_CORNERS][2],
                       const struct pp_fitting_part *part)
 {
@@ -54,8 +54,8 @@ static int outline_of(double xy[PP_FITTING_CORNERS][2],
     return 4;
 }
 
-/* Adds a side; sets *good to false on a mistake, so that only one of several bad sides
- * is reported. */
+/* Adds a side. *good is false after a mistake: the caller then stops, so that only one
+ * bad side is reported. */
 static enum pp_status add_fitting_side(struct pp_resolver *r,
                                        const struct pp_fitting_part *part,
                                        struct pp_vec3 *corners, int count, bool *good,

@@ -1,8 +1,8 @@
-/* fittings.h - the step that adds the objects in a room: furniture, columns and
- * partitions, as surfaces inside. Inside model/room/ only.
+/* fittings.h - the step that adds furniture, columns and partitions as surfaces in the
+ * room. Inside model/room/ only.
  *
- * Each is a box, a round column a prism of twelve sides of the same area. A side on the
- * floor and one at the ceiling are left out: no light comes to them.
+ * Each object is a box; a round column is a prism of twelve sides with the same area.
+ * Sides on the floor or at the ceiling are left out, since no light reaches them.
  */
 #ifndef PP_MODEL_ROOM_BUILD_FITTINGS_H
 #define PP_MODEL_ROOM_BUILD_FITTINGS_H

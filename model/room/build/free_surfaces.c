@@ -1,9 +1,9 @@
 /* free_surfaces.c - see free_surfaces.h.
  *
- * A surface may touch the room's faces, or lie in one like a picture on a wall; then it
- * is set off into the room. Faces of other rooms of the building are such surfaces too,
- * which stand outside: one that lies in a face of this room is set off outwards; and so
- * are pieces of their facades.
+ * A surface may touch the room's faces, or lie in one, like a picture on a wall; it is
+ * then offset into the room. Faces of the building's other rooms, and pieces of their
+ * facades, are added here too. They are outside: one that lies in a face of this room
+ * is offset outwards.
  */
 #include "model/room/build/free_surfaces.h"
 
@@ -17,8 +17,8 @@
 #include "model/room/position.h"
 #include "model/room/build/outline.h"
 
-/* Sides of the envelope on which points of a surface were found, and one point of
- * each. */
+/* Sides of the envelope on which points of a surface lie, and one such point per
+ * side. */
 struct sides_seen {
     bool inside, outside;
     struct pp_vec3 inside_at, outside_at;
@@ -46,7 +46,7 @@ static void note_side_of_point(struct sides_seen *seen, const struct pp_world *w
     }
 }
 
-/* Examines the surface's vertices, the middles of its edges, and the middles of its
+/* Finds the side of each vertex, of the midpoints of edges, and of the centroids of
  * triangles. */
 static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
                                 const struct pp_polygon *polygon, struct pp_error *err)
@@ -92,7 +92,7 @@ static const char *role_word(enum pp_role role)
     return role == PP_FLOOR ? "floor" : role == PP_WALL ? "wall" : "ceiling";
 }
 
-/* Has a mistake on that line been noted that begins so? */
+/* True if a mistake on that line with that beginning has been reported. */
 static bool has_been_said(const struct pp_mistakes *mistakes, int line,
                           const char *beginning)
 {
@@ -103,7 +103,7 @@ static bool has_been_said(const struct pp_mistakes *mistakes, int line,
     return false;
 }
 
-/* Notes a face of another room that stands in this one, once for the two rooms. */
+/* Reports a face of another room inside this one, once per pair of rooms. */
 static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_part *part,
                               struct pp_vec3 where)
 {
@@ -125,7 +125,8 @@ static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_par
                     said, where.x, where.y, where.z);
 }
 
-/* Name of the room whose coordinates a message gives. Empty for a room's own surfaces. */
+/* Name of the room whose coordinates a message gives; empty for a room's own
+ * surfaces. */
 static const char *room_words(char words[96], const struct pp_resolver *r,
                               const struct pp_surface_part *part)
 {
@@ -138,7 +139,7 @@ static const char *room_words(char words[96], const struct pp_resolver *r,
     return words;
 }
 
-/* Notes a surface that goes through the envelope; *clear if it does not. */
+/* Reports a surface that crosses the envelope; *clear is true if it does not. */
 static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
                                   const struct pp_surface_part *part, const char *what,
                                   const struct pp_polygon *polygon,
@@ -152,7 +153,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         const struct pp_surface *face = &world->surfaces[i];
         if (pp_polygons_cross(&cross, polygon, &face->outline, &where, err) != PP_OK)
             return PP_SYSTEM;
-        /* Both rooms find the overlap; it is reported once. */
+        /* Both rooms detect the overlap; only one reports it. */
         if (cross && part->is_room_outside && part->line > r->room->line)
             say_rooms_overlap(r, part, where);
         else if (cross && !part->is_room_outside)
@@ -195,8 +196,8 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     return PP_OK;
 }
 
-/* Does the polygon stand across the middle of the opening, within the depth of its reveal
- * or right before that? */
+/* True if the polygon crosses the centre of the opening, within the depth of its reveal
+ * or immediately in front of it. */
 static bool closes(const struct pp_polygon *polygon, const struct pp_opening *opening)
 {
     struct pp_vec3 from = pp_polygon_middle(&opening->inner),
@@ -213,7 +214,7 @@ static bool closes(const struct pp_polygon *polygon, const struct pp_opening *op
     return pp_polygon_side(polygon, across, PP_SET_OFF_M) != PP_OUTSIDE;
 }
 
-/* Notes openings that the face of another room closes: no light comes through them. */
+/* Reports openings that are blocked by the face of another room. */
 static void check_openings(struct pp_resolver *r, const struct pp_surface_part *part,
                            const struct pp_polygon *polygon)
 {
@@ -232,7 +233,7 @@ static void check_openings(struct pp_resolver *r, const struct pp_surface_part *
     }
 }
 
-/* Moves vertices on to the polygon's own plane. */
+/* Projects the vertices on the polygon's plane. */
 static void flatten_to_plane(struct pp_polygon *polygon)
 {
     struct pp_vec3 middle = pp_polygon_middle(polygon), n = polygon->normal;
@@ -242,10 +243,10 @@ static void flatten_to_plane(struct pp_polygon *polygon)
     }
 }
 
-/* Moves a surface that lies in a face of the envelope off it: into the room, or out if
- * the surface is outside. A face or a facade of another room, whose normal points into
- * that room, is moved only if it is turned to this room: two fronts in one plane stay
- * so. */
+/* Offsets a surface that lies in a face of the envelope: inwards, or outwards if it is
+ * outside. is_of_room: it is a face or a facade of another room, whose normal points
+ * into that room. It is offset only if it faces this room; two fronts in one plane stay
+ * as they are. */
 static void set_off(const struct pp_world *world, struct pp_polygon *polygon,
                     bool inside, bool is_of_room)
 {
@@ -274,8 +275,8 @@ static bool is_near(const struct pp_world *world, const struct pp_polygon *polyg
     return pp_position_is_near(&room, polygon->vertices, polygon->count);
 }
 
-/* Finds the side of the envelope on which the surface lies, and whether it is clear of
- * the envelope. */
+/* Finds the side of the envelope on which the surface lies, and whether it crosses the
+ * envelope. */
 static enum pp_status place_free_surface(struct sides_seen *seen, bool *clear,
                                          struct pp_resolver *r,
                                          const struct pp_surface_part *part,
@@ -308,7 +309,7 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
     struct sides_seen seen = {.outside = true};
     bool clear = true;
     enum pp_status status = PP_OK;
-    /* A surface that belongs inside is checked wherever it is. */
+    /* A surface that belongs inside is checked even if it is far away. */
     if (part->is_of_room || is_near(r->world, &surface.outline))
         status =
             place_free_surface(&seen, &clear, r, part, what, &surface.outline, err);
@@ -318,7 +319,7 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
         pp_polygon_clear(&surface.outline);
         return status;
     }
-    /* A surface entirely in the envelope counts as inside. */
+    /* A surface that lies entirely in the envelope counts as inside. */
     surface.inside = (seen.inside || !seen.outside) && !part->is_room_outside
                      && !part->is_of_site && !part->is_of_block;
     flatten_to_plane(&surface.outline);

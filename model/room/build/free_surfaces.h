@@ -1,5 +1,5 @@
-/* free_surfaces.h - the step that adds opaque polygons inside the room or outside
- * it, but not through its envelope. Inside model/room/ only. */
+/* free_surfaces.h - the step that adds opaque polygons inside or outside the room; they
+ * must not cross the envelope. Inside model/room/ only. */
 #ifndef PP_MODEL_ROOM_BUILD_FREE_SURFACES_H
 #define PP_MODEL_ROOM_BUILD_FREE_SURFACES_H
 
@@ -7,8 +7,8 @@
 
 enum pp_status pp_build_free_surfaces(struct pp_resolver *r, struct pp_error *err);
 
-/* Adds a free surface as if the file had it. what: the element's name in messages;
- * static. */
+/* Adds a surface that is not an element <surface> of the file. what: name of its
+ * element in messages; static. */
 enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
                                           const struct pp_surface_part *part,
                                           const char *what, struct pp_error *err);

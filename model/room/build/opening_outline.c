@@ -27,7 +27,8 @@ const char *pp_opening_outline_face_words(char *text, size_t size,
     return text;
 }
 
-/* The window's outline in its wall; false (and a mistake) where it sticks out. */
+/* Outline of the window in its wall. Reports a window that extends beyond its wall, and
+ * returns false. */
 static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *part,
                            const struct pp_face_frame *frame, double xy[4][2])
 {
@@ -68,7 +69,7 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
             top, words, tall);
         fits = false;
     }
-    /* Left is left from outside: it is the high end of `along`. */
+    /* `left` is measured as seen from outside, from the high end of `along`. */
     double x_high = fmin(frame->bounds.high[0], frame->bounds.high[0] - part->left_m);
     double x_low = fmax(frame->bounds.low[0],
                         frame->bounds.high[0] - part->left_m - part->width_m);
@@ -89,8 +90,8 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
     return fits;
 }
 
-/* The rooflight's outline, counter-clockwise seen from below: the room's x runs along
- * the frame's `along`, its y against `up`. */
+/* Outline of the rooflight, counter-clockwise seen from below. The room's x is the
+ * frame's `along`; its y is opposite to `up`. */
 static void rooflight_outline(const struct pp_opening_part *part,
                               const struct pp_face_frame *frame, double xy[4][2])
 {
@@ -121,8 +122,8 @@ static bool is_level_ceiling(const struct pp_surface *face)
            && hypot(face->outline.normal.x, face->outline.normal.y) < PP_LEVEL_RAD;
 }
 
-/* The flat ceiling over the rooflight's middle, or else the one nearest to it; -1 where
- * there is none. */
+/* Horizontal ceiling over the rooflight's centre, or the nearest one; -1 if the room
+ * has none. */
 static int ceiling_of(const struct pp_world *world, const struct pp_opening_part *part)
 {
     int nearest = -1;
@@ -135,7 +136,7 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
             pp_polygon_distance(&face->outline, pp_vec(part->x + 0.5 * part->width_m,
                                                        part->y + 0.5 * part->depth_m,
                                                        face->outline.vertices[0].z));
-        /* The upper of two ceilings, one above the other, is taken. */
+        /* If two ceilings are above each other the upper one is used. */
         bool above = nearest >= 0
                      && face->outline.vertices[0].z
                             > world->surfaces[nearest].outline.vertices[0].z;
@@ -147,8 +148,9 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
     return nearest;
 }
 
-/* Face in whose plane all the vertices lie; of several, the one that contains their
- * middle. -1 if there is none, with the nearest face and its distance. */
+/* Face in whose plane all vertices lie; if several, the one nearest to their centre. -1
+ * if there is none. *nearest, *off_m: the face with the least distance to all
+ * vertices. */
 static int face_of_outline(const struct pp_world *world,
                            const struct pp_vertices *vertices, int *nearest,
                            double *off_m)

@@ -41,7 +41,7 @@ static double distance_to_segment(const double p[2], const double a[2],
     return pp_polygon_ring_edge_distance(ends, 2, p[0], p[1], NULL);
 }
 
-/* Do the segments ab and cd meet, by crossing or by coming too near? */
+/* True if the segments ab and cd cross or come nearer than PP_SAME_M. */
 static bool segments_meet(const double a[2], const double b[2], const double c[2],
                           const double d[2])
 {
@@ -57,9 +57,9 @@ static bool segments_meet(const double a[2], const double b[2], const double c[2
            || distance_to_segment(d, a, b) < PP_SAME_M;
 }
 
-/* The first two edges that meet where they should not, numbered from 0. Neighbours
- * share a vertex; they meet elsewhere if one runs back over the other. All pairs: the
- * reader bounds the number of vertices. */
+/* First two edges that meet where they should not, numbered from 0. Neighbours share a
+ * vertex; they meet elsewhere if one runs back over the other. Compares all pairs; the
+ * reader limits the number of vertices. */
 static bool edges_that_meet(const double (*xy)[2], int count, int *first, int *second)
 {
     for (int i = 0; i < count; i++)
@@ -109,8 +109,8 @@ static bool crosses_itself(struct pp_resolver *r, const char *what, int line,
     return crosses;
 }
 
-/* Normal of the largest triangle from the first vertex, or zero if all lie in a line.
- * Gives the plane of a bow-tie, whose halves cancel in Newell's sum. */
+/* Normal of the largest triangle with the first vertex; zero if all vertices are
+ * collinear. It gives the plane of a bow-tie, whose halves cancel in Newell's sum. */
 static struct pp_vec3 largest_triangle(const struct pp_vertices *vertices)
 {
     struct pp_vec3 largest = {0.0, 0.0, 0.0};

@@ -12,8 +12,8 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/build/outline.h"
 
-/* Moves vertices of the ring that stick out of its face by at most the tolerance on to
- * the face's edge, and reports places where it sticks out by more. */
+/* Moves vertices that extend beyond the face by at most the tolerance to the edge of
+ * the face; reports larger excesses. */
 static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
                                   const struct pp_opening_part *part,
                                   const struct pp_face_frame *frame, double (*xy)[2],
@@ -27,7 +27,7 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
     if (status != PP_OK)
         return status;
     pp_opening_outline_face_words(words, sizeof words, frame->face);
-    /* A ring thinner than the tolerance may have no area once moved in. */
+    /* A ring thinner than the tolerance may have no area after the move. */
     bool whole;
     status = pp_clipper_ring_is_simple(&whole, r->clipper, (const double(*)[2])xy,
                                        count, err);
@@ -51,9 +51,9 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
     return PP_OK;
 }
 
-/* ---- Kinds of openings, from the outline ---- */
+/* ---- properties that follow from the outline ---- */
 
-/* Is the outline a rectangle with its edges along the axes? */
+/* True if the outline is a rectangle with edges parallel to the axes. */
 static bool is_upright_rectangle(const double (*xy)[2], int count, const double low[2],
                                  const double high[2])
 {
@@ -66,7 +66,7 @@ static bool is_upright_rectangle(const double (*xy)[2], int count, const double 
     return true;
 }
 
-/* "auto": by the site's edition, place and work. */
+/* Finds the maintenance factor of "auto", from the site's edition, place and work. */
 static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
 {
     const struct pp_world *world = r->world;
@@ -82,7 +82,7 @@ static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
                     "dirt=\"bre-309\" of the site");
 }
 
-/* Is the text the name of any opening of the room? */
+/* True if an opening of the room has this name. */
 static bool is_opening_name(const struct pp_room *room, const char *text)
 {
     for (int i = 0; i < room->opening_count; i++)
@@ -91,8 +91,8 @@ static bool is_opening_name(const struct pp_room *room, const char *text)
     return false;
 }
 
-/* Sets the label: the name, or a letter and the next number that is no name. Windows and
- * other openings in walls are W, all others RL. */
+/* Sets the label: the name, or a letter with the next number that is no name. The
+ * letter is W in walls, RL in ceilings. */
 static void label_opening(struct pp_opening *opening, const struct pp_world *world,
                           const struct pp_room *room)
 {
@@ -159,7 +159,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
         status = pp_polygon_of(&opening.outer, vertices, count, err);
     }
     free(vertices);
-    /* The face's normal to the bit, not one more rounding of it. */
+    /* Exactly the normal of the face, free of further rounding. */
     opening.inner.normal = opening.outer.normal = normal;
     opening.name = part->name ? strdup(part->name) : NULL;
     if (status == PP_OK && part->name && !opening.name)
@@ -175,7 +175,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
     return status;
 }
 
-/* ---- One opening against those before it ---- */
+/* ---- overlaps with earlier openings ---- */
 
 static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r,
                                      const struct pp_opening_part *part,
@@ -214,7 +214,7 @@ static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r
     return PP_OK;
 }
 
-/* ---- The steps for one opening ---- */
+/* ---- steps for one opening ---- */
 
 static bool is_read(const struct pp_opening_part *part)
 {

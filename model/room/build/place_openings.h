@@ -1,5 +1,5 @@
 /* place_openings.h - the step that places windows, rooflights and glazed polygons in
- * the faces they are cut from. Inside model/room/ only. */
+ * the faces that contain them. Inside model/room/ only. */
 #ifndef PP_MODEL_ROOM_BUILD_PLACE_OPENINGS_H
 #define PP_MODEL_ROOM_BUILD_PLACE_OPENINGS_H
 

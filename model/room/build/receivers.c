@@ -1,8 +1,8 @@
 /* receivers.c - see receivers.h.
  *
- * A grid covers the working plane inside its margin: the extent of the plane less the
- * margin all round, in equal cells no larger than the spacing; a cell counts if its
- * centre lies in the plane and no nearer to its edge than the margin.
+ * A grid covers the extent of the working plane less the margin on all sides, with
+ * equal cells no larger than the spacing. A cell counts if its centre is in the plane,
+ * and at least the margin away from its edge.
  */
 #include "model/room/build/receivers.h"
 
@@ -15,8 +15,8 @@
 /* Spacing and margin of the default grid. */
 static const double default_spacing_m = 0.5;
 
-/* Receivers of a room, in all; and comparisons, since each receiver is compared with
- * each surface. */
+/* Limits on the receivers of a room, and on comparisons, since each receiver is
+ * compared with each surface. */
 enum { RECEIVERS_MOST = 100000 };
 static const double comparisons_most = 1e8;
 
@@ -61,7 +61,7 @@ static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list
     return true;
 }
 
-/* Notes, once for the part, its points where light can't be measured. */
+/* Reports the points of a part that are not valid places, in one message. */
 static void check_places(struct pp_resolver *r, const char *what, int line,
                          const struct pp_receiver *receivers, int count)
 {
@@ -150,7 +150,7 @@ static double count_cells(const double low[2], const double high[2],
         double extent = high[k] - low[k] - 2.0 * grid->margin_m;
         if (extent < -PP_ROUNDING_M)
             return 0.0;
-        /* 3.0000000001 cells are three. */
+        /* An extent of 3.0000000001 spacings has three cells. */
         cells[k] = fmax(ceil(extent / grid->spacing_m - 1e-6), 1.0);
     }
     return cells[0] * cells[1];
@@ -216,20 +216,19 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-/* Adds a receiver well inside the plane, for a room too small for the default grid: at
- * the point of a fine mesh that is farthest from the edges. */
+/* Adds one receiver to a room too small for the default grid: the point of a fine mesh
+ * that is farthest from the edges of the plane. */
 static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *list,
                                  struct pp_error *err)
 {
-    enum { MESH = 33 }; /* odd: it has the middle */
+    enum { MESH = 33 }; /* odd, so that it includes the centre */
     const struct pp_world *world = r->world;
     struct pp_bounds2 bounds = pp_region_bounds(&world->plane);
     const double *low = bounds.low, *high = bounds.high;
     double farthest = 0.0;
     struct pp_receiver best = {.normal = pp_vec(0.0, 0.0, 1.0)};
     for (int k = 0; k < MESH * MESH; k++) {
-        /* Goes from the middle outwards, so that the middle is preferred among equally
-         * distant points. */
+        /* Begins at the centre, which is preferred among equally distant points. */
         int i = (k % MESH + MESH / 2) % MESH, j = (k / MESH + MESH / 2) % MESH;
         double x = low[0] + (i + 0.5) / MESH * (high[0] - low[0]);
         double y = low[1] + (j + 0.5) / MESH * (high[1] - low[1]);

@@ -35,8 +35,8 @@ int pp_resolve_wall_index(struct pp_resolver *r, const char *name, const char *w
     for (int i = 0; i < r->wall_count; i++)
         if (strcmp(r->walls[i], name) == 0)
             return i;
-    /* A room without a plan has its mistake noted already; and thousands of unknown
-     * names are not worth noting. */
+    /* A room without a plan has been reported already, and thousands of unknown names
+     * are not worth reporting. */
     if (r->wall_count == 0 || r->unknown_walls++ > PP_MISTAKES_MOST)
         return -1;
 

@@ -3,10 +3,10 @@
 
 #include "model/room/position.h"
 
-/* Deeper than any wall: more is taken for a slip of the keyboard. */
+/* Deeper than any wall; a larger value is taken to be a typing error. */
 static const double reveal_most_m = 10.0;
 
-/* The sides of the opening's depth: one on each edge of its outline, facing
+/* Adds the sides of the opening's depth, one per edge of its outline, facing
  * inwards. */
 static enum pp_status add_reveals(struct pp_resolver *r, int index,
                                   struct pp_error *err)
@@ -32,7 +32,7 @@ static enum pp_status add_reveals(struct pp_resolver *r, int index,
     return PP_OK;
 }
 
-/* Moved out by the reveal, the glass may not stand in another part of the room. */
+/* Reports glass that its reveal would move into another part of the room. */
 static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening)
 {
     if (opening->reveal_m > reveal_most_m)

@@ -1,13 +1,12 @@
 /* watertight.c - see watertight.h.
  *
- * They do if every edge belongs to two faces that run along it in opposite directions.
- * With all normals into the room, the volume
+ * The envelope is closed if every edge belongs to two faces that traverse it in
+ * opposite directions. With all normals into the room the volume
  *
  *     V = -1/3 sum A n . c    (c any point of the face)
  *
- * is positive. A face that turns the wrong way round is found by going from neighbour
- * to neighbour; it is turned round, so that whatever else is wrong with the room is
- * found as well.
+ * is positive. Faces with the wrong orientation are found by visiting neighbours. They
+ * are reversed, so that further mistakes of the room are found too.
  */
 #include "model/room/build/watertight.h"
 
@@ -17,28 +16,29 @@
 #include "model/geometry/tolerance.h"
 
 struct envelope_edge {
-    int low, high; /* the corners' numbers */
-    bool upward;   /* does the face run from low to high? */
+    int low, high; /* corner numbers */
+    bool upward;   /* true if the face traverses the edge from low to high */
     int face;
     struct pp_vec3 from, to;
 };
 
-/* The state of a face while its neighbours are visited. */
+/* State of a face while its neighbours are visited. */
 struct face_visit {
-    int part;       /* number of the connected part it belongs to; -1: not visited */
-    bool turned;    /* true if it is oriented opposite to the first face of its part */
-    int first;      /* its edges in the list of neighbours */
-    int open_edges; /* edges that it shares with no other face */
-    int first_open; /* index of the first */
+    int part;       /* connected part that contains the face; -1: not visited */
+    bool turned;    /* oriented opposite to the first face of its part */
+    int first;      /* index of its first entry in neighbours */
+    int open_edges; /* number of edges that no other face shares */
+    int first_open; /* index of the first such edge */
 };
 
 struct watertight_check {
     struct envelope_edge
-        *edges; /* sorted, those that join the same two corners together */
+        *edges; /* sorted; edges between the same two corners are adjacent */
     int edge_count;
     struct face_visit *faces;
-    int *neighbours; /* across the face's edges; -1: none */
-    bool *same_way;  /* does the neighbour run along the edge in the same direction? */
+    int *neighbours; /* by edge of each face: the face beyond it; -1: none */
+    bool *same_way;  /* by edge of each face: true if both faces traverse it in the
+                      * same direction */
     int part_count;
 };
 
@@ -75,7 +75,7 @@ static void list_edges(const struct pp_resolver *r, struct watertight_check *c)
     qsort(c->edges, corner, sizeof *c->edges, compare_edges);
 }
 
-/* Puts b among a's neighbours. */
+/* Adds b's face to the neighbours of a's face. */
 static void join_neighbours(struct watertight_check *c, const struct envelope_edge *a,
                             const struct envelope_edge *b)
 {
@@ -86,7 +86,7 @@ static void join_neighbours(struct watertight_check *c, const struct envelope_ed
     c->same_way[at] = a->upward == b->upward;
 }
 
-/* Edges that are shared by two faces make them neighbours; others are mistakes. */
+/* Two faces that share an edge become neighbours; other edges are mistakes. */
 static void match_edges(struct pp_resolver *r, struct watertight_check *c)
 {
     const struct pp_surface *faces = r->world->surfaces;
@@ -126,7 +126,7 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
     }
 }
 
-/* Visits the faces that are connected with the first, breadth first. */
+/* Visits all faces connected with the first, breadth first. */
 static void visit_part(const struct pp_resolver *r, struct watertight_check *c,
                        int first, int *queue)
 {
@@ -159,7 +159,7 @@ static void turn_round(struct pp_polygon *outline, int *corners)
     }
 }
 
-/* Volume within the faces of that part; -1: of all faces. */
+/* Volume enclosed by the faces of a part; part -1: all faces. */
 static double volume_m3(const struct pp_world *world, const struct watertight_check *c,
                         int part)
 {
@@ -175,8 +175,8 @@ static double volume_m3(const struct pp_world *world, const struct watertight_ch
     return sum / 3.0;
 }
 
-/* Turns, in each part, the faces that differ from the majority; turns all faces if the
- * room is inside out. Records the turned faces. */
+/* Reverses the faces of each part that differ from the majority, and all faces if the
+ * room is inside out; reports them. */
 static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
                        int *turned_in_part)
 {
@@ -208,8 +208,8 @@ static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
                 "face: is clockwise seen from inside; expected counter-clockwise");
 }
 
-/* A part by itself is a solid in the room, with its faces round it and so a negative
- * volume; but one part must hold all. */
+/* Reports several separate rooms. A part with negative volume is a solid in the room
+ * and is allowed; only one part may have a positive volume. */
 static void check_parts(struct pp_resolver *r, const struct watertight_check *c)
 {
     int rooms = 0;
@@ -243,7 +243,7 @@ static enum pp_status check_closing(struct pp_resolver *r, struct watertight_che
     return PP_OK;
 }
 
-/* Notes faces of an envelope that go through each other. */
+/* Reports faces of an envelope that cross each other. */
 static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_world *world = r->world;

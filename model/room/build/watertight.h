@@ -1,11 +1,11 @@
-/* watertight.h - the step that finds out whether the envelope's faces close the room.
+/* watertight.h - the step that checks whether the envelope's faces enclose the room.
  * Inside model/room/ only. */
 #ifndef PP_MODEL_ROOM_BUILD_WATERTIGHT_H
 #define PP_MODEL_ROOM_BUILD_WATERTIGHT_H
 
 #include "model/room/build/resolve.h"
 
-/* Sets r->watertight; turns faces round that turn the wrong way, and notes them. */
+/* Sets r->watertight. Reverses faces with the wrong orientation and reports them. */
 enum pp_status pp_build_watertight(struct pp_resolver *r, struct pp_error *err);
 
 #endif

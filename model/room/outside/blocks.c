@@ -8,7 +8,7 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/position.h"
 
-/* A box's own axes: unit, right-handed, w up. */
+/* A box with its own axes: unit vectors, right-handed, the third one up. */
 struct block_box {
     struct pp_vec3 corner, axes[3];
     double size[3];
@@ -23,7 +23,7 @@ static struct block_box box_of(const struct pp_block *block)
         .size = {block->width_m, block->depth_m, block->height_m}};
 }
 
-/* The corner at 0 or 1 along each axis. */
+/* Corner of the box; u, v, w are 0 or 1, the end of each axis. */
 static struct pp_vec3 box_corner(const struct block_box *box, int u, int v, int w)
 {
     struct pp_vec3 p = pp_vec_along(box->corner, u * box->size[0], box->axes[0]);
@@ -31,10 +31,11 @@ static struct pp_vec3 box_corner(const struct block_box *box, int u, int v, int 
     return pp_vec_along(p, w * box->size[2], box->axes[2]);
 }
 
-/* ---- Does it stand clear? ---- */
+/* ---- clearance from the room ---- */
 
-/* Cuts the polygon to sign * (coordinate along the axis) <= limit; the result may run
- * back over itself along the cut, which changes no area. */
+/* Clips the polygon to coordinates along the axis of at most `limit`. The result may
+ * have overlapping edges along the cut, which do not change its area. Returns its
+ * number of vertices. */
 static int clip(struct pp_vec3 *cut, const struct pp_vec3 *polygon, int count,
                 struct pp_vec3 origin, struct pp_vec3 axis, double limit)
 {
@@ -52,13 +53,13 @@ static int clip(struct pp_vec3 *cut, const struct pp_vec3 *polygon, int count,
     return cut_count;
 }
 
-/* The polygon's area (m2) within the box less PP_ROUNDING_M all round: a polygon that
- * touches the box has none. */
+/* Area (m2) of the polygon within the box reduced by PP_ROUNDING_M on all sides; 0 for
+ * a polygon that only touches the box. */
 static enum pp_status area_in_box(double *area_m2, const struct block_box *box,
                                   const struct pp_polygon *polygon,
                                   struct pp_error *err)
 {
-    /* A cut adds at most one vertex for each two, and 1.5 to the sixth is under 12. */
+    /* A cut adds at most one vertex for every two, and 1.5 to the sixth is under 12. */
     size_t space = 16 * (size_t)polygon->count;
     struct pp_vec3 *buffers = malloc(2 * space * sizeof *buffers);
     if (!buffers)
@@ -80,8 +81,7 @@ static enum pp_status area_in_box(double *area_m2, const struct block_box *box,
     return PP_OK;
 }
 
-/* Notes a block that stands in the room or in an opening's depth; *clear if it does
- * neither. */
+/* Reports a block in the room or in a reveal; *clear is true if it is in neither. */
 static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
                                   const struct pp_block *block,
                                   const struct block_box *box, struct pp_error *err)
@@ -131,9 +131,9 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     return PP_OK;
 }
 
-/* ---- Its sides ---- */
+/* ---- sides ---- */
 
-/* A side flush with a face of the room is set back into the block. */
+/* Moves a side in the plane of a face of the room into the block. */
 static void set_off(const struct pp_world *world, struct pp_vec3 *side)
 {
     struct pp_vec3 area = pp_polygon_area_vector(side, 4);

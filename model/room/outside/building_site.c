@@ -13,11 +13,10 @@
 #include "model/room/read/room_schema.h"
 #include "model/room/room.h"
 
-/* ---- Parts of a room ---- */
+/* ---- parts of a room ---- */
 
-/* True if the building's gardens belong to this room. They belong to one of its rooms,
- * so that they are assessed once: the first that exists in every state, or else the
- * first. */
+/* True if the building's gardens are assessed with this room. Only one room has them:
+ * the first that exists in both states, or else the first of the state. */
 static bool has_gardens(const struct pp_building *building, int index,
                         enum pp_site_state state)
 {
@@ -31,7 +30,7 @@ static bool has_gardens(const struct pp_building *building, int index,
     return first == index;
 }
 
-/* Adds the building's parts for all rooms. */
+/* Adds the building's parts that are common to all rooms. */
 static enum pp_status add_common(struct pp_room *room,
                                  const struct pp_room_shell *shell,
                                  const struct pp_room *common, enum pp_site_state state,
@@ -58,7 +57,7 @@ static enum pp_status add_common(struct pp_room *room,
     return status;
 }
 
-/* ---- The other rooms ---- */
+/* ---- other rooms ---- */
 
 static enum pp_status add_faces(struct pp_room *room, const struct pp_room *other,
                                 const struct pp_room_shell *shell, struct pp_error *err)
@@ -91,7 +90,8 @@ static enum pp_status add_sheet(struct pp_room *room, const struct pp_room *othe
     return status;
 }
 
-/* Less the room's own facades, which stand in its world as they are. */
+/* Adds a front of another room, less the room's own facades, which its world has as
+ * they are. */
 static enum pp_status add_front(struct pp_room *room, const struct pp_room_shell *own,
                                 const struct pp_room *other,
                                 const struct pp_room_front *front,
@@ -108,7 +108,8 @@ static enum pp_status add_front(struct pp_room *room, const struct pp_room_shell
     return status;
 }
 
-/* Adds the site's own blocks, but for those that the room has too, and meshes. */
+/* Adds the blocks and meshes of another room, except blocks that the room already
+ * has. */
 static enum pp_status add_solids(struct pp_room *room, const struct pp_room *own,
                                  struct pp_error *err)
 {
@@ -130,7 +131,7 @@ static enum pp_status add_solids(struct pp_room *room, const struct pp_room *own
     return status;
 }
 
-/* Adds another room, with the parts fixed to its outside. */
+/* Adds another room and the parts fixed to its outside. */
 static enum pp_status add_neighbour(struct pp_room *room,
                                     const struct pp_room_shell *own,
                                     const struct pp_room *other,
@@ -144,7 +145,7 @@ static enum pp_status add_neighbour(struct pp_room *room,
         const struct pp_room_carried *it = &shell->carried[i];
         struct pp_surface_part part = it->part;
         part.is_shade = it->is_shade && pp_room_shell_shares_front(own, it);
-        /* Repeated warnings of several rooms concern their files, not their windows. */
+        /* A surface that several rooms of the file describe is added once. */
         if (part.what || part.is_room_outside
             || !pp_outside_parts_has_surface(room, &part))
             status = pp_outside_parts_add_surface(room, &part, part.vertices.list,
@@ -153,7 +154,7 @@ static enum pp_status add_neighbour(struct pp_room *room,
     return status == PP_OK && shell->own ? add_solids(room, shell->own, err) : status;
 }
 
-/* ---- A state ---- */
+/* ---- a state of the site ---- */
 
 /* True if the building has parts that are added to its rooms. */
 static bool holds(const struct pp_room *common)
@@ -163,8 +164,8 @@ static bool holds(const struct pp_room *common)
            > 0;
 }
 
-/* More placed rooms than can stand before each other? That is a mistake, noted where the
- * file was read. */
+/* True if there are more placed rooms than the limit for obstructing each other; the
+ * reader of the file has reported that. */
 static bool has_too_many(const struct pp_building *building)
 {
     int placed = 0;
@@ -173,16 +174,16 @@ static bool has_too_many(const struct pp_building *building)
     return placed > PP_ROOM_PLACED_MOST;
 }
 
-/* Parts of a state. */
+/* Data for building one state of the site. */
 struct settling {
     struct pp_building *building;
     enum pp_site_state state;
-    struct pp_room_shell *shells; /* of each room that was read */
-    struct pp_room_shell *images; /* mirrored; NULL: there is no line to mirror at */
+    struct pp_room_shell *shells; /* one per room of the file */
+    struct pp_room_shell *images; /* mirror images; NULL: no mirror line */
     struct pp_clipper *clipper;
 };
 
-/* True if the room obstructs others in the state. */
+/* True if the room exists in the state and obstructs others. */
 static bool stands(const struct settling *site, int index)
 {
     const struct pp_room *room = &site->building->read[index];
@@ -208,7 +209,7 @@ static enum pp_status add_neighbours(struct pp_room *room, int index,
     return status;
 }
 
-/* Room `index` as it stands in the state, with all that is outside it. */
+/* Makes room `index` in the state, with everything outside it. */
 static enum pp_status settle_room(const struct settling *site, int index,
                                   struct pp_error *err)
 {
@@ -248,7 +249,7 @@ static enum pp_status settle_room(const struct settling *site, int index,
     return status;
 }
 
-/* Trims a room's facades at the other rooms, and at the facades of those before it in
+/* Trims a room's facades where they meet other rooms, or facades of earlier rooms of
  * the file. */
 static enum pp_status make_way(struct settling *site, int index, struct pp_error *err)
 {
@@ -270,8 +271,8 @@ static enum pp_status make_way(struct settling *site, int index, struct pp_error
     return status;
 }
 
-/* Makes the shells of rooms that touch each other; of rooms that stand by themselves,
- * their walls' names. */
+/* Makes the shells of placed rooms. If the building has skylines, other rooms get
+ * shells too, for their wall names. */
 static enum pp_status make_shells(struct settling *site, struct pp_error *err)
 {
     const struct pp_building *building = site->building;
@@ -296,7 +297,8 @@ static const char *site_room_name(const struct settling *site, int index)
     return name ? name : "";
 }
 
-/* A building has a mirror image where all of it is on one side of the line. */
+/* Checks that the whole building is on one side of the line, as its mirror image
+ * requires. */
 static enum pp_status check_sides(const struct settling *site, struct pp_error *err)
 {
     const struct pp_mirror_line *line = &site->building->boundary;

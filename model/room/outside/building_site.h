@@ -2,25 +2,25 @@
  * building's own blocks, surfaces and skylines, and the other rooms. Inside model/room/
  * only.
  *
- * A placed room (x, y, z, rotate) has its origin there, in the building's axes, and is
- * rotated about it, counter-clockwise seen from above:
+ * The placement of a room (x, y, z, rotate) gives its origin in the building's axes,
+ * and its rotation about that point, counter-clockwise seen from above:
  *
  *     p_building = (x, y, z) + R(rotate) p_room        north_room = north - rotate
  *
- * The building's parts are moved to each room's own axes by the inverse. Faces of
- * placed rooms obstruct the others as opaque outside walls, with the parts fixed to
- * their outside (room_shell.h). A room without a place stands alone, at the building's
- * origin, and obstructs no other.
+ * The building's parts are transformed to each room's axes by the inverse. Faces of
+ * placed rooms, and the parts fixed to their outside (room_shell.h), obstruct other
+ * rooms as opaque walls. A room without a placement is at the building's origin and
+ * obstructs no other room.
  */
 #ifndef PP_MODEL_ROOM_OUTSIDE_BUILDING_SITE_H
 #define PP_MODEL_ROOM_OUTSIDE_BUILDING_SITE_H
 
 #include "model/room/read/read_elements.h"
 
-/* Makes building->rooms anew: the rooms of that state (PP_STATE_EXISTING or
- * PP_STATE_PROPOSED). With PP_STATE_BOTH it makes those of both states, and the mirror
- * image of the placed rooms at building->boundary. Fails if out of memory, or if there
- * is no such image (PP_BAD_INPUT); there are then no rooms. */
+/* Makes building->rooms: the rooms of that state (PP_STATE_EXISTING or
+ * PP_STATE_PROPOSED). PP_STATE_BOTH: the rooms of both states, and the mirror image of
+ * the placed rooms at building->boundary. PP_BAD_INPUT if that image is not possible;
+ * PP_SYSTEM without memory. After a failure there are no rooms. */
 enum pp_status pp_building_site_settle(struct pp_building *building,
                                        enum pp_site_state state, struct pp_error *err);
 

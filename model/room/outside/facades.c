@@ -1,13 +1,14 @@
 /* facades.c - see facades.h.
  *
- * A facade's sheet lies in the wall's plane, moved out by the facade's depth: the
- * rectangle round the wall, longer by left, right, up and down, less the openings,
- * in triangles that share their corners with each other and with the rims. A rim joins
- * an opening's pane to its hole in the sheet where the pane stands back from it.
+ * The sheet of a facade lies in the wall's plane, offset outwards by the facade's
+ * depth. It is the bounding rectangle of the wall, extended by left, right, up and
+ * down, less the openings. It is made of triangles that share corners with each other
+ * and with the rims. A rim joins an opening's pane to its hole in the sheet if the pane
+ * is recessed.
  *
- * A sheet in the plane of the wall itself leaves the wall out: there the back of the wall
- * is the facade. Ends of `down` below the ground are left out. Light may get in between
- * wall and sheet from the side; it meets nothing there but their backs.
+ * A sheet in the plane of the wall leaves out the wall, whose back is then the facade.
+ * `down` ends at ground level. Light may enter the gap between wall and sheet from the
+ * sides, but meets only their backs there.
  */
 #include "model/room/outside/facades.h"
 
@@ -18,25 +19,25 @@
 #include "model/room/face_frame.h"
 #include "model/room/position.h"
 
-/* Thicker than any wall: more is taken for a slip of the keyboard. */
+/* Thicker than any wall; a larger value is taken to be a typing error. */
 static const double depth_most_m = 10.0;
 
-/* The clipper works on a grid of 2^-30 m, so that an opening at the sheet's border leaves
- * no slivers there; a corner that comes back is an opening's own when it is nearer than
- * 0.1 um, and a triangle smaller than 1e-9 m2 is none. */
+/* grid_m: grid of the clipper, so that an opening at the border of the sheet leaves no
+ * slivers. same_corner_m: a returned corner nearer than this is the opening's own
+ * corner. area_least_m2: smaller triangles are left out. */
 static const double grid_m = 0x1p-30, same_corner_m = 1e-7, area_least_m2 = 1e-9;
 
-/* A facade in the making. */
+/* A facade under construction. */
 struct facade_site {
     const struct pp_facade_part *part;
-    struct pp_face_frame frame; /* of its wall, without the surface, which moves when
-                                 * surfaces are added */
-    struct pp_vec3 normal;      /* of the wall */
+    struct pp_face_frame frame; /* frame of the wall; frame.face is not used, since
+                                 * adding surfaces invalidates it */
+    struct pp_vec3 normal;      /* of the wall, into the room */
     int face;
     double depth_m;
-    struct pp_bounds2 sheet;   /* in the frame */
-    struct pp_surface surface; /* common properties of all its surfaces */
-    bool reported;             /* already reported as standing in the room */
+    struct pp_bounds2 sheet;   /* extent in the frame */
+    struct pp_surface surface; /* properties shared by all its surfaces */
+    bool reported;             /* a clash with the room was reported */
 };
 
 static bool is_flush(const struct facade_site *site)
@@ -44,7 +45,7 @@ static bool is_flush(const struct facade_site *site)
     return site->depth_m < PP_SET_OFF_M;
 }
 
-/* ---- Parts in the wall's plane ---- */
+/* ---- parts in the wall's plane ---- */
 
 static bool is_in_plane(const struct facade_site *site, const struct pp_polygon *face)
 {
@@ -71,7 +72,7 @@ static bool meets_sheet(const struct facade_site *site, const struct pp_vec3 *ve
     return true;
 }
 
-/* True if the opening has a view out through the sheet. */
+/* True if the opening is behind the sheet, so that the sheet needs a hole. */
 static bool has_hole(const struct facade_site *site, const struct pp_world *world,
                      const struct pp_opening *opening)
 {
@@ -79,16 +80,16 @@ static bool has_hole(const struct facade_site *site, const struct pp_world *worl
            && meets_sheet(site, opening->inner.vertices, opening->inner.count);
 }
 
-/* A corner of the opening's outline moved out on to the sheet. */
+/* Corner of the opening's outline, offset outwards to the sheet. */
 static struct pp_vec3 hole_corner(const struct pp_opening *opening, int corner)
 {
     return pp_vec_along(opening->outer.vertices[corner], -opening->recess_m,
                         opening->outer.normal);
 }
 
-/* ---- Does it make sense? ---- */
+/* ---- checks ---- */
 
-/* Notes, once for a facade, that it is in the room. */
+/* Reports, once per facade, that it is in the room. */
 static void note_clash(struct pp_resolver *r, struct facade_site *site,
                        struct pp_vec3 where)
 {
@@ -100,7 +101,7 @@ static void note_clash(struct pp_resolver *r, struct facade_site *site,
     site->reported = true;
 }
 
-/* Looks for faces, reveals and panes that the rectangle goes through. */
+/* Reports a facade whose rectangle crosses faces, reveals or panes. */
 static enum pp_status check_clear(struct pp_resolver *r, struct facade_site *site,
                                   struct pp_error *err)
 {
@@ -123,7 +124,7 @@ static enum pp_status check_clear(struct pp_resolver *r, struct facade_site *sit
     return status;
 }
 
-/* Notes an opening that is deeper than the facade. */
+/* Reports a facade thicker than any wall, or thinner than the reveal of an opening. */
 static bool check_depth(struct pp_resolver *r, const struct facade_site *site)
 {
     if (site->depth_m > depth_most_m) {
@@ -167,7 +168,7 @@ static bool check_wall(struct pp_resolver *r, const struct pp_facade_part *part,
     return true;
 }
 
-/* Notes a facade that lies in one plane with another and overlaps it. */
+/* Reports a facade that overlaps another one in the same plane. */
 static bool check_others(struct pp_resolver *r, const struct facade_site *site)
 {
     const struct pp_world *world = r->world;
@@ -185,10 +186,9 @@ static bool check_others(struct pp_resolver *r, const struct facade_site *site)
     return true;
 }
 
-/* ---- Rims ---- */
+/* ---- rims ---- */
 
-/* Adds the strip between the pane's outline and the sheet, facing the passage
- * between. */
+/* Adds the strip between the pane's outline and the sheet; it faces the passage. */
 static enum pp_status add_rim(struct pp_resolver *r, struct facade_site *site,
                               const struct pp_opening *opening, struct pp_error *err)
 {
@@ -216,9 +216,10 @@ static enum pp_status add_rims(struct pp_resolver *r, struct facade_site *site,
     return status;
 }
 
-/* ---- The sheet ---- */
+/* ---- the sheet ---- */
 
-/* Gap in the sheet: holes, or of a flush one the walls in its plane. */
+/* Gap number `index` of the sheet: an opening or, for a sheet in the plane of the wall,
+ * a wall in that plane. NULL if the opening or wall makes no gap. */
 static const struct pp_polygon *gap_at(const struct pp_world *world,
                                        const struct facade_site *site, int index)
 {
@@ -229,7 +230,7 @@ static const struct pp_polygon *gap_at(const struct pp_world *world,
     return is_gap ? gap : NULL;
 }
 
-/* The polygon as a figure in the frame. */
+/* The polygon as a region in the frame's coordinates. */
 static enum pp_status region_of(struct pp_region *region, struct pp_clipper *clipper,
                                 const struct facade_site *site,
                                 const struct pp_polygon *polygon, struct pp_error *err)
@@ -245,7 +246,7 @@ static enum pp_status region_of(struct pp_region *region, struct pp_clipper *cli
     return status;
 }
 
-/* All gaps as one figure. */
+/* Union of all gaps. */
 static enum pp_status find_gaps(struct pp_region *gaps, const struct pp_resolver *r,
                                 const struct facade_site *site, struct pp_error *err)
 {
@@ -284,7 +285,7 @@ static enum pp_status sheet_region(struct pp_region *region,
     return status;
 }
 
-/* The point of the sheet at xy: a hole's corner, to the bit, where there is one. */
+/* Point of the sheet at xy; exactly the corner of a hole if there is one. */
 static struct pp_vec3 sheet_point(const struct pp_world *world,
                                   const struct facade_site *site, const double xy[2])
 {
@@ -315,7 +316,7 @@ static enum pp_status add_sheet(struct pp_resolver *r, struct facade_site *site,
     if (status == PP_OK)
         status = pp_clipper_triangulate(r->clipper, &triangles, &count, &region, err);
     for (int t = 0; t < count && status == PP_OK; t++) {
-        struct pp_vec3 corners[3]; /* in reverse: the frame is seen from inside */
+        struct pp_vec3 corners[3]; /* reversed, since the frame is seen from inside */
         for (int k = 0; k < 3; k++)
             corners[2 - k] = sheet_point(r->world, site, triangles[t][k]);
         struct pp_vec3 middle = pp_vec_add(corners[0], corners[1]);
@@ -330,9 +331,10 @@ static enum pp_status add_sheet(struct pp_resolver *r, struct facade_site *site,
     return status;
 }
 
-/* ---- One facade ---- */
+/* ---- one facade ---- */
 
-/* `left` is left from outside: beyond the high end of `along`. */
+/* Finds the extent of the sheet. `left` is seen from outside, beyond the high end of
+ * `along`. */
 static void find_facade_extent(struct facade_site *site, double ground_level_m)
 {
     const struct pp_facade_part *part = site->part;

@@ -5,9 +5,8 @@
 
 #include "model/room/build/resolve.h"
 
-/* Adds the facades and their surfaces (facades.c says which), says in the openings how
- * far they stand back, and notes facades that cannot stand as they are described. After
- * the reveals. */
+/* Adds the facades and their surfaces (see facades.c), sets `facade` and `recess_m` of
+ * the openings, and reports impossible facades. Comes after the reveals. */
 enum pp_status pp_build_facades(struct pp_resolver *r, struct pp_error *err);
 
 #endif

@@ -10,11 +10,11 @@
 #include "model/room/build/free_surfaces.h"
 #include "model/room/position.h"
 
-/* Triangles within the room's bounds are compared with each of its faces, a millisecond for
- * some hundreds. More pairs than this would take seconds. */
+/* Limit on comparisons of triangles within the room's bounds with its faces, which take
+ * about 1 ms for several hundred pairs. */
 static const double near_pairs_most = 1e5;
 
-/* A corner of the file in the room's axes. */
+/* Converts a corner of the file to the room's axes. */
 static struct pp_vec3 mesh_corner_in_room(const struct pp_mesh_part *part,
                                           struct pp_vec3 q)
 {
@@ -58,7 +58,7 @@ static void say(struct pp_resolver *r, const struct pp_mesh_part *part,
                     pp_text_excerpt(shown, sizeof shown, part->path), what);
 }
 
-/* Adds the triangles, up to the first one that stands in the room. */
+/* Adds the triangles, up to the first one that is in the room. */
 static enum pp_status add_mesh_triangles(struct pp_resolver *r,
                                          struct pp_world_mesh *made,
                                          const struct pp_mesh_part *part,
@@ -76,7 +76,7 @@ static enum pp_status add_mesh_triangles(struct pp_resolver *r,
                 mesh_corner_in_room(part, mesh->corners[mesh->triangles[i][k]]);
             pp_bounds3_add(&made->bounds, triangle[k]);
         }
-        /* Less than a square millimetre hides nothing. */
+        /* Skips triangles below 1 mm2, which hide nothing. */
         if (!(2.0 * PP_SAME_M * PP_SAME_M
               < pp_vec_length(pp_vec_cross(pp_vec_sub(triangle[1], triangle[0]),
                                            pp_vec_sub(triangle[2], triangle[0])))))

@@ -1,8 +1,8 @@
-/* meshes.h - the step that adds the triangles of files, which stand outside the room. Inside
- * model/room/ only.
+/* meshes.h - the step that adds the triangles of mesh files, which must be outside the
+ * room. Inside model/room/ only.
  *
- * It is the last that adds surfaces. Triangles beyond the room's own bounds are not
- * compared with its faces; the others are added as free-standing surfaces are.
+ * This is the last step that adds surfaces. Triangles beyond the room's bounds are not
+ * compared with its faces; the others are added like free-standing surfaces.
  */
 #ifndef PP_MODEL_ROOM_OUTSIDE_MESHES_H
 #define PP_MODEL_ROOM_OUTSIDE_MESHES_H

@@ -6,7 +6,7 @@
 
 #include "model/base/array.h"
 
-/* The line's unit direction. */
+/* Unit direction of the line. */
 static struct pp_vec3 direction(const struct pp_mirror_line *line)
 {
     return pp_vec_unit(
@@ -39,7 +39,7 @@ void pp_mirror_image_sides(double sides_m[2], const struct pp_room_shell *shell,
     }
 }
 
-/* The mirrored corners, in the order that leaves the normal the mirrored one. */
+/* Mirrors the corners and reverses their order, so that the normal is mirrored too. */
 static void mirror_corners(struct pp_vec3 *corners, const struct pp_vec3 *list,
                            int count, const struct pp_mirror_line *line)
 {
@@ -72,7 +72,7 @@ static enum pp_status mirror_body(struct pp_room_shell *image,
     return PP_OK;
 }
 
-/* Adds one polygon, mirrored from the part, that belongs to no room. */
+/* Adds the mirror image of one polygon; it belongs to no room. */
 static enum pp_status carry(struct pp_room_shell *image,
                             const struct pp_surface_part *part,
                             const struct pp_vec3 *corners, int count,

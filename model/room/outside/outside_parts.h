@@ -1,7 +1,8 @@
-/* outside_parts.h - parts in a building's axes, added to a room in the room's own axes.
+/* outside_parts.h - adds parts given in a building's axes to a room, in the room's
+ * axes.
  *
- * Inside model/room/ only. Every part is a copy of the given one, which is in the
- * building's axes, except a skyline, which belongs to walls by name.
+ * Inside model/room/ only. Every part is copied, and converted from the building's
+ * axes. A skyline is not converted, since it refers to a wall by name.
  */
 #ifndef PP_MODEL_ROOM_OUTSIDE_OUTSIDE_PARTS_H
 #define PP_MODEL_ROOM_OUTSIDE_OUTSIDE_PARTS_H
@@ -27,7 +28,7 @@ enum pp_status pp_outside_parts_add_skyline(struct pp_room *room,
                                             const struct pp_skyline_part *part,
                                             struct pp_error *err);
 
-/* Has the room that box already, or that polygon, to the millimetre? */
+/* True if the room already has the same box, or the same polygon, to 1 mm. */
 bool pp_outside_parts_has_block(const struct pp_room *room,
                                 const struct pp_block *block);
 bool pp_outside_parts_has_surface(const struct pp_room *room,

@@ -6,7 +6,7 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/section.h"
 
-/* The clipper's, as for a facade's own sheet (facades.c). */
+/* Grid of the clipper, as for a facade's own sheet (facades.c). */
 static const double grid_m = 0x1p-30;
 
 void pp_room_front_clear(struct pp_room_front *front)
@@ -14,7 +14,7 @@ void pp_room_front_clear(struct pp_room_front *front)
     pp_region_clear(&front->sheet);
 }
 
-/* The vertices in the sheet's own axes. To be freed; NULL: no memory. */
+/* Projects vertices on the sheet's axes. Freed by the caller; NULL without memory. */
 static double (*project_to_front(const struct pp_room_front *front,
                                  const struct pp_vec3 *vertices, int count))[2]
 {
@@ -42,7 +42,7 @@ static bool is_of_facade(const struct pp_world *world, int surface, int facade)
            && world->surfaces[surface].owner == facade;
 }
 
-/* Joins the sheet's triangles to one figure again. */
+/* Joins the triangles of the sheet to one region. */
 static enum pp_status join_sheet(struct pp_room_front *front,
                                  const struct pp_world *world, int facade,
                                  const struct pp_placement *place,
@@ -163,7 +163,8 @@ static enum pp_status less(struct pp_room_front *front, const struct pp_region *
     return PP_OK;
 }
 
-/* A wall that looks as the sheet does, in its plane or right behind it. */
+/* True if the sheet is in front of the wall: both face the same way, and the wall is in
+ * the sheet's plane or less than PP_ROOM_FRONT_BEHIND_M behind it. */
 static bool is_before(const struct pp_room_front *front, const struct pp_polygon *wall)
 {
     double behind = pp_vec_dot(front->out, front->origin)
@@ -195,8 +196,8 @@ static enum pp_status leave_wall(struct pp_room_front *front,
     return status;
 }
 
-/* The body in the sheet's axes, its heights those above the plane. To be cleared in any
- * case. */
+/* The body in the sheet's axes, with z the height above its plane. *goes_through: the
+ * body crosses the plane. The caller clears *turned in any case. */
 static enum pp_status turn_body(struct pp_world *turned, bool *goes_through,
                                 const struct pp_room_front *front,
                                 const struct pp_world *body, struct pp_error *err)
@@ -226,8 +227,7 @@ static enum pp_status turn_body(struct pp_world *turned, bool *goes_through,
     return PP_OK;
 }
 
-/* Leaves the part inside a room that comes through the plane: its section right behind
- * that. */
+/* Removes the section of a room that crosses the plane, taken just behind it. */
 static enum pp_status leave_section(struct pp_room_front *front,
                                     const struct pp_world *body,
                                     struct pp_clipper *clipper, struct pp_error *err)
@@ -258,7 +258,8 @@ enum pp_status pp_room_front_give_way(struct pp_room_front *front,
     return status;
 }
 
-/* Extent of the other in the axes of the first, which are parallel in one plane. */
+/* Extent of the other front in the axes of the first; both lie in one plane with
+ * parallel axes. */
 static struct pp_bounds2 extent_in(const struct pp_room_front *front,
                                    const struct pp_room_front *other)
 {

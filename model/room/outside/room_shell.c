@@ -20,7 +20,7 @@
 #include "model/room/outside/shades.h"
 #include "model/room/outside/site_state.h"
 
-/* Reflectance of outer faces of walls and roofs. */
+/* Reflectance of the outer faces of walls and roofs. */
 static const double outside_reflectance = 0.2;
 
 void pp_room_shell_clear(struct pp_room_shell *shell)
@@ -73,7 +73,7 @@ static bool has_outside(const struct pp_room *room)
     return some;
 }
 
-/* A copy with these corners, of the room's axes. */
+/* Adds a copy of the part with these corners, which are in the room's axes. */
 static enum pp_status carry(struct pp_room_shell *shell,
                             const struct pp_room_carried *it,
                             const struct pp_vec3 *corners, int count,
@@ -97,7 +97,7 @@ static enum pp_status carry(struct pp_room_shell *shell,
     return status;
 }
 
-/* Carries over the shade of a window. */
+/* Adds the shade of a window. */
 static enum pp_status carry_shade(struct pp_room_shell *shell,
                                   const struct pp_surface *surface,
                                   struct pp_error *err)
@@ -118,7 +118,7 @@ static enum pp_status carry_shade(struct pp_room_shell *shell,
     return carry(shell, &shade, surface->outline.vertices, surface->outline.count, err);
 }
 
-/* The side of a passage through a facade; its sheet is a front. */
+/* Adds a rim of a passage through a facade; the facade's sheet is a front. */
 static enum pp_status carry_rim(struct pp_room_shell *shell,
                                 const struct pp_surface *surface, struct pp_error *err)
 {
@@ -133,7 +133,7 @@ static enum pp_status carry_surfaces(struct pp_room_shell *shell, struct pp_erro
 {
     const struct pp_world *world = shell->body;
     const struct pp_room *own = shell->own;
-    int index = 0; /* the world has the free-standing ones in the file's order */
+    int index = 0; /* free-standing surfaces in file order */
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->surface_count && status == PP_OK; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
@@ -191,7 +191,8 @@ static enum pp_status carry_rest(struct pp_room_shell *shell,
     return status;
 }
 
-/* Panes in the face's own plane, and the face round them. */
+/* Divides faces with windows into panes, in the plane of the face, and the rest of the
+ * face. */
 static enum pp_status divide_faces(struct pp_room_shell *shell,
                                    double glass_reflectance, struct pp_clipper *clipper,
                                    struct pp_error *err)
@@ -215,11 +216,11 @@ static enum pp_status divide_faces(struct pp_room_shell *shell,
     return status;
 }
 
-/* ---- the room by itself ---- */
+/* ---- the room alone ---- */
 
-/* Resolves its faces and, where anything is fixed outside, all that says where: each thing
- * as it is written, not set off the room's own faces. *sound: that has no mistakes, which
- * are noted where the room itself is resolved. */
+/* Resolves the faces and, if `outside`, all parts needed to place those outside,
+ * without offsetting surfaces. *sound: there were no mistakes. They are not reported
+ * here, but where the room itself is resolved. */
 static enum pp_status resolve_shell(struct pp_room_shell *shell,
                                     const struct pp_room *room, bool outside,
                                     bool *sound, struct pp_clipper *clipper,
@@ -251,7 +252,7 @@ static enum pp_status resolve_shell(struct pp_room_shell *shell,
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
-/* Gives a wall whose facade lies in its own plane the reflectance of the facade. */
+/* Gives a wall whose facade lies in its plane the facade's reflectance. */
 static void set_reflectances(struct pp_world *body)
 {
     for (int i = 0; i < body->face_count; i++)
@@ -272,7 +273,7 @@ static void turn_body(struct pp_room_shell *shell)
     }
 }
 
-/* Adds fixed outside parts of a room that has no mistakes, and the panes in its faces. */
+/* Adds the parts fixed outside a room without mistakes, and the panes in its faces. */
 static enum pp_status fit_out(struct pp_room_shell *shell, double glass_reflectance,
                               struct pp_clipper *clipper, struct pp_error *err)
 {

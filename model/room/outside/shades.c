@@ -19,13 +19,13 @@ const char *pp_shades_word(const struct pp_opening_part *part, int line)
     return NULL;
 }
 
-/* A window's own axes, as drawn from outside: from its left jamb to the right, outwards
- * from the wall's outside, up from its sill. */
+/* Axes of a window as seen from outside: right from its left jamb, outwards from the
+ * outer face of the wall, up from its sill. */
 struct window_axes {
     struct pp_vec3 corner, right, out;
     double width_m, height_m;
-    double wall_m;  /* from the wall's outside in to its inner face */
-    double floor_m; /* the room's floor, above the sill */
+    double wall_m;  /* thickness of the wall, outer face to inner face */
+    double floor_m; /* height of the room's floor over the sill */
 };
 
 static struct window_axes axes_of(const struct pp_world *world,
@@ -37,7 +37,7 @@ static struct window_axes axes_of(const struct pp_world *world,
                                .height_m = opening->height_m};
     axes.wall_m = opening->facade >= 0 ? world->facades[opening->facade].depth_m
                                        : opening->reveal_m;
-    /* The corner from which all others are to the right and above. */
+    /* Lower left corner as seen from outside. */
     axes.corner = opening->inner.vertices[0];
     for (int i = 1; i < opening->inner.count; i++) {
         struct pp_vec3 from = pp_vec_sub(opening->inner.vertices[i], axes.corner);
@@ -73,7 +73,7 @@ static enum pp_status add_shade_surface(struct pp_resolver *r,
     return pp_build_free_surfaces_add(r, &part, words[shade->kind], err);
 }
 
-/* A level rectangle, `up` above the sill. */
+/* Adds a horizontal rectangle, `up` above the sill. */
 static enum pp_status add_level(struct pp_resolver *r,
                                 const struct pp_shade_part *shade,
                                 const struct window_axes *axes, double up, double from,
@@ -87,7 +87,7 @@ static enum pp_status add_level(struct pp_resolver *r,
         err);
 }
 
-/* An upright rectangle over a line from (right, out) to another. */
+/* Adds a vertical rectangle over a line; its ends are (right, out). */
 static enum pp_status add_upright(struct pp_resolver *r,
                                   const struct pp_shade_part *shade,
                                   const struct window_axes *axes, const double from[2],

@@ -5,11 +5,11 @@
 
 #include "model/room/room_parts.h"
 
-/* True if an object with that state exists in the other, PP_STATE_EXISTING or
- * PP_STATE_PROPOSED. */
+/* True if a part with state `it` exists in `state` (PP_STATE_EXISTING or
+ * PP_STATE_PROPOSED). */
 bool pp_site_state_has(enum pp_site_state state, enum pp_site_state it);
 
-/* Keeps only those of the room's parts that exist in the state, in order. */
+/* Removes the parts of the room that do not exist in the state; keeps their order. */
 void pp_site_state_keep(struct pp_room *room, enum pp_site_state state);
 
 /* True if the room, or any of its parts, exists in one state only. */

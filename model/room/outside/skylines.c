@@ -1,10 +1,10 @@
 /* skylines.c - see skylines.h.
  *
- * A skyline with a distance D is an upright wall, seen from both sides, from the ground
- * to its head. It is 200 D long: the missing parts of an endless one are within 0.6
- * degrees of its direction. At 70 degrees (D = 10 m) that adds 7e-6 of itself to the
- * vertical sky component of a window opposite, and 8e-5 to that of a window in a wall
- * square to it.
+ * A skyline at a distance D is a vertical wall, visible from both sides, from the
+ * ground to its head. Its length is 200 D; the missing parts of an endless wall are
+ * within 0.6 degrees of its direction. At 70 degrees (D = 10 m) this adds 7e-6 of
+ * itself to the vertical sky component of a window opposite, and 8e-5 to that of a
+ * window in a perpendicular wall.
  */
 #include "model/room/outside/skylines.h"
 
@@ -13,7 +13,7 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/ground.h"
 
-/* Half the length of its wall over its distance. */
+/* Half the length of a skyline's wall over its distance. */
 static const double half_length = 100.0;
 
 static void take_heights(const struct pp_polygon *polygon, double *low, double *high)
@@ -24,8 +24,8 @@ static void take_heights(const struct pp_polygon *polygon, double *low, double *
     }
 }
 
-/* The middle between the lowest sill and the highest head of the wall's openings, or of
- * the wall itself where it has none. */
+/* Mean of the lowest sill and the highest head of the wall's openings; of the wall's
+ * foot and top if it has no openings. */
 static double middle_of_openings(const struct pp_world *world, int face)
 {
     double low = INFINITY, high = -INFINITY;
@@ -37,14 +37,14 @@ static double middle_of_openings(const struct pp_world *world, int face)
     return 0.5 * (low + high);
 }
 
-/* The horizontal direction away from the wall. */
+/* Horizontal unit vector away from the room. */
 static struct pp_vec3 outward_of(const struct pp_world *world, int face)
 {
     struct pp_vec3 n = world->surfaces[face].outline.normal;
     return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
 }
 
-/* Origin of distances: on the wall's middle line, in its plane (which may slope), at
+/* Origin of distances: on the wall's centre line, in its plane (which may slope), at
  * mid-height of its openings. */
 static struct pp_vec3 middle_of_wall(const struct pp_world *world, int face)
 {
@@ -55,8 +55,7 @@ static struct pp_vec3 middle_of_wall(const struct pp_world *world, int face)
     return pp_vec_along(middle, aside / pp_vec_dot(wall->normal, out), out);
 }
 
-/* Distance (m) that the room and its openings' depths reach outside the wall, 0 if they
- * do not. */
+/* Distance (m) by which the room and its reveals extend beyond the wall; 0 or more. */
 static double reach_outside(const struct pp_world *world, int face)
 {
     struct pp_vec3 out = outward_of(world, face), wall = middle_of_wall(world, face);
@@ -106,7 +105,7 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
     return true;
 }
 
-/* The wall of the world's last skyline. */
+/* Adds the wall of the last skyline. */
 static enum pp_status add_wall(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_world *world = r->world;

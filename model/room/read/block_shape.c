@@ -16,8 +16,8 @@ static struct pp_block_shape_face triangle(struct pp_vec3 a, struct pp_vec3 b,
     return (struct pp_block_shape_face){{a, b, c}, 3};
 }
 
-/* Makes a roof with its ridge along u. l: length along it, w: width across, z: height
- * of the eaves. */
+/* Mono-pitch roof with its ridge along u. l: length, w: width, z: height of the
+ * eaves. */
 static int mono(struct pp_block_shape_face *faces, double l, double w, double z,
                 double pitch_rad)
 {
@@ -32,8 +32,8 @@ static int mono(struct pp_block_shape_face *faces, double l, double w, double z,
     return 4;
 }
 
-/* The ridge begins and ends `in` from the gables: 0 for a gable roof, half the width for
- * a hip roof. */
+/* Roof with a ridge that ends at distance `in` from both ends: 0 for a gable roof, half
+ * the width for a hip roof. */
 static int ridged(struct pp_block_shape_face *faces, double l, double w, double z,
                   double pitch_rad, double in)
 {
@@ -61,7 +61,7 @@ int pp_block_shape_roof(struct pp_block_shape_face faces[PP_BLOCK_SHAPE_ROOF_MOS
     double in = roof == PP_ROOF_HIP ? 0.5 * w : 0.0;
     int count = roof == PP_ROOF_MONO ? mono(faces, l, w, height_m, pitch_rad)
                                      : ridged(faces, l, w, height_m, pitch_rad, in);
-    /* Turned a quarter: v to u, u to the other end of v. */
+    /* Rotates by a quarter turn: v becomes u, u runs from the other end of v. */
     for (int i = 0; along_depth && i < count; i++)
         for (int k = 0; k < faces[i].count; k++) {
             struct pp_vec3 *p = &faces[i].corners[k];

@@ -17,7 +17,7 @@ bool pp_element_form_matches(const struct pp_xml_element *element,
     return strcmp(element->name, rule->name) == 0;
 }
 
-/* Place of the value being read, for error messages. */
+/* Position of the value being read, for error messages. */
 struct value_place {
     const char *element, *attribute;
     const struct pp_value_kind *kind;
@@ -27,7 +27,7 @@ struct value_place {
     double per_metre;
 };
 
-/* Expected values of the kind, in the words of the file's units. */
+/* Expected values of the kind, for a message, in the units of the file. */
 static const char *expected_of(const struct pp_value_kind *kind, double per_metre)
 {
     return kind->expected_mm && per_metre > 1.0 ? kind->expected_mm : kind->expected;
@@ -50,8 +50,8 @@ static bool in_range(const struct pp_value_kind *kind, double value)
     return low && high;
 }
 
-/* Converts from the file's units to the kind's; gives the double nearest to the decimal
- * fraction. */
+/* Converts lengths to metres by a division, which gives the double nearest to the
+ * decimal fraction. */
 static void to_metres(double *value, const struct value_place *at)
 {
     if (at->kind->expected_mm)
@@ -77,8 +77,8 @@ static bool unknown(const struct value_place *at, const char *const *names, int 
     return wrong(at, more);
 }
 
-/* Is the text meant for a number? Then *good tells whether it is one in range; if not,
- * that is noted. */
+/* True if the text is a number or looks like one. *good: it is a number in range;
+ * otherwise it is reported. */
 static bool is_meant_for_number(double *value, bool *good, const struct value_place *at)
 {
     if (pp_text_parse_number(at->text, value)) {
@@ -150,7 +150,7 @@ static bool read_choice(int *index, const struct value_place *at)
         if (strcmp(words[*index], at->text) == 0)
             return true;
     char more[64] = "";
-    if (words[1]) /* where there is a choice */
+    if (words[1]) /* if there are several */
         pp_text_append_nearest(more, sizeof more, at->text, words, -1);
     return wrong(at, more);
 }
@@ -280,7 +280,7 @@ static const struct pp_xml_attribute *find_attribute(
     return NULL;
 }
 
-/* Notes that `what` ("attribute", "element") `name` has no place in `within`. */
+/* Reports that `what` ("attribute", "element") `name` is unknown in `within`. */
 static void note_unknown(struct pp_mistakes *mistakes, int line, const char *what,
                          const char *name, const char *within, const char *const *names,
                          int count)
@@ -329,8 +329,8 @@ static bool attributes_known(const struct pp_element_rule *rule,
     return good;
 }
 
-/* Is this attribute the nearest to one that is not known? Then it is not noted as
- * missing, too. */
+/* True if an unknown attribute is most similar to this one, which is then not reported
+ * as missing. */
 static bool is_misspelt(const struct pp_element_rule *rule,
                         const struct pp_xml_element *element, const char *name)
 {
@@ -391,7 +391,7 @@ static bool children_known(const struct pp_element_rule *rule,
     return unknown_count == 0;
 }
 
-/* Too many or too few of one kind of child? */
+/* False if there are too many or too few children of one kind. */
 static bool count_is_good(const struct pp_element_rule *rule,
                           const struct pp_child_rule *child,
                           const struct pp_xml_element *element, bool may_be_fewer,
@@ -426,8 +426,8 @@ bool pp_element_form_check_children(const struct pp_element_rule *rule,
                                     const struct pp_xml_element *element,
                                     struct pp_mistakes *mistakes)
 {
-    /* An element that breaks off may lack children that the file would have had; and an
-     * unknown child may be meant for one that is missing. */
+    /* A truncated element may have lost children, and an unknown child may be a
+     * misspelt required one; missing children are then not reported. */
     bool known = !element->ended || children_known(rule, element, mistakes);
     bool good = known;
     for (int i = 0; i < rule->child_count; i++)

@@ -1,4 +1,4 @@
-/* element_form.h - elements read and checked by the table of room_schema.h. Inside
+/* element_form.h - reads and checks elements by the tables of room_schema.h. Inside
  * model/room/ only. */
 #ifndef PP_MODEL_ROOM_READ_ELEMENT_FORM_H
 #define PP_MODEL_ROOM_READ_ELEMENT_FORM_H
@@ -6,19 +6,19 @@
 #include "model/room/read/room_schema.h"
 
 /* Fills the element's form from its attributes, with defaults for missing ones, and
- * reports mistakes. False if there are any. per_metre: 1, or 1000 if the file is in
+ * reports mistakes. Returns false if there are any. per_metre: 1, or 1000 for a file in
  * millimetres; forms are in metres. */
 bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
                           const struct pp_xml_element *element, double per_metre,
                           struct pp_mistakes *mistakes);
 
-/* Notes children that the element can't have, has too often or too few times. False
- * where there are any. */
+/* Reports children that the element cannot have, or has too often or too rarely.
+ * Returns false if there are any. */
 bool pp_element_form_check_children(const struct pp_element_rule *rule,
                                     const struct pp_xml_element *element,
                                     struct pp_mistakes *mistakes);
 
-/* True if the rule names the element. */
+/* True if the rule has the name of the element. */
 bool pp_element_form_matches(const struct pp_xml_element *element,
                              const struct pp_element_rule *rule);
 

@@ -1,7 +1,7 @@
 /* plan_roof.c - see plan_roof.h.
  *
- * All is made with the ridge along u, from 0 to l, and across it v, from 0 to w, and turned
- * afterwards where the ridge runs along the depth: x = v, y = depth - u. Corners run
+ * Faces are made with the ridge along u, from 0 to l, and v across it, from 0 to w. If
+ * the ridge runs along the depth they are rotated: x = v, y = depth - u. Corners are
  * counter-clockwise seen from inside.
  */
 #include "model/room/read/plan_roof.h"
@@ -13,13 +13,13 @@
 struct roof_frame {
     struct pp_reader *r;
     struct pp_plan_part *plan;
-    double l, w, eaves, rise; /* rise: of the roof, or of a tooth, over its eaves */
+    double l, w, eaves, rise; /* rise of the roof, or of a tooth, above the eaves */
     double depth_m;
     bool turned;
     int line;
 };
 
-/* The names of walls and slopes at v = 0, u = l, v = w and u = 0. */
+/* Names of walls and slopes at v = 0, u = l, v = w and u = 0, by `turned`. */
 static const char *const sides[2][4] = {{"south", "east", "north", "west"},
                                         {"west", "south", "east", "north"}};
 
@@ -61,7 +61,7 @@ static void add_floor(const struct roof_frame *f)
         (struct pp_vec3[]){{0, 0, 0}, {f->l, 0, 0}, {f->l, f->w, 0}, {0, f->w, 0}}, 4);
 }
 
-/* Walls along the ridge's sides, up to these heights. */
+/* Adds the walls parallel to the ridge, with these heights. */
 static void add_long_walls(const struct roof_frame *f, double near, double far)
 {
     double l = f->l, w = f->w;
@@ -73,7 +73,8 @@ static void add_long_walls(const struct roof_frame *f, double near, double far)
                   4);
 }
 
-/* Walls across the ridge under the line of v and z from (0, eaves) to v = w. */
+/* Adds the walls across the ridge; line: points (v, z) of their upper edge, from v = 0
+ * to v = w. */
 static void add_end_walls(const struct roof_frame *f, const double (*line)[2],
                           int count)
 {
@@ -117,7 +118,7 @@ static void raise_gable(const struct roof_frame *f)
 static void raise_hip(const struct roof_frame *f)
 {
     double l = f->l, w = f->w, low = f->eaves, top = low + f->rise, m = 0.5 * w;
-    int long_corners = l - w < 1e-6 * l ? 3 : 4; /* a pyramid's slopes are triangles */
+    int long_corners = l - w < 1e-6 * l ? 3 : 4; /* slopes of a pyramid are triangles */
     add_long_walls(f, low, low);
     add_end_walls(f, (const double[][2]){{0, low}, {w, low}}, 2);
     add_slope(
@@ -132,7 +133,8 @@ static void raise_hip(const struct roof_frame *f)
     add_slope(f, 3, (struct pp_vec3[]){{0, 0, low}, {0, w, low}, {m, m, top}}, 3);
 }
 
-/* Each tooth rises from v = 0 on, and ends upright: the last one in the far wall. */
+/* Each tooth rises from low v to high v and ends in a vertical face; the last one ends
+ * in the far wall. */
 static void raise_teeth(const struct roof_frame *f, int teeth)
 {
     double l = f->l, low = f->eaves, top = low + f->rise, step = f->w / teeth;

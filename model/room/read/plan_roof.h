@@ -10,20 +10,20 @@
 
 enum { PP_PLAN_ROOF_TEETH_MOST = 50 };
 
-/* Form of a plan's roof: lengths in metres, the eaves' height, pitch in rad. */
+/* A pitched roof over a plan: lengths in metres, height of the eaves, pitch in rad. */
 struct pp_plan_roof {
     double width_m, depth_m, height_m, pitch_rad;
     enum pp_roof roof; /* not flat */
     enum pp_ridge ridge;
-    int teeth; /* of a saw-tooth roof, 1 to PP_PLAN_ROOF_TEETH_MOST */
+    int teeth; /* saw-tooth roof only, 1 to PP_PLAN_ROOF_TEETH_MOST */
     int line;
 };
 
-/* Adds the faces to the plan, which is then an envelope: the floor; walls south, east,
- * north and west; slopes named by their direction, roof-south, ... A saw-tooth roof has
- * roof-1, ... from the eaves on, with the vertical walls light-1, ... between them.
- * Roofs have the shapes of block roofs (block_shape.h); the slope of saw teeth faces
- * away from the ridge of a mono-pitch one. The reader reports lack of memory. */
+/* Adds the faces of an envelope to the plan: the floor; the walls south, east, north
+ * and west; slopes named by direction, roof-south, ... A saw-tooth roof has the slopes
+ * roof-1, ... with the vertical walls light-1, ... between them. Shapes are those of
+ * block_shape.h; saw teeth slope like a mono-pitch roof. Lack of memory is set in the
+ * reader. */
 void pp_plan_roof_add(struct pp_reader *r, struct pp_plan_part *plan,
                       const struct pp_plan_roof *roof);
 

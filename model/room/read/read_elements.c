@@ -63,7 +63,7 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
              form.country ? form.country : "");
 }
 
-/* The root's, for the whole file. */
+/* Reads <project>, which belongs to the root and holds for the whole file. */
 static void read_project(struct pp_reader *r, struct pp_building *building,
                          const struct pp_xml_element *root)
 {
@@ -126,8 +126,8 @@ static void read_working_plane(struct pp_reader *r, struct pp_room *room,
     room->working_plane_line = e->line;
 }
 
-/* Fills in the normal, (0, 0, 1) if none is given; false where only a part of it is
- * given, or it is 0. */
+/* Reads the normal; (0, 0, 1) if none is given. Reports an incomplete or zero normal
+ * and returns false. */
 static bool normal_of(struct pp_reader *r, struct pp_vec3 *normal,
                       const struct pp_receiver_form *form,
                       const struct pp_xml_element *e)
@@ -212,7 +212,7 @@ static void read_dado(struct pp_reader *r, struct pp_room *room,
     add_cover(r, room, PP_DADO, &pp_rule_dado, e);
 }
 
-/* One child of a room, which its rule names. */
+/* Reads a child of a room by its rule. */
 static void read_child(struct pp_reader *r, struct pp_room *room,
                        const struct pp_xml_element *e)
 {
@@ -260,12 +260,11 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         read_receiver(r, room, e, PP_GRID, &pp_rule_grid);
 }
 
-/* Site of rooms without a <site>. */
+/* Default of <site>. */
 static const struct pp_site_part plain_site = {
     .latitude_rad = NAN, .longitude_rad = NAN, .ground_reflectance = 0.2};
 
-/* A room's own name, place and bearing, and what stays as it is unless an element says
- * otherwise. */
+/* Sets the room's name, placement and bearing, and the defaults of its elements. */
 static void begin_room(struct pp_reader *r, struct pp_room *room,
                        const struct pp_room_form *form)
 {
@@ -310,8 +309,8 @@ static void read_room(struct pp_reader *r, struct pp_room *room,
     pp_read_shape_check(r, e);
 }
 
-/* A skyline of a building is that of all its rooms, whatever their floor: so far away
- * that its angle is the same for all of them. */
+/* A building's skyline has the same angle for all rooms on all floors, so it cannot
+ * have a distance. Reports those that have one. */
 static void check_common_skylines(struct pp_reader *r, const struct pp_room *common)
 {
     for (int i = 0; i < common->skyline_count; i++)
@@ -336,7 +335,7 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
     common->north_rad = form.north_rad;
     building->glass_reflectance = form.glass_reflectance;
     common->line = e->line;
-    /* Elements common to all rooms may stand behind them. */
+    /* Elements common to all rooms may follow the rooms. */
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
         if (!pp_element_form_matches(c, &pp_rule_building_room))

@@ -1,5 +1,5 @@
-/* read_elements.h - from the elements of a room file to the parts of its rooms. Inside
- * model/room/ only. */
+/* read_elements.h - reads the elements of a room file into the parts of its rooms.
+ * Inside model/room/ only. */
 #ifndef PP_MODEL_ROOM_READ_READ_ELEMENTS_H
 #define PP_MODEL_ROOM_READ_READ_ELEMENTS_H
 
@@ -9,40 +9,40 @@
 #include "model/room/project.h"
 #include "model/room/room_parts.h"
 
-enum { PP_READ_ELEMENTS_BYTES_MOST = 8 << 20 }; /* of a room file */
+enum { PP_READ_ELEMENTS_BYTES_MOST = 8 << 20 }; /* largest room file */
 
-/* A room file as XML, with its limits. */
+/* Limits of a room file as XML. */
 extern const struct pp_xml_format pp_read_elements_format;
 
-/* The contents of one file. */
+/* Contents of one file. */
 struct pp_building {
     char *name; /* NULL: a lone room, or not given */
     struct pp_room
         common; /* what holds for all rooms: north (NAN: not given), site, sky,
                             * skylines, blocks, surfaces; it has no plan */
-    double glass_reflectance; /* of the windows of placed rooms, for the others; NAN: as
-                               * walls */
-    struct pp_mirror_line boundary; /* at which it is mirrored */
-    struct pp_room *read; /* the rooms as the file has them, each by itself; those that
-                           * nothing is added to or taken from have moved to `rooms` */
+    double glass_reflectance; /* of the windows of placed rooms, as seen from other
+                               * rooms; NAN: windows reflect like walls */
+    struct pp_mirror_line boundary; /* mirror line */
+    struct pp_room *read; /* rooms as in the file; a room that stays unchanged is
+                           * moved to `rooms` */
     int read_count;
-    int *openings;         /* how many each of these has */
-    struct pp_room *rooms; /* those that there are in a state, with all that stands
-                            * outside of each (building_site.h); NULL: not settled */
-    int *places;           /* of each where it stands in `read`, */
-    bool *moved;           /* and has it moved from there? */
+    int *openings;         /* number of openings, by room of `read` */
+    struct pp_room *rooms; /* rooms of the present state with their surroundings
+                            * (building_site.h); NULL: not settled */
+    int *places;           /* index in `read`, by room of `rooms` */
+    bool *moved;           /* true if the room was moved from `read` */
     int room_count;
-    bool has_states; /* something stands there in one state only */
-    char *folder; /* that its paths are relative to, "" or with a / behind it; NULL: it
-                      * was in memory */
+    bool has_states; /* some part exists in one state only */
+    char *folder;    /* folder for relative paths, "" or with a final "/"; NULL: read
+                   * from memory */
     struct pp_project project; /* owned texts */
-    char *text;                /* of the file, with a 0 behind it */
+    char *text;                /* the file, NUL-terminated */
     size_t text_length;
 };
 
-/* Fills building, which is empty, from the file's elements; folder is what its paths are
- * relative to, NULL: it is in memory. PP_OK also where there are
- * mistakes; fails when memory is out. Either way the caller destroys the building. */
+/* Fills the empty building from the file's elements. folder: base of relative paths;
+ * NULL: read from memory. PP_OK even if there are mistakes; fails only without memory.
+ * The caller destroys the building in any case. */
 enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
                                 const char *folder, struct pp_mistakes *mistakes,
                                 struct pp_error *err);

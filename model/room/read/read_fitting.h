@@ -1,6 +1,5 @@
-/* read_fitting.h - reads what stands in a room: furniture, columns, partitions. Inside
- * model/room/read/ only.
- */
+/* read_fitting.h - reads furniture, columns and partitions. Inside model/room/read/
+ * only. */
 #ifndef PP_MODEL_ROOM_READ_READ_FITTING_H
 #define PP_MODEL_ROOM_READ_READ_FITTING_H
 

@@ -11,7 +11,7 @@ static struct pp_glass named_glass(struct pp_reader *r, const char *name)
 {
     const struct pp_glazing *glazing = pp_glazings_find(name);
     if (!glazing)
-        return pp_glass_none(); /* only "none" is left: the form has checked the name */
+        return pp_glass_none(); /* "none", the only other name that the form accepts */
     size_t index = (size_t)(glazing - pp_glazings_at(0));
     if (index >= PP_READER_GLASSES)
         return pp_glazings_glass(glazing);
@@ -28,7 +28,7 @@ static bool has(const struct pp_xml_element *e, const char *name)
     return false;
 }
 
-/* Is the glass given in one way only, right or wrong? */
+/* False, with a report, if both ways of giving the glass are used. */
 static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
 {
     if (!has(e, "glazing") || !has(e, "transmittance"))
@@ -39,7 +39,8 @@ static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
     return false;
 }
 
-/* The glass that the attributes describe; false where they contradict each other. */
+/* Glass that the attributes describe; false, with a report, if they contradict each
+ * other. */
 static bool glass_of(struct pp_reader *r, struct pp_glass *glass,
                      const struct pp_opening_form *form, const struct pp_xml_element *e)
 {
@@ -63,7 +64,7 @@ static bool glass_of(struct pp_reader *r, struct pp_glass *glass,
     return false;
 }
 
-/* One of the window's children. A mistake in it is noted, and it is left out. */
+/* Reads a shade of the window; a shade with a mistake is left out. */
 static void read_shade(struct pp_reader *r, struct pp_opening_part *part,
                        const struct pp_xml_element *e, enum pp_shade_kind kind,
                        const struct pp_element_rule *rule)
@@ -108,7 +109,7 @@ void pp_read_opening(struct pp_reader *r, struct pp_room *room,
                      const struct pp_xml_element *e, enum pp_opening_kind kind,
                      const struct pp_element_rule *rule)
 {
-    /* The fields that the other kinds have stay at "not given". */
+    /* Attributes of other kinds of openings stay "not given". */
     struct pp_opening_form form = {.left_m = NAN,
                                    .sill_m = NAN,
                                    .width_m = NAN,

@@ -59,7 +59,8 @@ void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,
                                     .line = e->line};
 }
 
-/* Path of a mesh file relative to the working directory; to be freed, NULL: no memory. */
+/* Path of a mesh file relative to the working directory; freed by the caller, NULL
+ * without memory. */
 static char *mesh_path(const char *folder, const char *file)
 {
     const char *before = file[0] == '/' ? "" : folder;
@@ -69,7 +70,7 @@ static char *mesh_path(const char *folder, const char *file)
     return path;
 }
 
-/* Triangles of a mesh file, NULL where there is a mistake. */
+/* Reads the triangles of a mesh file; NULL after a mistake. */
 static struct pp_shared_mesh *read_mesh_file(struct pp_reader *r, const char *file,
                                              int line)
 {
@@ -125,7 +126,7 @@ void pp_read_outside_mesh(struct pp_reader *r, struct pp_room *room,
                               .line = e->line};
 }
 
-/* A polygon of a block, with these corners in the block's own axes. */
+/* Adds a polygon of a block; corners are in the block's own axes. */
 static void add_block_face(struct pp_reader *r, struct pp_room *room,
                            const struct pp_block_form *form, int line,
                            const struct pp_vec3 *corners, int count)
@@ -192,7 +193,7 @@ static void read_box(struct pp_reader *r, struct pp_room *room,
         add_block_face(r, room, &form, e->line, faces[i].corners, faces[i].count);
 }
 
-/* Walls and a flat roof over the outline, which runs counter-clockwise. */
+/* Adds walls and a flat roof over the outline, which is counter-clockwise. */
 static void raise_walls(struct pp_reader *r, struct pp_room *room,
                         const struct pp_block_form *form, int line,
                         struct pp_vertices *outline)
@@ -204,7 +205,7 @@ static void raise_walls(struct pp_reader *r, struct pp_room *room,
         up_a.z = up_b.z = form->height_m;
         add_block_face(r, room, form, line, (struct pp_vec3[]){a, b, up_b, up_a}, 4);
     }
-    /* The underside is seen of what hangs above the ground. */
+    /* The underside of a block above the ground is visible. */
     if (!isnan(form->base))
         add_block_face(r, room, form, line, ring, count);
     for (int i = 0; i < count; i++)

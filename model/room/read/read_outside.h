@@ -1,5 +1,5 @@
-/* read_outside.h - what stands outside a room, or outside all rooms of a building: from
- * elements to parts. Inside model/room/ only. */
+/* read_outside.h - reads the objects outside a room, or outside all rooms of a
+ * building. Inside model/room/ only. */
 #ifndef PP_MODEL_ROOM_READ_READ_OUTSIDE_H
 #define PP_MODEL_ROOM_READ_READ_OUTSIDE_H
 
@@ -12,19 +12,19 @@ void pp_read_outside_skyline(struct pp_reader *r, struct pp_room *room,
 void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,
                             const struct pp_xml_element *e);
 
-/* A block whose base is not given waits for the ground's level. Roofs and walls over a
- * footprint become surfaces. */
+/* Reads a block. A block without a base is placed on the ground later. Roofs, and walls
+ * over a footprint, become surfaces. */
 void pp_read_outside_block(struct pp_reader *r, struct pp_room *room,
                            const struct pp_xml_element *e);
 void pp_read_outside_surface(struct pp_reader *r, struct pp_room *room,
                              const struct pp_xml_element *e);
 
-/* Reads the mesh file, too. Its mistakes are reported on the element's line, with the line
- * of that file. */
+/* Reads a mesh and its file. Mistakes in that file are reported on the element's line,
+ * with their line in the file. */
 void pp_read_outside_mesh(struct pp_reader *r, struct pp_room *room,
                           const struct pp_xml_element *e);
 
-/* Puts what waits for it on the ground, whose level is known. */
+/* Moves objects without a base to the level of the ground, once that is known. */
 void pp_read_outside_stand_on_ground(struct pp_room *room);
 
 #endif

@@ -46,7 +46,7 @@ static const char *roof_fault(const struct pp_plan_form *form, int vertices)
                : NULL;
 }
 
-/* Teeth of 4 m or a little more where their number is not given. */
+/* Adds the roof; without a number of teeth these are 4 m wide or a little more. */
 static void raise_roof(struct pp_reader *r, struct pp_plan_part *plan,
                        const struct pp_plan_form *form, int line)
 {
@@ -156,7 +156,7 @@ void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e)
     static const char *const shapes[] = {"plan", "envelope", NULL};
     for (const struct pp_xml_element *c = e->child; c && !outline; c = c->next)
         if (pp_text_nearest(c->name, shapes, -1))
-            outline = c; /* misspelt: that has been noted */
+            outline = c; /* misspelt, and reported as such */
     if (!outline && e->ended)
         pp_mistakes_add(r->mistakes, e->line,
                         "room: has no shape; expected a <plan> or an <envelope>");

@@ -8,8 +8,8 @@
 #include "model/pictures/sky_picture_file.h"
 #include "model/room/sky_words.h"
 
-/* Path of a picture relative to the working directory; to be freed. NULL: out of
- * memory. */
+/* Path of a picture relative to the working directory; freed by the caller, NULL
+ * without memory. */
 static char *picture_path(const char *folder, const char *file)
 {
     const char *before = file[0] == '/' ? "" : folder;
@@ -19,7 +19,7 @@ static char *picture_path(const char *folder, const char *file)
     return path;
 }
 
-/* The options as written; false where there is a mistake. */
+/* Reads the options of a photograph; false after a mistake. */
 static bool read_options(struct pp_reader *r, struct pp_sky_picture_options *options,
                          const struct pp_sky_form *form, int line)
 {
@@ -56,7 +56,7 @@ static struct pp_sky_picture *read_files(struct pp_reader *r,
     return picture;
 }
 
-/* False where there is a mistake. */
+/* Reads a photograph; false after a mistake. */
 static bool read_photograph(struct pp_reader *r, struct pp_sky_part *part,
                             const struct pp_sky_form *form)
 {
@@ -73,7 +73,7 @@ static bool read_photograph(struct pp_reader *r, struct pp_sky_part *part,
     return part->picture != NULL;
 }
 
-/* First attribute of a photograph that is given; NULL: none is. */
+/* First given attribute of a photograph; NULL: none. */
 static const char *given_option(const struct pp_sky_form *form)
 {
     if (form->file || form->second)
@@ -84,7 +84,7 @@ static const char *given_option(const struct pp_sky_form *form)
     return NULL;
 }
 
-/* False where there is a mistake. */
+/* Checks a sky given by a formula; false after a mistake. */
 static bool read_formula(struct pp_reader *r, const struct pp_sky_part *part,
                          const struct pp_sky_form *form)
 {

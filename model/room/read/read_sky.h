@@ -1,5 +1,5 @@
-/* read_sky.h - reads the sky of a room or a building, and the picture files of a
- * photographed one. Inside model/room/read/ only. */
+/* read_sky.h - reads the sky of a room or a building, including picture files. Inside
+ * model/room/read/ only. */
 #ifndef PP_MODEL_ROOM_READ_READ_SKY_H
 #define PP_MODEL_ROOM_READ_READ_SKY_H
 

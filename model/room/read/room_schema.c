@@ -1,4 +1,5 @@
-/* room_schema.c - see room_schema.h: the table. element_form.c reads elements by it. */
+/* room_schema.c - the tables of elements and attributes; element_form.c reads elements
+ * by them. */
 #include "model/room/read/room_schema.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 #include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 
-/* Kinds of value */
+/* Kinds of values. */
 
 static const struct pp_value_kind text = {
     .reading = PP_VALUE_TEXT, .expected = "text without control characters"};
@@ -223,7 +224,7 @@ static const struct pp_attribute_rule facade_rows[] = {
     {"up", &pp_room_values_depth, OR(0), IN(facade, up_m)},
     {"down", &pp_room_values_depth, OR(0), IN(facade, down_m)},
     {"depth", &pp_room_values_depth, OR(NAN),
-     IN(facade, depth_m)}, /* then the largest reveal */
+     IN(facade, depth_m)}, /* default: largest reveal */
     {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(facade, finish)},
 };
 LEAF(facade, "facade", facade_rows);
@@ -234,7 +235,7 @@ static const struct pp_attribute_rule block_rows[] = {
     {"width", &pp_room_values_size, REQUIRED, IN(block, width_m)},
     {"depth", &pp_room_values_size, REQUIRED, IN(block, depth_m)},
     {"base", &pp_room_values_coordinate, OR(NAN),
-     IN(block, base)}, /* then the ground's level */
+     IN(block, base)}, /* default: ground level */
     {"height", &pp_room_values_size, REQUIRED, IN(block, height_m)},
     {"rotate", &pp_room_values_bearing, OR(0), IN(block, rotate_rad)},
     {"reflectance", &pp_room_values_reflectance, OR(0.2), IN(block, finish)},
@@ -270,7 +271,7 @@ RULE(surface, "surface", surface_rows, polygon);
 static const struct pp_attribute_rule mesh_rows[] = {
     {"file", &file_name, REQUIRED, IN(mesh, file)},
     {"scale", &pp_room_values_scale, OR(NAN),
-     IN(mesh, scale)}, /* then the file's unit */
+     IN(mesh, scale)}, /* default: unit of the file */
     {"x", &pp_room_values_coordinate, OR(0), IN(mesh, x)},
     {"y", &pp_room_values_coordinate, OR(0), IN(mesh, y)},
     {"z", &pp_room_values_coordinate, OR(0), IN(mesh, z)},
@@ -369,13 +370,13 @@ LEAF(grid, "grid", grid_rows);
 
 static const struct pp_attribute_rule room_rows[] = {
     {"units", &pp_room_values_unit_of_lengths, OR(0),
-     IN(room, units)}, /* of a root only */
+     IN(room, units)}, /* root element only */
     {"version", &pp_room_values_version, OR(-1), IN(room, version)},
     {"name", &text, OR(NAN), IN(room, name)},
     {"north", &pp_room_values_bearing, OR(NAN), IN(room, north_rad)},
     {"ref", &text, OR(NAN), IN(room, ref)},
     {"use", &pp_room_values_use, OR(0), IN(room, use)},
-    /* Following attributes are of rooms in a building. */
+    /* For rooms in a building only. */
     {"x", &pp_room_values_coordinate, OR(NAN), IN(room, x)},
     {"y", &pp_room_values_coordinate, OR(NAN), IN(room, y)},
     {"z", &pp_room_values_coordinate, OR(NAN), IN(room, z)},
@@ -396,7 +397,7 @@ static const struct pp_child_rule room_children[] = {
     {&pp_rule_partition, 0, 0}, {&pp_rule_door, 0, 0},
     {&pp_rule_dado, 0, 0},      {&pp_rule_working_plane, 0, 1},
     {&pp_rule_point, 0, 0},     {&pp_rule_line, 0, 0},
-    {&pp_rule_grid, 0, 0},      {&pp_rule_project, 0, 1}, /* of a root only */
+    {&pp_rule_grid, 0, 0},      {&pp_rule_project, 0, 1}, /* root element only */
 };
 enum { ROOM_ROWS = sizeof room_rows / sizeof *room_rows };
 const struct pp_element_rule pp_rule_building_room = {

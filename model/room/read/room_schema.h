@@ -1,8 +1,8 @@
-/* room_schema.h - the elements of a room file, their attributes and the valid values.
+/* room_schema.h - the elements of a room file, their attributes and valid values.
  *
  * Inside model/room/ only. Each attribute has one row: its name, the kind of its value,
- * whether it is required, its default, and the place of the value in the element's
- * form. A form holds the values of an element's attributes, before it becomes a part of
+ * whether it is required, its default, and the offset of the value in the element's
+ * form. A form holds the values of an element's attributes before they become a part of
  * a room.
  */
 #ifndef PP_MODEL_ROOM_READ_ROOM_SCHEMA_H
@@ -16,39 +16,37 @@
 #include "model/base/mistakes.h"
 #include "model/base/xml.h"
 
-/* Reader of a value's text, and the C type that it is stored as. */
+/* How the text of a value is read, and the C type of the result. */
 enum pp_reading_of_value {
-    PP_VALUE_TEXT,        /* const char *, of the XML tree */
-    PP_VALUE_NAME,        /* the same, and not empty */
+    PP_VALUE_TEXT,        /* const char *, owned by the XML tree */
+    PP_VALUE_NAME,        /* as PP_VALUE_TEXT, but not empty */
     PP_VALUE_NUMBER,      /* double */
-    PP_VALUE_COUNT,       /* int, a whole number */
-    PP_VALUE_PAIR,        /* double[2], two numbers with white space between */
-    PP_VALUE_CHOICE,      /* int, index of the word among `words` */
+    PP_VALUE_COUNT,       /* int */
+    PP_VALUE_PAIR,        /* double[2]; two numbers separated by white space */
+    PP_VALUE_CHOICE,      /* int; index in `words` */
     PP_VALUE_REFLECTANCE, /* struct pp_finish_value; a number or a named finish */
-    PP_VALUE_AUTO,        /* double; a number, or "auto": NAN */
-    PP_VALUE_FACTOR,      /* double; a number, or a name among `factors` */
+    PP_VALUE_AUTO,        /* double; a number, or "auto" for NAN */
+    PP_VALUE_FACTOR,      /* double; a number, or a name in `factors` */
     PP_VALUE_GLAZING,     /* const char *; a named glazing or "none" */
 };
 
 struct pp_value_kind {
     enum pp_reading_of_value reading;
-    const char *expected;     /* in a message: "expected ..." */
-    double least, most;       /* of numbers, both allowed but: */
-    bool above_least;         /* least itself is not */
-    bool below_most;          /* most itself is not */
-    double unit;              /* factor by which a number is stored; 0: 1 */
-    const char *const *words; /* of a choice; ends with NULL */
+    const char *expected;     /* text after "expected" in a message */
+    double least, most;       /* inclusive limits of numbers, unless */
+    bool above_least;         /* least is excluded */
+    bool below_most;          /* most is excluded */
+    double unit;              /* factor applied to the number; 0: 1 */
+    const char *const *words; /* of a choice; NULL-terminated */
     const struct pp_named_factors *factors;
-    const char *expected_mm; /* of lengths: the expected value in a file in
-                              * millimetres */
+    const char *expected_mm; /* lengths: `expected` for a file in millimetres */
 };
 
 struct pp_attribute_rule {
     const char *name;
     const struct pp_value_kind *kind;
     bool required;
-    double fallback; /* stored where the attribute is left out, in the stored unit;
-                      * texts are NULL then */
+    double fallback; /* default, in the stored unit; texts default to NULL */
     size_t offset;   /* in the form */
 };
 
@@ -56,7 +54,7 @@ struct pp_element_rule;
 
 struct pp_child_rule {
     const struct pp_element_rule *rule;
-    int least, most; /* how many; most 0: any number */
+    int least, most; /* allowed number; most 0: no limit */
 };
 
 struct pp_element_rule {
@@ -68,18 +66,18 @@ struct pp_element_rule {
 };
 
 /* Limits of values and polygons. */
-#define PP_ROOM_LENGTH_MOST_M 1e5   /* any coordinate or length, either sign */
-#define PP_ROOM_LENGTH_LEAST_M 1e-3 /* where it must be greater than 0 */
+#define PP_ROOM_LENGTH_MOST_M 1e5   /* any coordinate or length, absolute value */
+#define PP_ROOM_LENGTH_LEAST_M 1e-3 /* lengths that must be greater than 0 */
 enum {
     PP_ROOM_POINTS_MOST = 100000,
     PP_ROOM_VERTICES_MOST = 1000,
-    PP_ROOM_PLACED_MOST = 200 /* each stands before all others */
+    PP_ROOM_PLACED_MOST = 200 /* each obstructs all others */
 };
 
-/* A reflectance, with the finish where that is how it was given. */
+/* A reflectance, and its finish if it was given by name. */
 struct pp_finish_value {
     double reflectance;
-    const struct pp_finish *finish; /* NULL: a number */
+    const struct pp_finish *finish; /* NULL: given as a number */
 };
 
 struct pp_building_form {
@@ -92,7 +90,7 @@ struct pp_building_form {
 
 struct pp_room_form {
     int version; /* -1: not given */
-    int units;   /* 1: millimetres; of a root */
+    int units;   /* 1: millimetres; root only */
     const char *name, *ref;
     double north_rad;           /* NAN: not given */
     double x, y, z, rotate_rad; /* NAN: not given */
@@ -114,16 +112,16 @@ struct pp_site_form {
     int dirt;            /* enum pp_dirt */
 };
 
-/* Attributes that sky_picture_file.h reads. */
+/* Attributes read by sky_picture_file.h. */
 enum { PP_SKY_FORM_OPTIONS = 12 };
 extern const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS];
 
 struct pp_sky_form {
     int type; /* of pp_sky_words */
     double sun_altitude_rad, sun_bearing_rad;
-    const char *file, *second; /* of a photograph */
+    const char *file, *second; /* photograph; for two half spheres */
     const char
-        *picture[PP_SKY_FORM_OPTIONS]; /* pp_sky_form_keys, as written; NULL: not */
+        *picture[PP_SKY_FORM_OPTIONS]; /* texts, by pp_sky_form_keys; NULL: not given */
 };
 
 struct pp_plan_form {

@@ -1,7 +1,7 @@
 /* room_change.c - see room_change.h.
  *
- * The address is matched with the elements of the parsed file. The n-th element of the
- * tree is the n-th start tag of the text, so the text itself is changed, and its reader
+ * An address is matched with the elements of the parsed file. The n-th element of the
+ * tree is the n-th start tag of the text. So only the text is changed, and the reader
  * checks the new value like any other.
  */
 #include "model/room/text/room_change.h"
@@ -20,18 +20,18 @@
 
 enum { NAMES_MOST = 64, NAME_BYTES = 64 };
 
-/* Parts that an address matches, and how far it went. */
+/* Elements matched by an address, and the furthest partial match. */
 struct match {
-    int tag; /* of the element that is visited: its number among the start tags */
+    int tag; /* index of the visited element among the start tags */
     bool by_number;
-    const char *attribute; /* of the last part found */
+    const char *attribute; /* attribute of the last match */
     const struct pp_element_rule *rule;
-    bool *chosen; /* one for each start tag */
+    bool *chosen; /* by start tag */
     int count;
     bool is_named; /* the last part has a name or a number */
 
-    const struct pp_xml_element *scope; /* the deepest part found; NULL: the file */
-    const char *left;                   /* of the address behind it */
+    const struct pp_xml_element *scope; /* deepest element matched; NULL: none */
+    const char *left;                   /* rest of the address after `scope` */
 };
 
 static const char *attribute_text(const struct pp_xml_element *element,
@@ -43,14 +43,14 @@ static const char *attribute_text(const struct pp_xml_element *element,
     return NULL;
 }
 
-/* The n-th name that a part has, or NULL. */
+/* The n-th name of an element (name, ref, wall); NULL if it has none. */
 static const char *part_name(const struct pp_xml_element *element, int n)
 {
     static const char *const keys[] = {"name", "ref", "wall"};
     return n < 3 ? attribute_text(element, keys[n]) : NULL;
 }
 
-/* The address behind `word` and a point; NULL: it does not begin so. */
+/* The address after `word` and a point; NULL if it does not begin with them. */
 static const char *behind_word(const char *address, const char *word)
 {
     size_t length = strlen(word);
@@ -82,7 +82,7 @@ static int count_elements(const struct pp_xml_element *element)
     return count;
 }
 
-/* Number of the child among those of its kind, from 1; 1 for the root. */
+/* Number of the child among children of the same kind, from 1; 1 for the root. */
 static int number_of(const struct pp_xml_element *parent,
                      const struct pp_xml_element *child)
 {
@@ -93,7 +93,7 @@ static int number_of(const struct pp_xml_element *parent,
     return number;
 }
 
-/* True if a child begins the address. */
+/* True if the name of a child begins the address. */
 static bool goes_on(const struct pp_xml_element *element, const char *address)
 {
     for (const struct pp_xml_element *child = element->child; child;
@@ -108,8 +108,8 @@ static void match_part(struct match *match, const struct pp_xml_element *parent,
                        const struct pp_element_rule *rule, int tag,
                        const char *address);
 
-/* The element is meant by the address up to `left`, which is an attribute or goes on with
- * its children. */
+/* Matches the rest of an address whose earlier part is the element: an attribute, or
+ * further children. */
 static void match_rest(struct match *match, const struct pp_xml_element *element,
                        const struct pp_element_rule *rule, int tag, const char *left,
                        bool is_named)
@@ -135,7 +135,7 @@ static void match_rest(struct match *match, const struct pp_xml_element *element
     }
 }
 
-/* The element as the first part of the address. */
+/* Matches the first part of the address with the element. */
 static void match_part(struct match *match, const struct pp_xml_element *parent,
                        const struct pp_xml_element *element,
                        const struct pp_element_rule *rule, int tag, const char *address)
@@ -162,7 +162,7 @@ static void match_part(struct match *match, const struct pp_xml_element *parent,
     }
 }
 
-/* Tries every element of the tree as the first part. Returns the number of elements. */
+/* Matches the address at every element of the tree. Returns the number of elements. */
 static int match_tree(struct match *match, const struct pp_xml_element *parent,
                       const struct pp_xml_element *element,
                       const struct pp_element_rule *rule, int tag, const char *address)
@@ -196,8 +196,8 @@ static void add_name(struct name_list *list, const char *name)
     list->count++;
 }
 
-/* Adds parts below the element: those of that kind by name or number, or (NULL) the kinds
- * there are. */
+/* Lists the children of the element: those of that kind, by name or number; kind NULL:
+ * the kinds that exist. deep: all descendants. */
 static void list_parts(struct name_list *list, const struct pp_xml_element *element,
                        const char *kind, bool deep)
 {
@@ -224,8 +224,9 @@ static void list_parts(struct name_list *list, const struct pp_xml_element *elem
     }
 }
 
-/* The part that is not there: as much of the address as resembles one of the names, or
- * the kind and what follows to the next point. A name may contain points. */
+/* Finds the part of the address that does not exist: the beginning that resembles one
+ * of the names, or else the kind and the text up to the next point. A name may contain
+ * points. */
 static void write_wanted(char wanted[NAME_BYTES], const char *left,
                          const struct name_list *list)
 {
@@ -265,7 +266,7 @@ static enum pp_status check_attribute(const struct match *match, const char *add
     const char *names[NAMES_MOST];
     int count = 0;
     if (!match->rule)
-        return PP_OK; /* an unknown element, which the reader reports */
+        return PP_OK; /* unknown element, reported by the reader */
     for (int i = 0; i < match->rule->attribute_count && count < NAMES_MOST; i++) {
         names[count++] = match->rule->attributes[i].name;
         if (strcmp(names[count - 1], match->attribute) == 0)
@@ -278,7 +279,8 @@ static enum pp_status check_attribute(const struct match *match, const char *add
 
 /* ---- the text ---- */
 
-/* The start tag with another value of the attribute, or with a new attribute. */
+/* Writes the start tag with a new value of the attribute; a missing attribute is
+ * added. */
 static void put_changed_tag(FILE *out, struct pp_room_tag tag, const char *attribute,
                             const char *value)
 {
@@ -324,7 +326,7 @@ static enum pp_status write_changed(char **changed, size_t *changed_length,
     return pp_fail_memory(err);
 }
 
-/* Makes one change of a well-formed text; *changed stays NULL where there is none. */
+/* Makes one change in well-formed text; *changed stays NULL if nothing changes. */
 static enum pp_status change_tree(char **changed, size_t *changed_length,
                                   const char *text, size_t length,
                                   const struct pp_xml_element *root,
@@ -355,7 +357,7 @@ static enum pp_status change_tree(char **changed, size_t *changed_length,
     return status;
 }
 
-/* Makes one change; *changed stays NULL where there is none. */
+/* Makes one change; *changed stays NULL if nothing changes. */
 static enum pp_status change_once(char **changed, size_t *changed_length,
                                   const char *text, size_t length,
                                   const struct pp_room_change *change, bool lenient,

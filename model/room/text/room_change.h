@@ -1,4 +1,4 @@
-/* room_change.h - the text of a room file with attributes changed by their address.
+/* room_change.h - changes attributes in the text of a room file, by their address.
  *
  * An address is a path of parts, with an attribute at its end:
  *
@@ -8,8 +8,8 @@
  *     window.width                  every window
  *     room.Kitchen.window.W1.width  in one room of a building
  *
- * A part is named by its `name` or `ref`; a part without these by its `wall`. Names may
- * contain points. A part with a name or number must be a single one.
+ * A part is named by its `name` or `ref`, or else by its `wall`. Names may contain
+ * points. A part given by name or number must be unique.
  */
 #ifndef PP_MODEL_ROOM_TEXT_ROOM_CHANGE_H
 #define PP_MODEL_ROOM_TEXT_ROOM_CHANGE_H
@@ -21,19 +21,19 @@
 
 struct pp_room_change {
     const char *address; /* "window.W1.width" */
-    const char *value;   /* of the attribute, as in a file */
+    const char *value;   /* new value, as in a file */
 };
 
 struct pp_room_changes {
-    struct pp_room_change *list; /* made one after the other */
+    struct pp_room_change *list; /* applied in this order */
     int count;
-    bool lenient; /* an address that the file does not have is left out */
+    bool lenient; /* addresses that do not exist are ignored */
 };
 
-/* The text with the changes; all else stays, byte for byte, and so do the lines. A text
- * that is not well-formed is copied: its reader reports the mistakes. PP_BAD_INPUT for an
- * address that is not in the file, or an attribute that its part cannot have. *changed is
- * the caller's, *changed_length bytes and a 0. */
+/* Applies the changes; everything else, including lines, stays byte for byte the same.
+ * Text that is not well-formed is copied, since its reader reports the mistakes.
+ * PP_BAD_INPUT for an address that does not exist, or an attribute that its part cannot
+ * have. The caller frees *changed, which has *changed_length bytes and a NUL. */
 enum pp_status pp_room_change_text(char **changed, size_t *changed_length,
                                    const char *text, size_t length,
                                    const struct pp_room_changes *changes,

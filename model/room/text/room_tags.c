@@ -11,14 +11,14 @@ static bool starts(const char *at, const char *end, const char *word)
     return (size_t)(end - at) >= length && memcmp(at, word, length) == 0;
 }
 
-/* Position after the next `word`, or the end. */
+/* Position after the next `word`; the end if there is none. */
 static const char *behind(const char *at, const char *end, const char *word)
 {
     const char *found = memmem(at, (size_t)(end - at), word, strlen(word));
     return found ? found + strlen(word) : end;
 }
 
-/* Position behind the ">" of the tag that begins at `at`. */
+/* Position after the ">" of the tag that begins at `at`. */
 static const char *behind_tag(const char *at, const char *end)
 {
     char quote = 0;

@@ -8,7 +8,7 @@
 #include "model/base/text.h"
 #include "model/room/text/room_tags.h"
 
-/* The start tag of the index-th opening. */
+/* Start tag of the opening with that index. */
 static struct pp_room_tag opening_tag(const char *text, size_t length, int index)
 {
     const char *end = text + length;
@@ -22,7 +22,7 @@ static struct pp_room_tag opening_tag(const char *text, size_t length, int index
     return (struct pp_room_tag){end, end};
 }
 
-/* True if the text gives that number of metres already. */
+/* True if the text already gives that number of metres. */
 static bool is_number(struct pp_room_tag text, double number, double per_metre)
 {
     char copy[64];
@@ -35,7 +35,7 @@ static bool is_number(struct pp_room_tag text, double number, double per_metre)
     return pp_text_parse_number(copy, &said) && said / per_metre == number;
 }
 
-/* Units of the file per metre, from its root. */
+/* Units of the file per metre, from its root element. */
 static double per_metre_of(const char *text, size_t length)
 {
     const char *end = text + length;
@@ -50,7 +50,7 @@ static double per_metre_of(const char *text, size_t length)
                                                                           : 1.0;
 }
 
-/* Writes the tag with the values of a place in it. */
+/* Writes the tag with the values of a place. */
 static void put_tag(FILE *out, struct pp_room_tag tag, struct pp_opening_place place,
                     double per_metre)
 {
@@ -81,7 +81,7 @@ static void put_tag(FILE *out, struct pp_room_tag tag, struct pp_opening_place p
     }
 }
 
-/* The blanks before an element on its line; NULL where something else stands there. */
+/* Blanks before an element on its line; NULL if other text precedes it. */
 static const char *indent_of(const char *text, struct pp_room_tag tag)
 {
     const char *at = tag.from;

@@ -1,5 +1,5 @@
-/* room_text.h - the text of a room file with some of its windows changed, or moved to
- * another folder; all else stays byte for byte, comments and blanks included. */
+/* room_text.h - changes windows in the text of a room file, or its paths when it moves
+ * to another folder; everything else stays byte for byte the same. */
 #ifndef PP_MODEL_ROOM_TEXT_ROOM_TEXT_H
 #define PP_MODEL_ROOM_TEXT_ROOM_TEXT_H
 
@@ -9,34 +9,34 @@
 #include "model/room/room.h"
 
 enum pp_text_edit_kind {
-    PP_TEXT_SET,   /* the opening moves to the place given */
-    PP_TEXT_ADD,   /* another opening like it, in that place, comes behind it */
-    PP_TEXT_REMOVE /* the opening is left out */
+    PP_TEXT_SET,   /* the opening gets the given place */
+    PP_TEXT_ADD,   /* a copy of the opening in that place is added after it */
+    PP_TEXT_REMOVE /* the opening is removed */
 };
 
-/* One edit of the opening-th window, rooflight or opening of the file, from 0, over all
- * rooms of a building. Edits apply to windows and rooflights only. */
+/* One edit of a window or rooflight. `opening` is its index among the windows,
+ * rooflights and openings of the file, from 0, over all rooms of a building. */
 struct pp_text_edit {
     enum pp_text_edit_kind kind;
     int opening;
     struct pp_opening_place place;
 };
 
-/* The text, in which pp_building_parse has found no mistake, with the edits made; they
- * are in order of their openings. *changed is the caller's, *changed_length bytes and a
- * 0. */
+/* Makes the edits, which are in order of their openings; pp_building_parse must accept
+ * the text without mistakes. The caller frees *changed, which has *changed_length bytes
+ * and a NUL. */
 enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
                                  const char *text, size_t length,
                                  const struct pp_text_edit *edits, int edit_count,
                                  struct pp_error *err);
 
-/* Rewrites the text with `way` put before the relative path of each mesh, as described
- * in relative_path.h for a room file that moves. *moved is the caller's. */
+/* Puts `way` before the relative path of each mesh, for a room file that moves
+ * (relative_path.h). The caller frees *moved. */
 enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
                                  size_t length, const char *way, struct pp_error *err);
 
 /* Element of the opening after the edit (PP_TEXT_SET or PP_TEXT_ADD), from "<" to ">";
- * the caller's. */
+ * freed by the caller. */
 enum pp_status pp_room_text_element(char **element, const char *text, size_t length,
                                     const struct pp_text_edit *edit,
                                     struct pp_error *err);
