@@ -1,12 +1,12 @@
-/* band.h - a range of daylight factors within which the true one lies in 95 of 100 rooms.
- */
+/* band.h - likely range of a daylight factor: it contains the true value in 95 of 100
+ * similar rooms. */
 #ifndef PP_MODEL_RESULTS_BAND_H
 #define PP_MODEL_RESULTS_BAND_H
 
 #include <math.h>
 #include <stdbool.h>
 
-/* Fractions of the open-sky horizontal illuminance; NAN where nothing is known. */
+/* Fractions of the open-sky horizontal illuminance; NAN: not known. */
 struct pp_band_ends {
     double low, high;
 };

@@ -1,8 +1,9 @@
-/* common_error.h - the standard error of a sum of readings with correlated errors:
- * points simulated together share some of their light.
+/* common_error.h - the standard error of a sum of readings with correlated errors,
+ * since points simulated together share some of their light.
  *
- * `common` is the correlated share of the readings' variance, from 0 (they are
- * independent) to 1 (fully correlated, each by its own standard error). */
+ * `common` is the correlated share of the readings' variance: 0 independent, 1 fully
+ * correlated, each with its own standard error.
+ */
 #ifndef PP_MODEL_RESULTS_COMMON_ERROR_H
 #define PP_MODEL_RESULTS_COMMON_ERROR_H
 

@@ -1,7 +1,7 @@
-/* daylight_plan.h - the data of a plan of a room's daylight.
+/* daylight_plan.h - data of a plan of a room's daylight.
  *
- * Everything lies in the working plane, in metres of the room's own x and y. A method
- * fills it (methods/daylight_curves.h); a chart draws it (charts/room/plan_chart.h).
+ * Everything is in the working plane, in the room's own x and y (m). A method fills it
+ * (methods/daylight_curves.h); a chart draws it (charts/room/plan_chart.h).
  */
 #ifndef PP_MODEL_RESULTS_DAYLIGHT_PLAN_H
 #define PP_MODEL_RESULTS_DAYLIGHT_PLAN_H
@@ -9,22 +9,24 @@
 #include "model/geometry/curve.h"
 
 struct pp_daylight_plan {
-    char name[48]; /* of the figures contoured: "exact+bre" */
-    bool direct;   /* true: the sky and externally reflected component, without light
-                    * reflected in the room; false: daylight factors */
+    char name[48]; /* column that is contoured: "exact+bre" */
+    bool direct;   /* true: sky and externally reflected component, without light
+                    * reflected in the room; false: daylight factor */
     struct pp_curve_list
-        contours;               /* levels are daylight factors, fractions; ascending */
-    struct pp_curve_list below; /* outlines of the parts below each level, as in dark */
-    struct pp_curve_list bands; /* of sampled figures: closed outlines with the level of
-                                 * their band; an even-odd fill of all outlines of a
-                                 * level covers places whose figure is within one
-                                 * standard error of the level */
-    struct pp_curve_list no_sky; /* the no-sky line: sky can be seen from its left */
-    struct pp_curve_list dark;   /* closed outlines of the parts that see no sky at all:
-                                * outer ones counter-clockwise, holes clockwise */
-    double lowest, highest;      /* daylight factor over the plane, fractions */
-    double lowest_xy[2], highest_xy[2]; /* where these are */
-    double sky_share;                   /* of the plane's area that sees some sky */
+        contours;                /* levels are daylight factors, fractions; ascending */
+    struct pp_curve_list below;  /* outlines of the areas below each level, like
+                                 * `dark` */
+    struct pp_curve_list bands;  /* sampled values only: closed outlines by level. An
+                                 * even-odd fill of all outlines of a level covers
+                                 * the points within one standard error of it */
+    struct pp_curve_list no_sky; /* no-sky line; sky is visible on its left */
+    struct pp_curve_list dark;   /* closed outlines of areas without a view of the
+                                  * sky: outer ones counter-clockwise, holes
+                                  * clockwise */
+    double lowest, highest;      /* daylight factor over the plane, fraction */
+    double lowest_xy[2], highest_xy[2]; /* positions of these values */
+    double sky_share;                   /* share of the plane's area that sees some
+                                         * sky */
 };
 
 void pp_daylight_plan_clear(struct pp_daylight_plan *plan);

@@ -1,4 +1,4 @@
-/* dimension.c - powers of metre, degree and per cent, compared and multiplied. */
+/* dimension.c - compares and multiplies powers of metre, degree and per cent. */
 #include "model/results/dimension.h"
 
 #include <math.h>

@@ -1,32 +1,33 @@
-/* dimension.h - the dimension of a quantity: a length, an area, an angle, per cent of
- * the sky's light (a daylight factor), a ratio.
+/* dimension.h - the dimension of a quantity: length, area, angle, per cent of the sky's
+ * light (daylight factor), or ratio.
  *
  * A plain number may be added to degrees or per cent, but not to metres: 1 - alpha / 90
- * is valid, A + 3 with an area A is not. */
+ * is valid, A + 3 with an area A is not.
+ */
 #ifndef PP_MODEL_RESULTS_DIMENSION_H
 #define PP_MODEL_RESULTS_DIMENSION_H
 
 #include <stdbool.h>
 
-/* Powers of metres, degrees and per cent (of daylight factors). */
+/* Powers of metre, degree and per cent (of daylight factors). */
 struct pp_dimension {
     double metres, degrees, per_cent;
-    bool number; /* degrees and per cent are open: a number is a factor or the whole */
+    bool number; /* plain number: may stand for degrees or per cent */
 };
 
-/* True if the two can be added. */
+/* True if the two may be added. */
 bool pp_dimension_alike(struct pp_dimension a, struct pp_dimension b);
 
-/* Fits a ratio, such as a reflectance; an angle. */
+/* True if it can be a ratio, such as a reflectance; an angle. */
 bool pp_dimension_is_ratio(struct pp_dimension d);
 bool pp_dimension_is_angle(struct pp_dimension d);
 
-/* a times b to the power of `power`; d to that power. */
+/* a times b to the power `power`; d to the power `power`. */
 struct pp_dimension pp_dimension_times(struct pp_dimension a, struct pp_dimension b,
                                        double power);
 struct pp_dimension pp_dimension_raised(struct pp_dimension d, double power);
 
-/* "an area (m2)", "m^3", "an angle (degrees)". */
+/* Describes a dimension: "an area (m2)", "m^3", "an angle (degrees)". */
 void pp_dimension_describe(char text[96], struct pp_dimension d);
 
 #endif

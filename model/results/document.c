@@ -41,7 +41,7 @@ enum pp_status pp_document_status(const struct pp_document *document,
     return document->lacks_memory ? pp_fail_memory(err) : PP_OK;
 }
 
-/* A place behind the last of a list; false where there is none, or was none before. */
+/* Makes space for one more item in a list; false without memory, now or earlier. */
 static bool grow_document_list(struct pp_document *document, void *list, int count,
                                size_t size)
 {
@@ -120,7 +120,7 @@ void pp_document_contents(struct pp_document *document)
 
 /* ---- tables ---- */
 
-/* The last one; NULL where memory is out. */
+/* Last table of the document; NULL without memory. */
 static struct pp_document_table *last_table(struct pp_document *document)
 {
     return document->lacks_memory ? NULL
@@ -195,7 +195,7 @@ bool pp_document_has_head(const struct pp_document_table *table)
     return false;
 }
 
-/* ---- its texts ---- */
+/* ---- texts ---- */
 
 void pp_document_texts(const struct pp_document *document,
                        void (*tell)(void *closure, const char *text), void *closure)

@@ -1,5 +1,5 @@
-/* expression.c - recursive descent, dimensions on the way, to operations in postfix
- * order. */
+/* expression.c - recursive-descent parser with dimension checks; the result is a list
+ * of operations in postfix order. */
 #include "model/results/expression.h"
 
 #include <assert.h>
@@ -55,11 +55,11 @@ struct parser {
     bool failed;
 };
 
-/* Meaning of a part of the text. */
+/* Result of parsing a part of the text. */
 struct term {
     struct pp_dimension dimension;
     const char *start;
-    bool constant; /* it names no quantity: value is known */
+    bool constant; /* contains no quantity, so that value is known */
     double value;
 };
 
@@ -159,7 +159,7 @@ static struct term name(struct parser *parser, const char *start, int length)
     return unknown_name(parser, start, length);
 }
 
-/* Fails because of a dimension: `format` has a place for its description. */
+/* Fails because of a wrong dimension, which the message describes. */
 static struct term wrong_dimension(struct parser *parser, const char *at,
                                    struct pp_dimension d, const char *expected)
 {
@@ -169,8 +169,8 @@ static struct term wrong_dimension(struct parser *parser, const char *at,
     return fail(parser, at, what);
 }
 
-/* Checks that a and b, which are added, compared or alternatives, have the same
- * dimension; b is at `at`. */
+/* Checks that a and b have the same dimension; they are added, compared or
+ * alternatives. */
 static bool check_alike(struct parser *parser, const struct term *a,
                         const struct term *b)
 {

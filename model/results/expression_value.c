@@ -58,7 +58,7 @@ static const char *fault_of(enum pp_operation_kind kind, double result, double l
 double pp_expression_value(const struct pp_expression *expression, const double *values,
                            struct pp_expression_fault *fault)
 {
-    /* Stack whose topmost value is `last`. */
+    /* Stack of values; `last` is the topmost one. */
     double below[PP_EXPRESSION_OPERATIONS_MOST + 1], last = NAN, *top = below;
     if (fault)
         *fault = (struct pp_expression_fault){NULL, 0};

@@ -1,4 +1,4 @@
-/* formula.c - parses texts of formulae, and stores them for a method. */
+/* formula.c - parses formulae and stores them for a method. */
 #include "model/results/formula.h"
 
 #include <assert.h>
@@ -8,7 +8,7 @@
 
 enum { QUANTITIES_MOST = 40 };
 
-/* The powers of metre, degree and per cent of each unit. */
+/* Powers of metre, degree and per cent, by unit. */
 static const struct pp_dimension dimensions[] = {
     [PP_UNIT_DAYLIGHT_FACTOR] = {.per_cent = 1.0},
     [PP_UNIT_NUMBER] = {0},
@@ -46,7 +46,7 @@ bool pp_formula_parse(struct pp_expression *expression,
     return pp_expression_parse(expression, sum, shift, names, count, mistake);
 }
 
-/* Parses a published sum, which cannot fail (tests parse all). */
+/* Parses a published sum; it cannot fail, since tests parse all of them. */
 static void parse_published(struct pp_expression *expression,
                             const struct pp_formula *formula)
 {

@@ -1,10 +1,10 @@
-/* lattice.c - sorts the receivers' coordinates into columns and rows. */
+/* lattice.c - sorts the coordinates of the receivers into columns and rows. */
 #include "model/results/lattice.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* Coordinates with a smaller difference (m) count as equal, and steps with a smaller
+/* Coordinates that differ by less (m) count as equal; so do steps with a smaller
  * relative difference. */
 static const double same_m = 1e-6, even = 1e-3;
 
@@ -14,7 +14,7 @@ static int compare_coordinates(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Sorts the values and removes repeated ones; returns the number left. */
+/* Sorts the values and removes duplicates; returns the number left. */
 static int distinct(double *values, int count)
 {
     int kept = 0;
@@ -25,7 +25,7 @@ static int distinct(double *values, int count)
     return kept;
 }
 
-/* True if all steps are whole multiples of the least one. */
+/* True if all steps are integer multiples of the smallest one. */
 static bool is_even(const double *values, int count)
 {
     double least = INFINITY;
@@ -61,7 +61,7 @@ static bool faces_up_at_one_height(const struct pp_receiver *receivers, int coun
     return count >= 4;
 }
 
-/* Returns false if two receivers are at one place. */
+/* Returns false if two receivers have the same position. */
 static bool settle_lattice(struct pp_lattice *lattice,
                            const struct pp_receiver *receivers, int count)
 {

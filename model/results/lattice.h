@@ -1,4 +1,4 @@
-/* lattice.h - receivers that stand in rows and columns over a plane, as a grid's do. */
+/* lattice.h - receivers in rows and columns of a horizontal plane, as in a grid. */
 #ifndef PP_MODEL_RESULTS_LATTICE_H
 #define PP_MODEL_RESULTS_LATTICE_H
 
@@ -8,15 +8,15 @@
 #include "model/room/world.h"
 
 struct pp_lattice {
-    int columns, rows; /* 0: the receivers are no lattice */
-    double *x, *y;     /* of the columns and rows, ascending (m) */
-    int *receivers;    /* [row * columns + column]; -1: none stands there */
+    int columns, rows; /* 0: the receivers are not a lattice */
+    double *x, *y;     /* of columns and rows, ascending (m) */
+    int *receivers;    /* index [row * columns + column]; -1: no receiver */
 };
 
 /* Finds a lattice: receivers that face up at one height, in two or more evenly spaced
- * columns and rows, with a receiver at half or more of the crossings. Places without
- * one (walls of an L, furniture) are omitted. The caller clears *lattice; empty if
- * there is none. Fails only if out of memory. */
+ * columns and rows, with a receiver at half or more of the crossings. Crossings without
+ * one (outside an L, in furniture) have index -1. The caller clears *lattice; it is
+ * empty if there is none. Fails only without memory. */
 enum pp_status pp_lattice_find(struct pp_lattice *lattice,
                                const struct pp_receiver *receivers, int count,
                                struct pp_error *err);

@@ -1,7 +1,7 @@
-/* lit_area.h - the sufficiently lit part of a room, by one of the two lines used by
- * planners and courts.
+/* lit_area.h - the sufficiently lit part of a room, bounded by one of two lines used in
+ * planning and rights-of-light cases.
  *
- * studies/lit_line.h defines the lines and traces them.
+ * studies/lit_line.h defines and traces the lines.
  */
 #ifndef PP_MODEL_RESULTS_LIT_AREA_H
 #define PP_MODEL_RESULTS_LIT_AREA_H
@@ -13,19 +13,19 @@ enum pp_lit_line { PP_LIT_NO_SKY, PP_LIT_SKY_FACTOR };
 
 struct pp_lit_area {
     double plane_m;            /* z of the plane */
-    struct pp_region plane;    /* of the room at that height; may be empty */
-    struct pp_curve_list line; /* lit to its left */
+    struct pp_region plane;    /* section of the room at that height; may be empty */
+    struct pp_curve_list line; /* lit on its left */
     struct pp_curve_list dark; /* closed outlines of the unlit area: outer ones
                                 * counter-clockwise, holes clockwise */
     double plane_m2, lit_m2;
-    double error_m2; /* of lit_m2, by the tolerance of the line */
+    double error_m2; /* error of lit_m2 from the tolerance of the line */
 };
 
 void pp_lit_area_clear(struct pp_lit_area *area);
 
-/* Zones of the loss between two lit shares of a room, as used by rights-of-light
- * surveyors: quarters of the room's area, in the order in which the last of them would
- * be lost. A loss in the front zone leaves less than a quarter lit. */
+/* Zones of a loss of lit area, as used by rights-of-light surveyors: quarters of the
+ * room's area, beginning with the last quarter to be lost. A loss in the front zone
+ * leaves less than a quarter of the room lit. */
 enum pp_lit_zone {
     PP_ZONE_FRONT,
     PP_ZONE_FIRST,
@@ -35,7 +35,7 @@ enum pp_lit_zone {
 };
 
 struct pp_lit_loss {
-    double zones_m2[PP_ZONE_COUNT]; /* 0 where nothing is lost */
+    double zones_m2[PP_ZONE_COUNT]; /* 0: no loss in the zone */
     double
         equivalent_m2; /* first-zone equivalent: the zones' areas times 3/2, 1, 1/2 and
                         * 1/4, as in practice (recalled; no text at hand) */
@@ -43,22 +43,23 @@ struct pp_lit_loss {
 
 struct pp_lit_loss pp_lit_area_loss(double plane_m2, double before_m2, double now_m2);
 
-/* Lit area of a room, now and before. */
+/* Lit area of a room, at present and before. */
 struct pp_lit_change {
     double plane_m2, lit_m2;
     double before_m2; /* NAN: not known */
-    double lost_m2;   /* less than 0: gained; NAN: not known, and so is all of loss */
+    double lost_m2;   /* negative: a gain; NAN: not known, like all of loss */
     struct pp_lit_loss loss;
 };
 
-/* before_m2 NAN: unknown; lost_m2 and the loss are then NAN. */
+/* Calculates loss and zones. before_m2 NAN: not known; lost_m2 and the loss are then
+ * NAN. */
 struct pp_lit_change pp_lit_area_change(double plane_m2, double before_m2,
                                         double now_m2);
 
-/* Adds a room's known values to a sum over rooms, which has none at first. */
+/* Adds a room's values to a sum over rooms; initialise the sum with zeros. */
 void pp_lit_area_add(struct pp_lit_change *sum, const struct pp_lit_change *room);
 
-/* "front zone", ... */
+/* Name of a zone: "front zone", ... */
 const char *pp_lit_area_zone_name(enum pp_lit_zone zone);
 
 #endif

@@ -1,5 +1,5 @@
-/* nomogram_sheet.h - the stems of a nomogram, how much a mark on them stands out, and a
- * sheet of one: its stems, with the readings of a room if it has one. */
+/* nomogram_sheet.h - the stems and marks of a nomogram, and a sheet with the readings
+ * of a room. */
 #ifndef PP_MODEL_RESULTS_NOMOGRAM_SHEET_H
 #define PP_MODEL_RESULTS_NOMOGRAM_SHEET_H
 
@@ -7,48 +7,50 @@
 
 #include "model/results/formula.h"
 
-/* Prominence of a mark of a scale. */
+/* Prominence of a mark on a scale. */
 enum pp_mark_rank { PP_MARK_FINE, PP_MARK_MIDDLE, PP_MARK_LABELLED };
 
 /* ---- the nomogram ----
  *
- * A nomogram is a chart of upright scales on which a straight-edge does a sum. A stem
- * is a scale on an upright line. Places on the sheet are fractions of its width and of
- * the scales' height, x from the left, y from the bottom. A method sets them out
- * (methods/nomogram/nomogram_scale.h), where the derivation stands; a chart draws them.
+ * A nomogram is a chart of vertical scales, the stems, on which a straight-edge
+ * performs a calculation. Positions are fractions: x of the sheet's width from the
+ * left, y of the scales' height from the bottom. A method defines them
+ * (methods/nomogram/nomogram_scale.h has the derivation); a chart draws them.
  */
 
 enum pp_nomogram_kind {
-    PP_NOMOGRAM_AVERAGE,   /* I: average component of a side-lit room */
-    PP_NOMOGRAM_MINIMUM,   /* II: its minimum, too */
-    PP_NOMOGRAM_ROOFLIGHT, /* III: average of a top-lit room */
-    PP_NOMOGRAM_POSITION,  /* IV: at a point of a side-lit room */
+    PP_NOMOGRAM_AVERAGE,   /* I: average IRC of a side-lit room */
+    PP_NOMOGRAM_MINIMUM,   /* II: also its minimum */
+    PP_NOMOGRAM_ROOFLIGHT, /* III: average IRC of a top-lit room */
+    PP_NOMOGRAM_POSITION,  /* IV: IRC at a point of a side-lit room */
     PP_NOMOGRAMS,
 };
 
 enum pp_nomogram_quantity {
-    PP_NOMOGRAM_GLASS,       /* net glass over all inside surfaces: a ratio */
-    PP_NOMOGRAM_REFLECTANCE, /* mean, of all inside surfaces */
-    PP_NOMOGRAM_COMPONENT,   /* internally reflected, over Eh */
-    PP_NOMOGRAM_OBSTRUCTION, /* altitude of the obstruction, radians */
-    PP_NOMOGRAM_SLOPE,       /* of the glass, 0 horizontal, radians */
+    PP_NOMOGRAM_GLASS,       /* net glass area over all inside surfaces, a ratio */
+    PP_NOMOGRAM_REFLECTANCE, /* mean of all inside surfaces */
+    PP_NOMOGRAM_COMPONENT,   /* internally reflected component, over Eh */
+    PP_NOMOGRAM_OBSTRUCTION, /* altitude of the obstruction, rad */
+    PP_NOMOGRAM_SLOPE,       /* slope of the glass, 0 horizontal, rad */
     PP_NOMOGRAM_WALLS,       /* mean reflectance of the walls */
-    PP_NOMOGRAM_LOSS,        /* mean reflectance R, by 1/(1 - R) */
-    PP_NOMOGRAM_GAIN,        /* glass over losses, W/(A (1 - R)): a ratio */
-    PP_NOMOGRAM_LIGHT,       /* on the glass, as it counts, over Eh */
-    PP_NOMOGRAM_FACTOR,      /* of the place of a point */
-    PP_NOMOGRAM_PLACE,       /* of a point: its share of the depth or half breadth */
+    PP_NOMOGRAM_LOSS,        /* mean reflectance R; position by 1/(1 - R) */
+    PP_NOMOGRAM_GAIN,        /* glass area over losses, W/(A (1 - R)), a ratio */
+    PP_NOMOGRAM_LIGHT,       /* weighted light on the glass, over Eh */
+    PP_NOMOGRAM_FACTOR,      /* factor for the position of a point */
+    PP_NOMOGRAM_PLACE,       /* position of a point, as share of the depth or half
+                              * width */
 };
 
 struct pp_nomogram_stem {
     char letter; /* 'A' */
     enum pp_nomogram_quantity quantity;
     double x;
-    double foot, decade; /* y = foot + decade log10 of the quantity's function */
-    double low, high;    /* the lowest and the highest value on it */
+    double foot, decade; /* y = foot + decade log10 f(value); f depends on the
+                          * quantity */
+    double low, high;    /* lowest and highest value on the stem */
 };
 
-/* A straight-edge from one stem to another, and the stem read between them. */
+/* A straight-edge between two stems, and the stem read between them. */
 struct pp_nomogram_edge {
     int from, to, read;
 };
@@ -57,42 +59,42 @@ enum { PP_NOMOGRAM_STEMS = 8, PP_NOMOGRAM_EDGES = 3 };
 
 struct pp_nomogram {
     enum pp_nomogram_kind kind;
-    double k;      /* the rule: R_cw = k R_fw */
-    double R_fw_R; /* and R_fw over R, 2/(1 + k) */
+    double k;      /* rule of the nomogram: R_cw = k R_fw */
+    double R_fw_R; /* R_fw over R: 2/(1 + k) */
     int stem_count, edge_count;
     struct pp_nomogram_stem stems[PP_NOMOGRAM_STEMS];
     struct pp_nomogram_edge edges[PP_NOMOGRAM_EDGES];
 };
 
-/* Factor for a point's place, on IV. A straight-edge from the stem of places through a
- * curve gives it; the curve is for the room's depth (or half its width) q in ranges of
- * the light. */
+/* Factor for the position of a point, on nomogram IV. It is read with a straight-edge
+ * from the stem of positions through a curve. The point on the curve depends on q, the
+ * room's depth (or half its width) over the range of the light. */
 struct pp_nomogram_place {
     double q, share, factor;  /* as set and read */
-    double x, y;              /* of q on its curve */
-    double share_y, factor_y; /* on their stems */
+    double x, y;              /* point of the curve for q */
+    double share_y, factor_y; /* positions on the two stems */
 };
 
-/* Reading of one opening. Values are in the order of the stems, as set and read; NAN: not
- * used. Without an obstruction (a slope) E is not read: it is C. */
+/* Readings for one opening. Values are in the order of the stems, as set and read; NAN:
+ * not used. Without an obstruction (or slope) stem E is not read; C is used instead. */
 struct pp_nomogram_reading {
     double glass_m2, inside_m2; /* W, A */
     double ratio;               /* W/A */
-    int tens;                   /* scale A was set to ratio times 10^tens */
+    int tens;                   /* scale A is set to ratio times 10^tens */
     double value[PP_NOMOGRAM_STEMS];
-    bool used[PP_NOMOGRAM_EDGES]; /* which lines were laid */
-    double component;             /* average, over 10^tens, before allowances */
+    bool used[PP_NOMOGRAM_EDGES]; /* straight-edges that are used */
+    double component;             /* average, times 10^tens, before allowances */
     double
         further; /* the same of the minimum, by II, or at the point, by IV; else NAN */
-    struct pp_nomogram_place places[2]; /* of IV: by the depth, and sideways */
+    struct pp_nomogram_place places[2]; /* nomogram IV: by depth and by width */
 };
 
-/* ---- the sheet: scales with their marks, and the readings of a room ---- */
+/* ---- the sheet: scales with marks, and the readings of a room ---- */
 
 struct pp_nomogram_mark {
-    double x;      /* on a curve: of the sheet's width, from the left */
-    double y;      /* of the scales' height, from the bottom */
-    double number; /* as it is printed: per cent, degrees, or the value itself */
+    double x;      /* on a curve: fraction of the sheet's width, from the left */
+    double y;      /* fraction of the scales' height, from the bottom */
+    double number; /* as printed: per cent, degrees, or the value itself */
     enum pp_mark_rank rank;
 };
 
@@ -101,28 +103,29 @@ struct pp_nomogram_scale {
     struct pp_nomogram_mark *marks; /* owned */
 };
 
-/* An opening, with those that read and count like it. */
+/* An opening, and others with the same readings. */
 struct pp_nomogram_window {
-    const char *label; /* of the first opening, not owned */
-    int alike;         /* how many there are */
+    const char *label; /* label of the first opening, not owned */
+    int alike;         /* number of openings with these readings */
     struct pp_nomogram_reading read;
-    double y[PP_NOMOGRAM_STEMS]; /* where the readings stand */
-    double allowance;            /* for its glass, frame and dirt */
+    double y[PP_NOMOGRAM_STEMS]; /* positions of the readings on the stems */
+    double allowance;            /* factor for glass, frame and dirt */
 };
 
 struct pp_nomogram_sheet {
     struct pp_nomogram nomogram;
     struct pp_nomogram_scale scales[PP_NOMOGRAM_STEMS];
-    struct pp_nomogram_scale curve;           /* of IV, from end to end; else empty */
-    const struct pp_formula *const *formulae; /* formulae calculated before setting, on
-                                               * IV; ends with NULL; NULL: none */
-    const char *name;                         /* the room's, or NULL; not owned */
+    struct pp_nomogram_scale curve;           /* nomogram IV: the curve, in order;
+                                               * else empty */
+    const struct pp_formula *const *formulae; /* nomogram IV: formulae calculated
+                                               * first; NULL-terminated; NULL: none */
+    const char *name;                         /* name of the room, or NULL; not owned */
     bool blank;                               /* no room */
     int window_count;
     struct pp_nomogram_window *windows; /* owned */
-    int left_out;       /* openings of the room that the nomogram is not made for */
-    double decorations; /* D: share that their deterioration leaves, of all windows */
-    double component;   /* average of all windows, allowances settled */
+    int left_out;       /* openings of the room outside the range of the nomogram */
+    double decorations; /* D, factor for deterioration of decorations, all windows */
+    double component;   /* average of all windows, including allowances */
     double
         further; /* of II: the minimum; of IV: at the point; of all windows, else NAN */
 };

@@ -1,4 +1,5 @@
-/* reading.h - one method's value of one component, at a point or of the room. */
+/* reading.h - one method's value of one component, at a point or averaged over the
+ * room. */
 #ifndef PP_MODEL_RESULTS_READING_H
 #define PP_MODEL_RESULTS_READING_H
 
@@ -15,8 +16,8 @@ static inline struct pp_reading pp_reading_none(const char *why)
     return (struct pp_reading){NAN, NAN, why, 0};
 }
 
-/* Difference of two sampled values, in standard errors of it; 0 if they are equal
- * without error, NAN if an error is unknown. */
+/* Difference of two sampled values over its standard error; 0 if they are equal without
+ * error, NAN if an error is not known. */
 static inline double pp_reading_apart(const struct pp_reading *reading,
                                       const struct pp_reading *other)
 {

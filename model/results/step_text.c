@@ -1,4 +1,5 @@
-/* step_text.c - digits by size and unit; Greek letters; values in place of symbols. */
+/* step_text.c - digits by size and unit; Greek letters; values substituted for
+ * symbols. */
 #include "model/results/step_text.h"
 
 #include <ctype.h>
@@ -11,7 +12,7 @@
 
 enum { DIGITS = 4 /* significant digits at least */ };
 
-/* smaller values are printed as a bare 0 */
+/* Smaller values are printed as 0. */
 static const double least = 1e-7;
 
 static const struct printed_unit {
@@ -27,8 +28,8 @@ static const struct printed_unit {
     [PP_UNIT_LUX] = {1, " lx", " lx"},
 };
 
-/* Decimals that show DIGITS significant digits, and at least those of the unit; for
- * values counted in tenths, those of the count. */
+/* Decimals for DIGITS significant digits, but at least those of the unit. Values
+ * counted in tenths have at most one decimal. */
 static int decimals_of(double value, const struct pp_calculation_step *step)
 {
     int decimals = units[step->unit].decimals;
@@ -48,7 +49,7 @@ const char *pp_step_text_value(char *text, size_t room,
     double value = step->value * pp_steps_printed_unit(step->unit);
     int decimals = decimals_of(value, step);
     if (fabs(value) < least)
-        value = 0.0; /* no minus before a zero */
+        value = 0.0; /* no minus sign before zero */
     snprintf(text, room, "%.*f", decimals, value);
     return utf8 ? unit->utf8 : unit->plain;
 }
@@ -93,9 +94,9 @@ void pp_step_text_formula(char *text, size_t room,
     pp_step_text_add(text, room, step->formula, (int)strlen(step->formula), utf8);
 }
 
-/* ---- values put in ---- */
+/* ---- substitution of values ---- */
 
-/* True if the name is a function's, or pi. */
+/* True for the name of a function, and for pi. */
 static bool is_known_word(const char *name, int length)
 {
     const char *const *functions = pp_expression_functions();
@@ -106,7 +107,7 @@ static bool is_known_word(const char *name, int length)
     return length == 2 && strncmp(name, "pi", 2) == 0;
 }
 
-/* The latest step before `index` that the name means; NULL: none. */
+/* Last step before `index` with that symbol; NULL: none. */
 static const struct pp_calculation_step *step_named(const struct pp_steps *steps,
                                                     int index, const char *name,
                                                     int length)
@@ -118,7 +119,7 @@ static const struct pp_calculation_step *step_named(const struct pp_steps *steps
     return NULL;
 }
 
-/* Appends the value of a step, for a formula: degrees with their sign, negative values
+/* Appends the value of a step, for a formula: degrees with their unit, negative values
  * in parentheses. */
 static void append_step_value(char *text, size_t room,
                               const struct pp_calculation_step *step)
@@ -131,7 +132,7 @@ static void append_step_value(char *text, size_t room,
                    negative ? ")" : "");
 }
 
-/* Bytes of the number at text; 0: there is none. */
+/* Number of bytes of the number at text; 0: no number. */
 static int number_length(const char *text)
 {
     int length = (int)strspn(text, "0123456789.");
@@ -147,7 +148,7 @@ void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
                          int index)
 {
     const char *formula = steps->list[index].formula;
-    bool ends_operand = false; /* the last item could be multiplied */
+    bool ends_operand = false; /* a following item is multiplied with the last one */
     int values = 0, pieces = 0;
     text[0] = '\0';
     for (const char *at = formula; *at;) {

@@ -1,9 +1,9 @@
-/* step_text.h - the pieces of a calculation's steps as they are printed: value, unit,
- * formula, and the formula with its values put in. The report in text and the typeset note
- * share them, so that they have the same figures to the digit.
+/* step_text.h - the steps of a calculation as text: value, unit, formula, and the
+ * formula with values substituted. The text report and the typeset note use the same
+ * functions, so that their figures agree in every digit.
  *
- * Values have enough digits that a formula recomputed from the printed figures gives the
- * printed value, to within their rounding.
+ * Values have enough digits that a formula recomputed from printed figures gives the
+ * printed value, within rounding.
  */
 #ifndef PP_MODEL_RESULTS_STEP_TEXT_H
 #define PP_MODEL_RESULTS_STEP_TEXT_H
@@ -12,23 +12,23 @@
 
 #include "model/results/steps.h"
 
-/* The step's value as people write it in its unit: "0.4426". Returns the unit, " %" or
- * "". */
+/* Writes the value in printed units: "0.4426". Returns the unit, " %" or "". */
 const char *pp_step_text_value(char *text, size_t room,
                                const struct pp_calculation_step *step, bool utf8);
 
-/* Adds the first `length` bytes of a formula or symbol; in UTF-8 names that begin with a
- * Greek letter's have the letter, and a minus is one: "α_1 − β". */
+/* Appends the first `length` bytes of a formula or symbol. In UTF-8, names that begin
+ * with a Greek letter's name get the letter, and a hyphen becomes a minus: "α_1 −
+ * β". */
 void pp_step_text_add(char *text, size_t room, const char *words, int length,
                       bool utf8);
 
-/* The whole formula of a step that has one: "irc = 0.85 W / (A (1 − R))". */
+/* Writes the whole formula of a step that has one: "irc = 0.85 W / (A (1 − R))". */
 void pp_step_text_formula(char *text, size_t room,
                           const struct pp_calculation_step *step, bool utf8);
 
-/* The right side with the printed values of the steps before in place of their symbols,
- * in UTF-8: "0.85 × 1.560 / (100.512 × (1 − 0.5221))"; empty where the formula is one
- * symbol, or has none. */
+/* Writes the right side with the values of earlier steps substituted for their symbols,
+ * in UTF-8: "0.85 × 1.560 / (100.512 × (1 − 0.5221))". Empty if the formula is one
+ * symbol, or there is none. */
 void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
                          int index);
 

@@ -17,7 +17,7 @@ double pp_steps_printed_unit(enum pp_step_unit unit)
                                            : 1.0;
 }
 
-/* Appends a step to the list; NULL without a list or memory. */
+/* Appends a step to the list; NULL without a list or without memory. */
 static struct pp_calculation_step *next(struct pp_steps *steps)
 {
     if (!steps)
@@ -65,7 +65,8 @@ void pp_steps_add_worked(struct pp_steps *steps, enum pp_step_unit unit, double 
     va_end(args);
 }
 
-/* A sum too long for one line is added up over several, each going on from the last. */
+/* A sum too long for one line becomes several steps; each continues from the previous
+ * one. */
 void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
                       const char *what)
 {

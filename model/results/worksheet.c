@@ -1,5 +1,5 @@
-/* worksheet.c - figures by name, the latest first; formulae evaluated from them and put
- * down with the numbers of their parts. */
+/* worksheet.c - values by symbol; formulae are evaluated from them and recorded as
+ * steps, with the part numbers of symbols. */
 #include "model/results/worksheet.h"
 
 #include <assert.h>
@@ -10,14 +10,14 @@
 
 #include "model/base/text.h"
 
-/* Index of a symbol's place on the sheet, by its first two letters. */
+/* Hash of a symbol, from its first two letters. */
 static int symbol_place(const char *symbol)
 {
     return (symbol[0] + 9 * symbol[1]) & (PP_WORKSHEET_PLACES - 1);
 }
 
-/* The figure of that name, which has that place; NULL: there is none. The program's own
- * symbols, of one spelling, mostly stand at one place in memory. */
+/* Value with that symbol and hash; NULL: none. Equal symbols are usually the same
+ * string literal, so pointers are compared first. */
 static const struct pp_worksheet_figure *find_at(const struct pp_worksheet *sheet,
                                                  int place, const char *symbol)
 {
@@ -45,7 +45,7 @@ static void enter(struct pp_worksheet *sheet, const char *symbol, double printed
 {
     if (!symbol[0])
         return;
-    /* A figure that is put down anew takes the place of the last of its name. */
+    /* A repeated symbol replaces its previous value. */
     int place = symbol_place(symbol);
     const struct pp_worksheet_figure *last = find_at(sheet, place, symbol);
     int at = last ? (int)(last - sheet->list) : sheet->count;
@@ -55,7 +55,7 @@ static void enter(struct pp_worksheet *sheet, const char *symbol, double printed
     sheet->count += at == sheet->count;
 }
 
-/* "T_hl", or "T_hl_2" of part 2. */
+/* Writes "T_hl", or "T_hl_2" for part 2. */
 static void write_symbol(char text[32], const char *symbol, int part)
 {
     if (part > 0)
@@ -117,7 +117,8 @@ double pp_worksheet_printed(const struct pp_worksheet *sheet, const char *symbol
     return figure ? figure->printed : NAN;
 }
 
-/* The formula's text with the number of its part behind each symbol that has one. */
+/* Writes the formula's text, with the part number appended to each symbol that has
+ * one. */
 static void write_sum(char *text, size_t room, const struct pp_worksheet *sheet,
                       const char *sum)
 {

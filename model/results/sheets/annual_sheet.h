@@ -1,6 +1,7 @@
-/* annual_sheet.h - the year's daylight in a room, as it is printed and drawn.
+/* annual_sheet.h - annual daylight in a room, as printed and drawn.
  *
- * studies/year/annual.h fills it. Illuminances are in lx, durations in h, shares 0 to 1.
+ * studies/year/annual.h fills it. Illuminances are in lx, durations in h, shares 0 to
+ * 1.
  */
 #ifndef PP_MODEL_RESULTS_SHEETS_ANNUAL_SHEET_H
 #define PP_MODEL_RESULTS_SHEETS_ANNUAL_SHEET_H
@@ -13,34 +14,35 @@ enum {
     PP_ANNUAL_ILLUMINANCES_MOST = 8,
     PP_ANNUAL_WORDS = 640,
     PP_ANNUAL_WARNINGS_MOST = 8,
-    PP_ANNUAL_LEVELS = 4, /* of EN 17037: 100, 300, 500, 750 lx */
+    PP_ANNUAL_LEVELS = 4, /* EN 17037: 100, 300, 500, 750 lx */
 };
 
 extern const double pp_annual_sheet_levels_lx[PP_ANNUAL_LEVELS];
 
-/* A figure with its standard error, 0 where nothing was sampled. */
+/* A value with its standard error; std_error is 0 if nothing was sampled. */
 struct pp_annual_value {
     double value, std_error;
 };
 
-/* Figures of a point, and their means over all points. "Hours" are the occupied ones. */
+/* Results for a point, and their means over all points. "Hours" are occupied hours. */
 struct pp_annual_figures {
     struct pp_annual_value
         autonomy[PP_ANNUAL_ILLUMINANCES_MOST]; /* share of hours with E >= target */
     struct pp_annual_value
         continuous[PP_ANNUAL_ILLUMINANCES_MOST]; /* mean of min(1, E/target) */
     struct pp_annual_value udi_below, udi_low, udi_good,
-        udi_above;                  /* share of hours with
-                                                                     * E below 100 lx, to
-                                                                     * 300, to 3000, above */
-    struct pp_annual_value sun_h;   /* hours with direct sun above 1000 lx */
-    struct pp_annual_value mean_lx; /* over the hours */
+        udi_above;                  /* shares of hours: E < 100, to 300, to 3000,
+                                     * above (lx) */
+    struct pp_annual_value sun_h;   /* hours with more than 1000 lx of direct sun */
+    struct pp_annual_value mean_lx; /* mean over the hours */
     struct pp_annual_value
         median_lx; /* reached in 2190 of the 4380 h of most daylight */
-    struct pp_annual_value year_lxh; /* of all hours of the year */
-    struct pp_annual_value sky_lxh, sun_lxh, sun_reflected_lxh; /* parts of it: sky and
-                                       * ground under it; direct sun; sun on surfaces */
-    struct pp_annual_value autonomy_300; /* share of hours with 300 lx, open blinds */
+    struct pp_annual_value year_lxh; /* sum over all hours of the year */
+    struct pp_annual_value sky_lxh, sun_lxh, sun_reflected_lxh; /* parts: sky and
+                                                                 * ground; direct
+                                                                 * sun; reflected
+                                                                 * sun */
+    struct pp_annual_value autonomy_300; /* share of hours with 300 lx, blinds open */
     struct pp_annual_value
         blinds_autonomy; /* E >= 300 lx with blinds; NAN: no blinds */
 };
@@ -51,29 +53,30 @@ enum {
         sizeof(struct pp_annual_figures) / sizeof(struct pp_annual_value)
 };
 
-/* A value of pp_annual_figures by its number. */
+/* Value of pp_annual_figures with that index. */
 static inline struct pp_annual_value *pp_annual_sheet_figure(
     struct pp_annual_figures *figures, int index)
 {
     return (struct pp_annual_value *)figures + index;
 }
 
-/* Figures of the plane: shares of the points. */
+/* Shares of the points in the plane. */
 struct pp_annual_plane {
-    struct pp_annual_value autonomous; /* with 300 lx in half of the hours or more */
-    struct pp_annual_value sda;        /* the same with blinds; NAN: no blinds */
-    struct pp_annual_value ase; /* with more than 250 h of direct sun > 1000 lx */
-    struct pp_annual_value level[PP_ANNUAL_LEVELS]; /* by EN 17037, method 2 */
+    struct pp_annual_value autonomous; /* 300 lx in half of the hours or more */
+    struct pp_annual_value sda;        /* sDA: the same with blinds; NAN: no blinds */
+    struct pp_annual_value ase;        /* ASE: more than 250 h with more than 1000 lx of
+                                 * direct sun */
+    struct pp_annual_value level[PP_ANNUAL_LEVELS]; /* EN 17037, method 2 */
 };
 
 enum {
     PP_ANNUAL_PLANE = sizeof(struct pp_annual_plane) / sizeof(struct pp_annual_value)
 };
 
-/* Openings whose blinds close together: of one wall and one glass. */
+/* Openings whose blinds close together: same wall and same glass. */
 struct pp_annual_group {
     char name[64];
-    double closed_h; /* occupied hours with closed blinds */
+    double closed_h; /* occupied hours with blinds closed */
     double
         unmet_h; /* of those: hours in which blinds are not enough; 0 for opaque ones */
     struct pp_annual_value
@@ -86,17 +89,18 @@ struct pp_annual_hour {
     double start_h, length_h; /* local standard time */
     double occupied_h;
     bool known;
-    double sun_altitude_rad, sun_bearing_rad; /* clockwise from north */
+    double sun_altitude_rad, sun_bearing_rad; /* bearing clockwise from north */
     double diffuse_lx, direct_lx;             /* horizontal; normal to the sun */
-    int sky;                                  /* index of its values; -1: dark */
+    int sky;                                  /* index in lx and sun_lx; -1: dark */
 };
 
-/* The error of patches and cells on a sample, against paths under the true sky and sun. */
+/* Discretisation error of patches and cells: compared on a sample with paths under the
+ * actual sky and sun. */
 struct pp_annual_discretisation {
     int points, hours; /* of the sample; 0: not measured */
     struct pp_annual_value
         sky;        /* error by patches over the light of sky and ground, mean */
-    double sky_rms; /* of its single hours and points */
+    double sky_rms; /* rms of single hours and points */
     struct pp_annual_value
         all; /* error over all light but direct sun, mean of the points */
 };
@@ -112,43 +116,44 @@ struct pp_annual_sheet {
     int warning_count;
     char warnings[PP_ANNUAL_WARNINGS_MOST][PP_ANNUAL_WORDS];
     double sun_shift_min;
-    double occupied_h;        /* of the year */
-    double daylit_h;          /* hours that have a sky or a sun */
-    double diffuse_median_lx; /* 2190th of the 4380 h of most daylight */
-    bool is_grid;             /* are the points a grid over the plane? else no shares */
+    double occupied_h;        /* in the year */
+    double daylit_h;          /* hours with a sky or a sun */
+    double diffuse_median_lx; /* reached in 2190 of the brightest 4380 h */
+    bool is_grid;             /* the points are a grid over the plane; else `plane`
+                               * is not defined */
     bool has_blinds;
-    bool standard_hours; /* 8 to 18 h on all days, as LM-83 has them */
+    bool standard_hours; /* 8 to 18 h on all days, as in LM-83 */
     bool finished;
 
     struct pp_annual_figures *points; /* by receiver; owned */
     struct pp_annual_figures mean;
     struct pp_annual_plane plane;
     struct pp_annual_discretisation discretisation;
-    int near_half; /* points whose autonomy is within 2 se of a half */
+    int near_half; /* points whose autonomy is within 2 standard errors of 0.5 */
     int group_count;
     struct pp_annual_group *groups; /* owned */
 
     int hour_count;
     struct pp_annual_hour *hours; /* owned */
     int sky_count;
-    float *lx; /* [receiver][sky]: illuminances with open blinds; owned */
+    float *lx; /* [receiver][sky]: illuminances, blinds open; owned */
     int patch_count;
     float *
         coefficients; /* [receiver][1 + patch]: lx over cd/m2 of the ground, of patches of
                           * the sky; owned; NULL: not kept */
-    float *sun_lx;    /* [receiver][sky]: direct sun, part of it; owned */
+    float *sun_lx;    /* [receiver][sky]: direct sun, included in lx; owned */
 };
 
-/* Credits of LEED v4.1, daylight, option 1, by the mean sDA of all regularly occupied
- * area; here for this room alone. */
+/* Credits of LEED v4.1, daylight, option 1. They depend on the mean sDA of all
+ * regularly occupied areas; here only this room is considered. */
 struct pp_annual_leed {
-    const char *why_not; /* NULL: points are known */
-    int points;          /* 1, 2, 3 from an sDA of 40, 55, 75 % */
-    bool ase_to_explain; /* ASE above 10 %: a statement on glare is due */
+    const char *why_not; /* reason why points is not known; NULL: known */
+    int points;          /* 1, 2, 3 for an sDA of 40, 55, 75 % */
+    bool ase_to_explain; /* ASE exceeds 10 %: a statement on glare is required */
 };
 struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet);
 
-/* Illuminance of a point in an hour, 0 in the dark, NAN where the hour is not known. */
+/* Illuminance of a point in an hour; 0 in the dark, NAN if the hour is not known. */
 double pp_annual_sheet_lx(const struct pp_annual_sheet *sheet, int receiver, int hour);
 
 void pp_annual_sheet_clear(struct pp_annual_sheet *sheet);

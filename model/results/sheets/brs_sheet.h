@@ -1,4 +1,4 @@
-/* brs_sheet.h - the data of a printed BRS simplified daylight table: its cells, and the
+/* brs_sheet.h - data of a printed BRS simplified daylight table: its cells, and the
  * readings for a point of a room. A method fills it (methods/brs/brs_sheet_fill.h); a
  * chart draws it (charts/drawing_board/brs_table_chart.h). */
 #ifndef PP_MODEL_RESULTS_SHEETS_BRS_SHEET_H
@@ -12,39 +12,39 @@ enum { PP_BRS_ROWS = 29, PP_BRS_COLUMNS = 20 };
 
 /* One reading. */
 struct pp_brs_reading {
-    int window;                /* of the sheet's */
-    bool hidden;               /* at the edge of an obstruction, not of the sky? */
-    bool lower, left;          /* which edge of the rectangle, and to which jamb */
-    int sign;                  /* +1 or -1: how it enters the sum */
-    double h_over_d, w_over_d; /* both greater than 0 */
-    double row, column;        /* where that is: 0 the first row (infinity), the first
-                                * column (0.1); PP_BRS_ROWS and -1 where the table ends in
-                                * zero */
+    int window;                /* index in the sheet's windows */
+    bool hidden;               /* for an obstruction, not for sky */
+    bool lower, left;          /* edge of the rectangle, and jamb */
+    int sign;                  /* +1 or -1 in the sum */
+    double h_over_d, w_over_d; /* both above 0 */
+    double row, column;        /* position of these values: 0 is the first row
+                                * (infinity) and the first column (0.1); PP_BRS_ROWS
+                                * and -1 where the table ends in zero */
     double value;              /* a fraction */
-    double factor;             /* luminance factor of the obstruction; 1 of the sky */
+    double factor;             /* luminance factor of the obstruction; 1 for sky */
 };
 
 struct pp_brs_window {
-    const char *label; /* of the opening, not owned */
+    const char *label; /* label of the opening, not owned */
     double distance_m;
-    double allowance;     /* for its glass, frame and dirt */
-    double sky, external; /* fractions of Eh, allowance included */
+    double allowance;     /* factor for glass, frame and dirt */
+    double sky, external; /* fractions of Eh, including the allowance */
 };
 
 struct pp_brs_sheet {
-    const char *name; /* the room's, or NULL; not owned */
+    const char *name; /* name of the room, or NULL; not owned */
     bool blank;
     struct pp_vec3 point;
-    double h_over_d[PP_BRS_ROWS], w_over_d[PP_BRS_COLUMNS]; /* as printed: h/d from
-                                                             * infinity down */
-    double percent[PP_BRS_ROWS][PP_BRS_COLUMNS];            /* as printed, too */
-    bool odd[PP_BRS_ROWS][PP_BRS_COLUMNS]; /* farther from the sky component than all
-                                            * others, in the original */
+    double h_over_d[PP_BRS_ROWS], w_over_d[PP_BRS_COLUMNS]; /* as printed;
+                                                             * h/d descends */
+    double percent[PP_BRS_ROWS][PP_BRS_COLUMNS];            /* as printed */
+    bool odd[PP_BRS_ROWS][PP_BRS_COLUMNS]; /* differs more from the sky component
+                                            * than other cells, in the original */
     struct pp_brs_window *windows;
     int window_count;
     struct pp_brs_reading *readings;
     int reading_count;
-    double sky_component, external; /* of all windows */
+    double sky_component, external; /* sums over all windows */
 };
 
 void pp_brs_sheet_clear(struct pp_brs_sheet *sheet);

@@ -1,5 +1,4 @@
-/* picture_sheet.h - the data of a sheet with a picture on it
- * (charts/picture_chart.h). */
+/* picture_sheet.h - data of a sheet with a picture (charts/picture_chart.h). */
 #ifndef PP_MODEL_RESULTS_SHEETS_PICTURE_SHEET_H
 #define PP_MODEL_RESULTS_SHEETS_PICTURE_SHEET_H
 
@@ -7,7 +6,7 @@
 #include "model/pictures/false_colour.h"
 #include "model/pictures/raster.h"
 
-/* A word at a place in the picture, in pixels. */
+/* A word and its position in the picture, in pixels. */
 struct pp_picture_word {
     double x, y;
     char words[16];
@@ -15,28 +14,28 @@ struct pp_picture_word {
 
 struct pp_picture_sheet {
     const char *title;  /* not owned; NULL: none */
-    char subtitle[512]; /* the quantity, the view, the sky */
+    char subtitle[512]; /* quantity, view and sky */
     char foot[512];     /* notes */
 
     struct pp_raster raster;
 
-    double pixels_per_m; /* of a parallel view; 0: of no one scale */
-    bool upright;        /* not seen from straight above or below; else: */
-    double north_rad;    /* north is so far anticlockwise of up */
+    double pixels_per_m; /* parallel view; 0: no uniform scale */
+    bool upright;        /* not a view straight up or down */
+    double north_rad;    /* else: north, anticlockwise from up */
 
-    bool scaled; /* in false colours: with a scale beside */
+    bool scaled; /* false colours with a scale */
     struct pp_false_colour_scale scale;
     bool off_scale[2]; /* true if pixels are below, above the scale */
     const char *unit;  /* of the scale; not owned */
-    int level_count;   /* that have lines */
+    int level_count;   /* number of levels with lines */
     double levels[PP_FALSE_COLOUR_LEVELS_MOST];
-    struct pp_curve_list lines; /* in pixels, levels in the unit */
+    struct pp_curve_list lines; /* in pixels; levels in `unit` */
 
-    struct pp_curve_list grid; /* over it, in pixels: directions, outlines */
+    struct pp_curve_list grid; /* overlay in pixels: directions, outlines */
     struct pp_picture_word *words;
     int word_count;
 
-    double (*marks)[2]; /* places of records, in pixels */
+    double (*marks)[2]; /* positions of cache records, in pixels */
     int mark_count;
 };
 

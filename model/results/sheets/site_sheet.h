@@ -1,9 +1,8 @@
 /* site_sheet.h - data of site drawings: the objects on the site, and the windows of its
- * rooms with their vertical sky component, seen from above and at right angles to the
- * walls.
+ * rooms with their vertical sky component, in plan and in elevation.
  *
- * Lengths are metres of the building's axes (placement.h). Names are not owned; all
- * else is the sheet's.
+ * Lengths are in metres, in the building's axes (placement.h). Names are not owned; all
+ * other data are.
  */
 #ifndef PP_MODEL_RESULTS_SHEETS_SITE_SHEET_H
 #define PP_MODEL_RESULTS_SHEETS_SITE_SHEET_H
@@ -15,10 +14,10 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 
-/* States in which an object exists: both, only before, or only now. */
+/* When an object exists: in both states, only before, or only at present. */
 enum pp_site_when { PP_SITE_ALWAYS, PP_SITE_GONE, PP_SITE_NEW };
 
-/* A polygon that stands outside, a part of a mesh, or a room's own floor. */
+/* A polygon outside, a part of a mesh, or a room's own floor. */
 struct pp_site_shape {
     int count;
     struct pp_vec3 *corners;
@@ -29,34 +28,34 @@ struct pp_site_shape {
     bool *
         unseen; /* true: the edge from a corner to the next is no line; NULL: all are lines */
     double top_m;     /* z of its highest corner */
-    const char *name; /* of the thing that it is a side of; NULL: none */
+    const char *name; /* name of the object with this side; NULL: none */
     enum pp_site_when when;
-    bool is_room;  /* a floor of a room */
-    bool is_level; /* not upright: it covers something, seen from above */
+    bool is_room;  /* floor of a room */
+    bool is_level; /* not vertical: it covers an area in plan */
 };
 
-/* An upright window. */
+/* A vertical window. */
 struct pp_site_window {
     struct pp_vec3 from,
         to; /* its lower corners, left and right as seen from outside */
     double height_m;
-    struct pp_vec3 out;       /* unit, level, away from the room */
+    struct pp_vec3 out;       /* unit, horizontal, away from the room */
     double component, before; /* vertical sky component; before NAN: not known */
-    const char *name;         /* NULL: it has none */
+    const char *name;         /* NULL: no name */
     int line;
-    int storey; /* how many windows stand below it, in the same wall and place */
+    int storey; /* number of windows below it in the same wall */
 };
 
-/* A garden, and the part of it that has less than two hours of sun on 21 March. */
+/* A garden, and its area with less than two hours of sun on 21 March. */
 struct pp_site_garden {
     int count;
     double (*corners)[2];
     struct pp_curve_list dark;
-    double share;     /* that has two hours or more; NAN: no latitude is known */
-    const char *name; /* NULL: it has none */
+    double share;     /* share with two hours or more; NAN: no latitude */
+    const char *name; /* NULL: no name */
 };
 
-/* A part of a plot, and how high may be built on it: 0 where nothing may stand. */
+/* A part of a plot, and the permissible height on it; 0: no building. */
 struct pp_site_cell {
     double corners[4][2];
     double height_m;
@@ -65,17 +64,17 @@ struct pp_site_cell {
 struct pp_site_sheet {
     const char *title;
     double north_rad; /* bearing of +y */
-    bool has_before;  /* of any window */
-    double french_m; /* height above the floor where the component of windows down to it
-                      * is taken; 0: at their middle */
-    double ground_m; /* z of the ground */
-    struct pp_site_shape *shapes; /* from low to high */
+    bool has_before;  /* any window has a value of `before` */
+    double french_m;  /* height above the floor of the point for windows down to the
+                      * floor; 0: their centre */
+    double ground_m;  /* z of the ground */
+    struct pp_site_shape *shapes; /* ascending by height */
     int shape_count;
     struct pp_site_window *windows;
     int window_count;
     struct pp_site_garden *gardens;
     int garden_count;
-    struct pp_site_cell *cells; /* of the plot that the drawing is about; NULL: none */
+    struct pp_site_cell *cells; /* of the plot that is drawn; NULL: none */
     int cell_count;
     double cells_m3; /* total volume of the cells */
 };
@@ -83,31 +82,32 @@ struct pp_site_sheet {
 void pp_site_sheet_clear(struct pp_site_sheet *sheet);
 void pp_site_sheet_clear_shape(struct pp_site_shape *shape);
 
-/* The vertical sky components at which the advice on windows changes [BR209]: fractions,
- * ascending. */
+/* Vertical sky components (fractions, ascending) at which the advice on windows changes
+ * [BR209]. */
 enum { PP_SITE_LEVELS = 3 };
 extern const double pp_site_sheet_levels[PP_SITE_LEVELS];
 
-/* An outer wall, flattened: u runs to the right as seen from outside, from the sheet's
- * origin; v up, from z = 0. */
+/* An outer wall in elevation: u runs to the right seen from outside, from the sheet's
+ * origin; v is z. */
 struct pp_elevation_wall {
     struct pp_region outline;
-    struct pp_curve_list below; /* the parts below each level, as in pp_daylight_plan;
-                                 * every one has its level */
-    struct pp_curve_list lines; /* of the levels */
-    struct pp_bounds2 *doors;   /* by u and v */
+    struct pp_curve_list below; /* areas below each level, as in pp_daylight_plan;
+                                 * each curve has its level */
+    struct pp_curve_list lines; /* contours of the levels */
+    struct pp_bounds2 *doors;   /* in u and v */
     int door_count;
 };
 
-/* The walls of a site that look the same way. */
+/* Walls of a site that face the same way. */
 struct pp_site_elevation {
     struct pp_vec3 out, right; /* unit, level */
-    double bearing_rad;        /* in which it looks, clockwise from north, 0 to 2 pi */
+    double bearing_rad;        /* bearing that the walls face, clockwise from north,
+                                * 0 to 2 pi */
     struct pp_elevation_wall *walls;
     int wall_count;
-    int *windows; /* of the site's sheet: which are in it */
+    int *windows; /* indices of windows in `site` */
     int window_count;
-    double low[2], high[2]; /* u and v: its extent, with the ground */
+    double low[2], high[2]; /* extent in u and v, including the ground */
 };
 
 struct pp_elevation_sheet {

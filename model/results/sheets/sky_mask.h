@@ -2,14 +2,14 @@
 #ifndef PP_MODEL_RESULTS_SHEETS_SKY_MASK_H
 #define PP_MODEL_RESULTS_SHEETS_SKY_MASK_H
 
-/* Neighbouring bearings, clockwise from north, rad, without a gap: each with the lowest and
- * the highest altitude that is hidden there, rad, 0 to pi/2. */
+/* Adjacent bearings (clockwise from north, rad), each with the lowest and highest
+ * hidden altitude (rad, 0 to pi/2). */
 struct pp_sky_mask_piece {
     int count, capacity;
     double (*edges)[3]; /* bearing, low, high */
 };
 
-/* Pieces may overlap at their ends. */
+/* The hidden parts; pieces may overlap at their ends. */
 struct pp_sky_mask {
     int count;
     struct pp_sky_mask_piece *pieces;

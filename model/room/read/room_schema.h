@@ -119,7 +119,7 @@ extern const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS];
 struct pp_sky_form {
     int type; /* of pp_sky_words */
     double sun_altitude_rad, sun_bearing_rad;
-    const char *file, *second; /* photograph; for two half spheres */
+    const char *file, *second; /* photographs; second: the opposite half, or NULL */
     const char
         *picture[PP_SKY_FORM_OPTIONS]; /* texts, by pp_sky_form_keys; NULL: not given */
 };
