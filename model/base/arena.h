@@ -1,18 +1,18 @@
-/* arena.h - pieces of memory that are freed together. */
+/* arena.h - a pool of memory whose pieces are freed together. */
 #ifndef PP_MODEL_BASE_ARENA_H
 #define PP_MODEL_BASE_ARENA_H
 
 #include <stddef.h>
 
-/* Zeroed at first. */
+/* Initialise with zeros. */
 struct pp_arena {
     struct pp_arena_block *blocks;
 };
 
-/* A piece of that size, of any alignment; NULL: no memory. */
+/* Allocates a piece, aligned for any type; NULL without memory. */
 void *pp_arena_take(struct pp_arena *arena, size_t size);
 
-/* A copy of the text, with a NUL behind it; NULL: no memory. */
+/* Copies a text and adds a NUL; NULL without memory. */
 char *pp_arena_take_text(struct pp_arena *arena, const char *text, size_t length);
 
 void pp_arena_clear(struct pp_arena *arena);

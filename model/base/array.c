@@ -1,5 +1,5 @@
-/* array.c - see array.h. Memory grows to powers of two, so that filling a list of n
- * items copies less than 2 n of them. */
+/* array.c - grows memory to powers of two, so that filling a list of n items copies
+ * fewer than 2 n of them. */
 #include "model/base/array.h"
 
 #include <limits.h>
@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The pointer is read and written as bytes: a T ** is no void **. */
+/* Reads and writes the pointer as bytes, since a T ** must not be accessed as a void
+ * **. */
 static enum pp_status resize(void *list, size_t count, size_t size,
                              struct pp_error *err)
 {
@@ -41,6 +42,6 @@ enum pp_status pp_array_append(void *list, int count, size_t size, struct pp_err
     if (count == INT_MAX)
         return pp_fail_memory(err);
     if ((count & (count - 1)) != 0)
-        return PP_OK; /* within the last power of two */
+        return PP_OK; /* capacity is the next power of two */
     return resize(list, count > 0 ? 2 * (size_t)count : 1, size, err);
 }

@@ -1,8 +1,8 @@
-/* clock.h - a clock to measure durations by. */
+/* clock.h - a monotonic clock for durations. */
 #ifndef PP_MODEL_BASE_CLOCK_H
 #define PP_MODEL_BASE_CLOCK_H
 
-/* Seconds since an arbitrary moment, by a monotonic clock. */
+/* Seconds since an arbitrary moment. */
 double pp_clock_s(void);
 
 #endif

@@ -64,7 +64,7 @@ void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format,
     mistakes->list[mistakes->count++] = (struct pp_input_mistake){line, text};
 }
 
-/* Sorts by insertion, which is stable; there are at most a thousand mistakes, mostly in
+/* Insertion sort, which is stable. There are at most a thousand mistakes, mostly in
  * order. */
 void pp_mistakes_sort(struct pp_mistakes *mistakes)
 {

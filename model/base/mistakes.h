@@ -1,26 +1,25 @@
-/* mistakes.h - all mistakes in an input file, collected before any of them is
- * printed. */
+/* mistakes.h - all mistakes in an input file, collected before they are printed. */
 #ifndef PP_MODEL_BASE_MISTAKES_H
 #define PP_MODEL_BASE_MISTAKES_H
 
 #include <stdbool.h>
 
 struct pp_input_mistake {
-    int line;   /* in the file, from 1; 0 where the file as a whole is meant */
+    int line;   /* from 1; 0: the file as a whole */
     char *text; /* the mistake, and the expected value */
 };
 
 struct pp_mistakes {
-    char *file; /* as the user named it */
+    char *file; /* as given by the user */
     struct pp_input_mistake *list;
     int count;
-    bool truncated; /* there were more than PP_MISTAKES_MOST, or memory ran out */
+    bool truncated; /* more than PP_MISTAKES_MOST mistakes, or out of memory */
 };
 
 enum { PP_MISTAKES_MOST = 1000 };
 
-/* Allocates the list, for callers that do not see the struct: pepperpot.h. NULL: no
- * memory. */
+/* Allocates the list, for users of pepperpot.h, which does not define the struct. NULL
+ * without memory. */
 struct pp_mistakes *pp_mistakes_create(const char *file);
 void pp_mistakes_destroy(struct pp_mistakes *mistakes); /* NULL is allowed */
 int pp_mistakes_count(const struct pp_mistakes *mistakes);
@@ -30,7 +29,7 @@ const char *pp_mistakes_text(const struct pp_mistakes *mistakes, int index);
 void pp_mistakes_init(struct pp_mistakes *mistakes, const char *file);
 void pp_mistakes_clear(struct pp_mistakes *mistakes);
 
-/* Notes a mistake; the same text on the same line is noted once. */
+/* Adds a mistake, unless the same text on the same line exists. */
 void pp_mistakes_add(struct pp_mistakes *mistakes, int line, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -41,8 +41,8 @@ static enum pp_status read_all(char **bytes, size_t *length, size_t most, int fi
     return *length > most ? PP_OK : pp_fail_memory(err);
 }
 
-/* Devices are refused before they are opened, which may do something by itself; the null
- * device is an empty file. */
+/* True for devices, which must not be opened, since that may have side effects. The
+ * null device is allowed; it is an empty file. */
 static bool is_device(const char *path)
 {
     struct stat there;
@@ -56,7 +56,7 @@ static bool is_regular(int file)
     return fstat(file, &there) == 0 && S_ISREG(there.st_mode);
 }
 
-/* Files without a size, such as pipes, are read up to PP_READ_FILE_STREAM_MOST. */
+/* Reads a file without a size, such as a pipe, up to PP_READ_FILE_STREAM_MOST. */
 static enum pp_status read_stream(char **bytes, size_t *length, size_t most, int file,
                                   const char *name, struct pp_error *err)
 {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The absolute folder of a file, with links resolved; NULL: there is none. */
+/* Absolute folder of a file, with links resolved; NULL if it does not exist. */
 static char *whole_folder_of(const char *file)
 {
     const char *end = strrchr(file, '/');
@@ -15,8 +15,7 @@ static char *whole_folder_of(const char *file)
     return whole;
 }
 
-/* Length of the common leading folders of two paths, in bytes: up to and including a
- * '/', or to the end of one. */
+/* Length in bytes of the leading folders common to both paths. */
 static size_t common(const char *a, const char *b)
 {
     size_t shared = 0;

@@ -50,7 +50,7 @@ static int smallest(int a, int b, int c)
     return ab < c ? ab : c;
 }
 
-/* Optimal string alignment: Levenshtein's distance with swaps of neighbours. */
+/* Optimal string alignment: Levenshtein distance with swaps of neighbours. */
 int pp_text_edit_distance(const char *a, const char *b)
 {
     size_t m = strlen(a), n = strlen(b);
@@ -149,7 +149,7 @@ enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
                    pp_text_list_names(expected, sizeof expected, names, count));
 }
 
-/* Bytes of the UTF-8 letter at p, never past its terminating NUL. */
+/* Bytes of the UTF-8 character at p, not beyond the terminating NUL. */
 static size_t letter_bytes(const char *p)
 {
     size_t bytes = 1;
@@ -228,7 +228,7 @@ static const char *skip_digits(const char *p, int *count)
     return p;
 }
 
-/* The end of the decimal number at p, or NULL if there is none. */
+/* End of the decimal number at p; NULL if there is no number. */
 static const char *decimal_end(const char *p)
 {
     int digits = 0, exponent_digits = 0;
@@ -250,8 +250,8 @@ static const char *decimal_end(const char *p)
 
 /* Converts exactly if the digits, without the point, are an integer below 2^53 and the
  * power of ten is at most 22. Both are then exact doubles, so one multiplication or
- * division rounds correctly and gives the same double as strtod. False if that does not
- * hold. */
+ * division rounds correctly, with the same result as strtod. Otherwise returns
+ * false. */
 static bool small_decimal(const char *p, const char *end, double *value)
 {
     static const double powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -294,7 +294,7 @@ bool pp_text_parse_number(const char *text, double *value)
     if (small_decimal(start, end, value))
         return true;
 
-    /* strtod alone would take the locale's decimal comma. */
+    /* strtod alone would expect the decimal comma of the locale. */
     locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (plain == (locale_t)0)
         return false;

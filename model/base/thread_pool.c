@@ -1,6 +1,5 @@
-/* thread_pool.c - workers that sleep on a condition until there is work, and the indices they
- * take from a common counter.
- */
+/* thread_pool.c - workers sleep on a condition variable until there is work, and take
+ * indices from a common counter. */
 #include "model/base/thread_pool.h"
 
 #include <pthread.h>
@@ -9,30 +8,30 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-/* Small work: the most indices in a batch, and the fewest batches for each worker, so
- * that all workers are busy to the end. */
+/* run_small: largest number of indices in a batch, and smallest number of batches for
+ * each worker, so that all workers stay busy. */
 enum { BATCH_MOST = 16, BATCHES_LEAST = 16 };
 
 struct pool_worker {
     struct pp_thread_pool *pool; /* not owned */
-    int number;                  /* from 1; 0 is the caller */
+    int number;                  /* from 1; 0 is the calling thread */
     pthread_t thread;
 };
 
 struct pp_thread_pool {
     int size;
-    struct pool_worker *workers; /* without the caller */
+    struct pool_worker *workers; /* without the calling thread */
     int started;                 /* number of workers started */
 
-    pthread_mutex_t mutex; /* of open, dismissed, number and at_work */
-    pthread_cond_t come;   /* there is work, or the pool is dismissed */
-    pthread_cond_t left;   /* no worker is at work */
+    pthread_mutex_t mutex; /* protects open, dismissed, number and at_work */
+    pthread_cond_t come;   /* signalled for new work, or when the pool is dismissed */
+    pthread_cond_t left;   /* signalled when no worker is active */
     bool open;             /* workers may join the work */
     bool dismissed;
-    long number; /* of the work: no worker joins it twice */
-    int at_work; /* workers, without the caller */
+    long number; /* of the work, so that no worker joins it twice */
+    int at_work; /* active workers, without the calling thread */
 
-    /* The work at hand: written while no worker is at work. */
+    /* The present work; written only while no worker is active. */
     pp_thread_pool_work *work;
     void *data;
     int end;
@@ -40,10 +39,10 @@ struct pp_thread_pool {
     atomic_int next;
     atomic_bool stopped;
 
-    pthread_mutex_t own; /* the caller's: pp_thread_pool_lock */
+    pthread_mutex_t own; /* for pp_thread_pool_lock */
 };
 
-/* Processors that this process may use, perhaps fewer than the machine's. */
+/* Number of processors that this process may use; may be less than the machine has. */
 static int processors(void)
 {
     cpu_set_t set;
@@ -95,8 +94,8 @@ int pp_thread_pool_size(const struct pp_thread_pool *pool)
     return pool->size;
 }
 
-/* Runs indices until there are none left. No index is started after one that stopped
- * the work; those already started are finished. */
+/* Runs indices until none are left. After an index has stopped the work no further
+ * index starts, but indices already started are finished. */
 static void run_indices(struct pp_thread_pool *pool, int worker)
 {
     while (!atomic_load(&pool->stopped)) {
@@ -162,7 +161,7 @@ static void wake_workers(struct pp_thread_pool *pool)
     pthread_mutex_unlock(&pool->mutex);
 }
 
-/* Closes the work to further workers, and waits until those at work have finished. */
+/* Stops workers from joining, and waits for the active ones to finish. */
 static void close_and_wait(struct pp_thread_pool *pool)
 {
     pthread_mutex_lock(&pool->mutex);

@@ -1,4 +1,4 @@
-/* work_queue.c - the threads of one process, which store their results. */
+/* work_queue.c - runs a queue in the threads of one process. */
 #include "model/base/work_queue.h"
 
 #include "model/base/clock.h"
@@ -8,11 +8,11 @@
 
 struct running {
     const struct pp_work_queue *queue;
-    struct pp_work_results *results; /* by one thread at a time: the pool's lock */
+    struct pp_work_results *results; /* access needs the pool's lock */
     struct pp_thread_pool *pool;
 };
 
-/* Pool work: index by index. Indices after a failed one are not needed. */
+/* Work of the pool for one index. Indices after a failed one are not needed. */
 static bool do_index(void *data, int worker, int index)
 {
     const struct running *running = data;

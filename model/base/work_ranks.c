@@ -1,12 +1,12 @@
 /* work_ranks.c - the messages between rank 0 and the other ranks.
  *
- *     a rank    ASK     I have nothing to do, and so many threads
- *     rank 0    GIVE    so many indices, from this one on
- *               WAIT    all is assigned, but not done: ask again
- *               OVER    nothing will be assigned any more
- *     a rank    DONE    an index, its result, or why it failed
+ *     rank n    ASK     requests work; number of threads
+ *     rank 0    GIVE    assigns indices: the first, and their number
+ *               WAIT    everything is assigned, but not done: ask again later
+ *               OVER    nothing more will be assigned
+ *     rank n    DONE    an index with its result, or its error
  *
- * Only the thread that assigns work sends and receives messages; the others work.
+ * Only one thread sends and receives messages and assigns work; the others compute.
  */
 #include "model/base/work_ranks.h"
 
@@ -18,19 +18,18 @@
 #include "model/base/thread_pool.h"
 #include "model/base/work_results.h"
 
-/* Seconds between two checks for a message; and between two requests of a rank that was
- * answered WAIT. */
+/* Seconds between checks for a message, and between requests after the answer WAIT. */
 static const double look_s = 0.0005, ask_again_s = 0.1;
 
-/* Time after which a rank without an answer gives up: rank 0 is dead. */
+/* Time without an answer after which a rank assumes that rank 0 is dead. */
 static const double given_up_s = 60.0;
 
-/* Number of chunks for each thread of all ranks, if all took equally long. */
+/* Number of chunks per thread of all ranks, and largest chunk per thread. */
 enum { CHUNKS = 8, CHUNK_MOST = 16 };
 
 enum kind { ASK, GIVE, WAIT, OVER, DONE };
 
-/* Head of all messages; the bytes of an index, or the words of an error, follow. */
+/* Head of all messages; the bytes of an index, or an error message, follow. */
 struct head {
     int kind;
     int index;  /* GIVE, DONE */
@@ -65,9 +64,9 @@ static enum pp_status send_to(const struct pp_ranks *ranks, int to,
 
 struct leading {
     const struct pp_work_queue *queue;
-    struct pp_work_results *results; /* by one thread at a time: the pool's lock */
+    struct pp_work_results *results; /* access needs the pool's lock */
     struct pp_thread_pool *pool;
-    int threads;           /* of all ranks that have asked, and rank 0's own */
+    int threads;           /* of rank 0 and all ranks that have asked */
     enum pp_status status; /* of messages */
     struct pp_error err;
 };
@@ -80,7 +79,7 @@ static int chunk(const struct leading *leading, int threads)
     return size > 1 ? size * threads : threads;
 }
 
-/* A rank has nothing to do. */
+/* Answers a rank that requests work. */
 static enum pp_status answer(struct leading *leading, int rank, int threads,
                              struct pp_error *err)
 {
@@ -101,7 +100,7 @@ static enum pp_status answer(struct leading *leading, int rank, int threads,
     return send_to(leading->queue->ranks, rank, &head, NULL, 0, err);
 }
 
-/* An index that a rank has done: `bytes` are behind the head. */
+/* Stores the result of an index from a rank; `bytes` follow the head. */
 static enum pp_status enter(struct leading *leading, const struct head *head,
                             const char *bytes, size_t length, struct pp_error *err)
 {
@@ -136,7 +135,7 @@ static enum pp_status hear(struct leading *leading, int from, const char *messag
     return PP_OK;
 }
 
-/* Rank 0's loop: assigns work until all is done or messages fail. */
+/* Loop of rank 0: assigns work until all is done or messages fail. */
 static void lead(struct leading *leading)
 {
     const struct pp_ranks *ranks = leading->queue->ranks;
@@ -159,7 +158,8 @@ static void lead(struct leading *leading)
     }
 }
 
-/* Work of a thread of rank 0: the next unassigned index, until the queue is over. */
+/* Loop of a thread of rank 0: computes the next unassigned index until the queue is
+ * over. */
 static void work_for_rank_0(struct leading *leading, int worker)
 {
     const struct pp_work_queue *queue = leading->queue;
@@ -189,7 +189,8 @@ static void work_for_rank_0(struct leading *leading, int worker)
     }
 }
 
-/* Pool work: the calling thread assigns, the others work, until all is done. */
+/* Work of the pool: the calling thread assigns, the others compute, until all is
+ * done. */
 static bool lead_or_work(void *data, int worker, int index)
 {
     struct leading *leading = data;
@@ -201,7 +202,7 @@ static bool lead_or_work(void *data, int worker, int index)
     return true;
 }
 
-/* Sends OVER to all ranks; busy ranks read it when they are done. */
+/* Sends OVER to all ranks; busy ranks read it when they have finished. */
 void pp_work_ranks_dismiss(const struct pp_ranks *ranks)
 {
     const struct head over = {.kind = OVER};
@@ -262,7 +263,7 @@ static enum pp_status tell(const struct pp_ranks *ranks, int index,
     return status;
 }
 
-/* Works out a chunk, as many indices at a time as there are threads. */
+/* Computes a chunk, as many indices at a time as there are threads. */
 static enum pp_status do_chunk(struct following *following, struct pp_thread_pool *pool,
                                int first, int count, struct pp_error *err)
 {
@@ -281,8 +282,8 @@ static enum pp_status do_chunk(struct following *following, struct pp_thread_poo
     return status;
 }
 
-/* Requests work from rank 0, and waits for its answer; OVER if there is none for
- * long. */
+/* Requests work from rank 0 and waits for the answer; *said is OVER without an answer
+ * for given_up_s. */
 static enum pp_status ask(const struct pp_ranks *ranks, int threads, struct head *said,
                           struct pp_error *err)
 {

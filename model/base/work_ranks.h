@@ -4,17 +4,17 @@
 
 #include "model/base/work_queue.h"
 
-/* Rank 0: assigns work to ranks that ask, and to its own threads; ends as
- * pp_work_queue_run does. */
+/* Leads the queue on rank 0: assigns work to its threads and to ranks that ask. Returns
+ * like pp_work_queue_run. */
 enum pp_status pp_work_ranks_lead(const struct pp_work_queue *queue, int *next,
                                   struct pp_error *err);
 
-/* Runs another rank: requests work and does it, until rank 0 has no more or is silent;
- * then fails with PP_INTERRUPTED. */
+/* Runs another rank: requests and computes work until rank 0 has no more or does not
+ * answer; then fails with PP_INTERRUPTED. */
 enum pp_status pp_work_ranks_follow(const struct pp_work_queue *queue,
                                     struct pp_error *err);
 
-/* Rank 0: sends all ranks the message that no work is left. */
+/* Tells all ranks that no work is left; rank 0 only. */
 void pp_work_ranks_dismiss(const struct pp_ranks *ranks);
 
 #endif

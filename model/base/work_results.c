@@ -1,17 +1,17 @@
-/* work_results.c - a slot for every index; the results before `next` have been
- * collected. */
+/* work_results.c - one slot per index; results before `next` are collected. */
 #include "model/base/work_results.h"
 
 #include <stdlib.h>
 
-/* A rank counts as lost after a silence longer than both this and a multiple of the
- * longest time of any index. This affects time only: collected results stay. */
+/* A rank counts as lost after a silence longer than both silence_s and silence_times
+ * the longest time of any index. This affects only the computing time; collected
+ * results stay. */
 static const double silence_s = 0.5, silence_times = 3.0;
 
 struct slot {
-    char *bytes; /* NULL: not done, failed, or taken */
+    char *bytes; /* NULL: not done, failed, or collected */
     size_t length;
-    double since_s; /* assigned to `rank` */
+    double since_s; /* time of assignment to `rank` */
     int rank;
     bool done;
 };
@@ -19,15 +19,15 @@ struct slot {
 struct pp_work_results {
     const struct pp_work_queue *queue;
     struct slot *slots; /* from queue->first */
-    double *heard_s;    /* of each rank, when last */
-    double longest_s;   /* that an index took, as far as is known */
-    int next;           /* to be taken */
-    int unassigned;     /* from here on */
-    int end;            /* the queue's, or the first index that failed */
+    double *heard_s;    /* time of the last message, by rank */
+    double longest_s;   /* longest known time of an index */
+    int next;           /* next index to collect */
+    int unassigned;     /* indices from here on are unassigned */
+    int end;            /* end of the queue, or first failed index */
     bool stopped;
     enum pp_status status; /* of taking */
     struct pp_error err;
-    enum pp_status failure; /* of index `end` */
+    enum pp_status failure; /* error of index `end` */
     struct pp_error why;
 };
 
@@ -87,7 +87,7 @@ void pp_work_results_work(const struct pp_work_queue *queue, int worker, int ind
     }
 }
 
-/* Collects the results that have no missing ones before them. */
+/* Collects the consecutive results from `next` on. */
 static void collect_results(struct pp_work_results *results)
 {
     const struct pp_work_queue *queue = results->queue;

@@ -1,7 +1,7 @@
 /* xml.c - see xml.h.
  *
- * The parser reads the text piece by piece through on_read, which returns nothing more
- * once a mistake has been noted, so that parsing ends soon.
+ * The parser reads the text in pieces by on_read. After a mistake on_read returns
+ * nothing, so that parsing ends soon.
  */
 #include "model/base/xml.h"
 
@@ -21,13 +21,13 @@ void pp_xml_clear(struct pp_xml *xml)
     *xml = (struct pp_xml){0};
 }
 
-/* The state that the parser's callbacks share. */
+/* State shared by the parser's callbacks. */
 struct xml_builder {
     struct pp_xml *xml;
     const struct pp_xml_format *format;
     struct pp_mistakes *mistakes;
     struct pp_xml_text text;
-    size_t given; /* bytes of the text that the parser has */
+    size_t given; /* bytes given to the parser so far */
     xmlParserCtxtPtr parser;
 
     struct pp_xml_element *open[PP_XML_DEPTH_MOST];       /* from the root down */
@@ -35,12 +35,12 @@ struct xml_builder {
     int depth;
     int elements;
 
-    /* Text since the last tag, from its first letter that is not white. */
+    /* Text since the last tag, without leading white space. */
     char *letters;
     int letter_count, letter_room;
     int letter_line;
 
-    bool stopped; /* a mistake ended the parsing, or memory is out */
+    bool stopped; /* a mistake has ended the parsing, or out of memory */
     bool out_of_memory;
     bool namespace_noted;
 };
@@ -60,9 +60,9 @@ static int on_read(void *context, char *buffer, int size)
     return (int)count;
 }
 
-/* ---- places in the text ---- */
+/* ---- positions in the text ---- */
 
-/* The first byte that the parser has not read. */
+/* First byte not yet parsed. */
 static const char *here(const struct xml_builder *b)
 {
     long read = xmlByteConsumed(b->parser);
@@ -70,7 +70,7 @@ static const char *here(const struct xml_builder *b)
     return b->text.bytes + (offset < b->text.length ? offset : b->text.length);
 }
 
-/* Last byte before here that is one of these; the start of the text if there is
+/* Last byte before here() that is one of `bytes`; the start of the text if there is
  * none. */
 static const char *last(const struct xml_builder *b, const char *bytes)
 {
@@ -83,7 +83,7 @@ static const char *last(const struct xml_builder *b, const char *bytes)
     return p;
 }
 
-/* The line of a place up to here. */
+/* Line of a position before here(). */
 static int line_at(const struct xml_builder *b, const char *at)
 {
     int line = b->parser->input->line;
@@ -94,7 +94,7 @@ static int line_at(const struct xml_builder *b, const char *at)
 
 /* ---- the tree ---- */
 
-/* Ends the text before a tag: it belongs to the open element, or is a mistake. */
+/* Ends the text before a tag; it belongs to the open element, or is a mistake. */
 static void settle_text(struct xml_builder *b)
 {
     char shown[64];
@@ -119,7 +119,7 @@ static void settle_text(struct xml_builder *b)
     b->letter_count = 0;
 }
 
-/* Text between tags comes in pieces. */
+/* Receives text between tags, in pieces. */
 static void on_text(void *context, const xmlChar *piece, int length)
 {
     struct xml_builder *b = context;
@@ -165,7 +165,7 @@ static bool within_limits(struct xml_builder *b, int attribute_count, int line)
     return false;
 }
 
-/* The name of the next attribute behind p, in a well-formed tag; *next is behind its
+/* Name of the next attribute after p, in a well-formed tag; *next is after its
  * value. */
 static const char *next_attribute(const char *p, const char *end, const char **next)
 {
@@ -180,18 +180,18 @@ static const char *next_attribute(const char *p, const char *end, const char **n
     return p;
 }
 
-/* True for xmlns="..." or xmlns:p="...", which libxml2 does not count as attributes. */
+/* True for xmlns="..." or xmlns:p="...", which libxml2 does not treat as attributes. */
 static bool is_declaration(const char *p, const char *end)
 {
     return end - p > 5 && memcmp(p, "xmlns", 5) == 0
            && (p[5] == ':' || p[5] == '=' || pp_text_is_white(p[5]));
 }
 
-/* libxml2 gives an attribute as its name, prefix, namespace, and value from and to. */
+/* Fields of an attribute in libxml2; VALUE and VALUE_END are pointers. */
 enum { NAME, PREFIX, NAMESPACE, VALUE, VALUE_END, FIELDS };
 
-/* A copy of an attribute's value, in which libxml2 writes each & as &#38; (without
- * XML_PARSE_NOENT, which would expand entities). NULL: no memory. */
+/* Copies an attribute's value. libxml2 replaces each & by &#38; (unless XML_PARSE_NOENT
+ * is set, which would expand entities). NULL without memory. */
 static const char *take_value(struct pp_arena *memory, const char *from, size_t length)
 {
     static const char written[] = "&#38;";
@@ -207,7 +207,7 @@ static const char *take_value(struct pp_arena *memory, const char *from, size_t 
     return copy;
 }
 
-/* Copies the attributes of the tag that starts at p, each with the line of its name. */
+/* Copies the attributes of the tag at p, each with the line of its name. */
 static bool take_attributes(struct xml_builder *b, struct pp_xml_element *element,
                             const char *p, int count, const xmlChar **attributes)
 {
@@ -241,7 +241,7 @@ static bool take_attributes(struct xml_builder *b, struct pp_xml_element *elemen
     return true;
 }
 
-/* Makes the element the newest child of the innermost open one, and opens it. */
+/* Appends the element to the innermost open one, and opens it. */
 static void attach(struct xml_builder *b, struct pp_xml_element *element)
 {
     if (b->depth == 0)
@@ -320,7 +320,7 @@ static void on_doctype(void *context, const xmlChar *name, const xmlChar *extern
     pp_mistakes_add(b->mistakes, line_at(b, last(b, "<")),
                     "a DOCTYPE is not allowed in a %s; leave it out", b->format->file);
     b->stopped = true;
-    xmlStopParser(b->parser); /* before it reads the declarations */
+    xmlStopParser(b->parser); /* before it reads declarations */
 }
 
 /* Reports a text that ends too early, or inside a comment or similar. */
@@ -361,7 +361,7 @@ static void note_sentence(struct xml_builder *b, const xmlError *error)
     pp_mistakes_add(b->mistakes, line_at(b, at), "%s", sentence.text);
 }
 
-/* Notes the first error only, since later ones may be caused by it. */
+/* Reports only the first error, since later ones may follow from it. */
 static void on_error(void *context, const xmlError *error)
 {
     struct xml_builder *b = context;
@@ -418,7 +418,7 @@ static void build_xml_element(struct xml_builder *b)
         stop_without_memory(b);
         return;
     }
-    /* The text is UTF-8 whatever it declares. */
+    /* The text was converted to UTF-8, whatever it declares. */
     xmlCtxtUseOptions(b->parser, XML_PARSE_NONET | XML_PARSE_IGNORE_ENC);
     bool is_good = xmlParseDocument(b->parser) == 0;
     if (!is_good && !b->stopped)
@@ -439,8 +439,8 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
     *xml = (struct pp_xml){0};
     struct xml_builder b = {.xml = xml, .format = format, .mistakes = mistakes};
     xmlInitParser();
-    /* Errors without a parser, of an encoding or of memory, go to this thread's handler,
-     * which would print them. */
+    /* Errors of encodings or memory have no parser context and go to the handler of
+     * this thread, which would print them. */
     xmlStructuredErrorFunc before = xmlStructuredError;
     void *before_context = xmlStructuredErrorContext;
     xmlSetStructuredErrorFunc(NULL, (xmlStructuredErrorFunc)say_nothing);

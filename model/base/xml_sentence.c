@@ -53,8 +53,8 @@ static const struct {
     {XML_ERR_MISPLACED_CDATA_END, PP_XML_HERE, "there is ]]> between elements"},
 };
 
-/* libxml2 reports several mistakes as one error; the bytes here and before distinguish
- * them. */
+/* libxml2 reports several mistakes with one error code; the bytes around the position
+ * distinguish them. */
 struct pp_xml_sentence pp_xml_sentence_of_error(int error, const char *at,
                                                 const char *start)
 {

@@ -8,7 +8,7 @@
 
 #include "model/base/text.h"
 
-static const char mark[] = "\xEF\xBB\xBF"; /* UTF-8's byte order mark */
+static const char mark[] = "\xEF\xBB\xBF"; /* UTF-8 byte order mark */
 
 void pp_xml_text_clear(struct pp_xml_text *text)
 {
@@ -37,8 +37,8 @@ static const char *find_text(const char *p, const char *end, const char *what)
 
 /* ---- the encoding ---- */
 
-/* The encoding in the declaration <?xml ... encoding="NAME"?> at p; empty where there
- * is none. Returns its place. */
+/* Reads the encoding of the declaration <?xml ... encoding="NAME"?> at p; name is empty
+ * if there is none. Returns its position. */
 static const char *declared(char *name, size_t room, const char *p, const char *end)
 {
     name[0] = '\0';
@@ -50,14 +50,15 @@ static const char *declared(char *name, size_t room, const char *p, const char *
     while (at < close && (*at == '=' || pp_text_is_white(*at)))
         at++;
     if (*at != '"' && *at != '\'')
-        return at; /* the parser will refuse it */
+        return at; /* the parser will reject it */
     const char *quote = memchr(at + 1, *at, (size_t)(close - at - 1));
     if (quote)
         pp_text_append(name, room, "%.*s", (int)(quote - at - 1), at + 1);
     return at + 1;
 }
 
-/* UTF-16 by its byte order mark or its first two letters, <?; NULL: another encoding. */
+/* Name of UTF-16 if the text begins with its byte order mark or <? in UTF-16; NULL:
+ * another encoding. */
 static const char *utf16_name(const char *p, const char *end)
 {
     if (starts(p, end, "\xFF\xFE", 2) || starts(p, end, "<\0?", 4))
@@ -67,8 +68,8 @@ static const char *utf16_name(const char *p, const char *end)
     return NULL;
 }
 
-/* Replaces the text by its conversion to UTF-8; clears it, with a mistake noted, where it
- * has none. */
+/* Converts the text to UTF-8. If that is not possible the text is cleared, with a
+ * mistake. */
 static enum pp_status convert(struct pp_xml_text *text, const char *name,
                               struct pp_mistakes *mistakes, struct pp_error *err)
 {
@@ -82,7 +83,7 @@ static enum pp_status convert(struct pp_xml_text *text, const char *name,
         pp_xml_text_clear(text);
         return PP_OK;
     }
-    /* Every encoding needs at most three bytes of UTF-8 for one of its own bytes. */
+    /* Every encoding needs at most three bytes of UTF-8 for one of its bytes. */
     xmlBufferPtr in = xmlBufferCreateStatic((void *)text->bytes, text->length);
     xmlBufferPtr out = xmlBufferCreateSize(3 * text->length + 64);
     bool has_memory = in && out;
@@ -178,7 +179,7 @@ static bool letters_are_sound(const struct pp_xml_text *text,
     return true;
 }
 
-/* Position after the > of the tag that starts at p; NULL: the tag has no end. */
+/* Position after the > of the tag at p; NULL: the tag has no end. */
 static const char *tag_end(const char *p, const char *end)
 {
     char quote = '\0';
@@ -193,8 +194,8 @@ static const char *tag_end(const char *p, const char *end)
     return NULL;
 }
 
-/* Position after the comment, CDATA section, processing instruction or tag that starts
- * at p; NULL: it has no end. */
+/* Position after the comment, CDATA section, processing instruction or tag at p; NULL:
+ * it has no end. */
 static const char *markup_end(const char *p, const char *end, bool *is_tag)
 {
     static const char *const skipped[][2] = {
@@ -211,7 +212,7 @@ static const char *markup_end(const char *p, const char *end, bool *is_tag)
     return tag_end(p, end);
 }
 
-/* Sets text->unended, too. */
+/* Checks the length of all tags; also sets text->unended. */
 static bool tags_are_short(struct pp_xml_text *text, struct pp_mistakes *mistakes)
 {
     const char *p = text->bytes, *end = p + text->length;

@@ -23,7 +23,7 @@ void pp_area_moments_add_edge(struct pp_area_moments *moments, const double a[2]
     moments->high = fmax(moments->high, fmax(a[1], b[1]));
 }
 
-/* True if b is the tip of a spike, where the line runs there and back. */
+/* True if b is the tip of a spike, where the outline doubles back. */
 static bool is_spike(const double a[2], const double b[2], const double c[2])
 {
     double to[2] = {b[0] - a[0], b[1] - a[1]}, back[2] = {c[0] - b[0], c[1] - b[1]};
@@ -32,7 +32,7 @@ static bool is_spike(const double a[2], const double b[2], const double c[2])
     return dot <= 0.0 && fabs(cross) <= 1e-9 * fabs(dot);
 }
 
-/* Removes spikes from a ring, which overlays leave: they have no area, but enlarge the
+/* Removes spikes from a ring. Overlays leave them; they have no area, but enlarge the
  * bounding box. */
 static void take_spikes_off(struct pp_ring *ring)
 {
@@ -46,7 +46,7 @@ static void take_spikes_off(struct pp_ring *ring)
         memmove(ring->xy + at, ring->xy + at + 1,
                 (size_t)(count - at - 1) * sizeof *ring->xy);
         ring->count--;
-        i = at - 2 + ring->count; /* its neighbours may have become one */
+        i = at - 2 + ring->count; /* the neighbours may be spikes now */
         passed = 0;
     }
 }
@@ -73,8 +73,8 @@ struct pp_area_moments pp_area_moments_above_horizon(struct pp_region *region)
     return moments;
 }
 
-/* Cuts a polygon of the drawing by one side: keeps sign * p[axis] <= sign * limit.
- * Returns the number of points, at most half as many again. */
+/* Clips a polygon by one side: keeps sign * p[axis] <= sign * limit. Returns the number
+ * of points, at most 1.5 times as many. */
 static int cut_by_side(double (*to)[2], double (*from)[2], int count, int axis,
                        double sign, double limit)
 {

@@ -1,7 +1,7 @@
-/* bounds.h - the smallest upright box or rectangle round points: bounding boxes.
+/* bounds.h - bounding boxes, in two and three dimensions.
  *
- * An empty one has its low above its high (plus and minus infinity) and grows by the
- * points that it is given. Metres, or whatever the points are in.
+ * An empty box has low = infinity and high = -infinity; adding points extends it.
+ * Coordinates have the unit of the points.
  */
 #ifndef PP_MODEL_GEOMETRY_BOUNDS_H
 #define PP_MODEL_GEOMETRY_BOUNDS_H

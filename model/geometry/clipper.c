@@ -11,7 +11,7 @@
 struct pp_clipper {
     GEOSContextHandle_t geos;
     double grid;    /* 0: none */
-    char said[256]; /* GEOS's message for the last failure */
+    char said[256]; /* message of GEOS for the last failure */
 };
 
 static void keep_message(const char *message, void *clipper)
@@ -58,7 +58,7 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
 /* ---- regions of rings ---- */
 
 /* True if the ring turns the same way at every corner, by more than rounding, and once
- * in all. */
+ * in total. */
 static bool ring_is_convex(const double (*xy)[2], int count)
 {
     int left = 0, right = 0, over = 0;
@@ -93,7 +93,7 @@ enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clippe
     return PP_OK;
 }
 
-/* The figure of a ring that is simple. */
+/* Figure of a simple ring. */
 static enum pp_status simple_ring(struct pp_region *region, const double (*xy)[2],
                                   int count, struct pp_error *err)
 {
@@ -128,7 +128,7 @@ enum pp_status pp_clipper_of_ring(struct pp_clipper *clipper, struct pp_region *
     return simple_ring(region, xy, count, err);
 }
 
-/* The faces that the closed line divides the plane into; NULL on failure. */
+/* Faces into which the closed line divides the plane; NULL on failure. */
 static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
                               int count)
 {
@@ -143,7 +143,7 @@ static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
     return faces;
 }
 
-/* True if the face's interior is inside the line, by the number of crossings. */
+/* True if the interior of the face is inside the line, by the number of crossings. */
 static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
                              const struct pp_region *line)
 {
@@ -278,13 +278,14 @@ enum pp_status pp_clipper_take_away(struct pp_clipper *clipper,
     return status;
 }
 
-/* The figure widened by a distance, or narrowed by one below 0; corners stay sharp. NULL
- * on failure. */
+/* Offsets the outline of a figure outwards by a distance, or inwards if negative;
+ * corners stay sharp. NULL on failure. */
 static GEOSGeometry *widen_figure(GEOSContextHandle_t geos, const GEOSGeometry *figure,
                                   double distance)
 {
-    enum { ARC_POINTS = 8 };             /* of a quarter circle: there is none */
-    static const double LONGEST = 100.0; /* of a corner, over the distance */
+    enum { ARC_POINTS = 8 };             /* per quarter circle; unused with mitres */
+    static const double LONGEST = 100.0; /* mitre limit: corner length over the
+                                          * distance */
     return GEOSBufferWithStyle_r(geos, figure, distance, ARC_POINTS, GEOSBUF_CAP_FLAT,
                                  GEOSBUF_JOIN_MITRE, LONGEST);
 }
@@ -325,8 +326,8 @@ enum pp_status pp_clipper_close_gaps(struct pp_clipper *clipper,
     return pp_geos_region_from(result, geos, closed, clipper->grid, err);
 }
 
-/* Delaunay: chooses the diagonal 0-2 unless the circle through corners 0, 1 and 2
- * contains corner 3 by more than rounding. Corners run counter-clockwise. */
+/* Delaunay criterion: true for the diagonal 0-2, unless corner 3 is inside the circle
+ * through corners 0, 1 and 2 by more than rounding. Corners are counter-clockwise. */
 static bool takes_first_diagonal(const double *const p[4])
 {
     double x[3], y[3], square[3], scale = 0.0;

@@ -1,5 +1,5 @@
-/* convex_parts.c - tests whether a polygon is convex, and divides any other into
- * triangles. */
+/* convex_parts.c - tests whether a polygon is convex, and triangulates other
+ * polygons. */
 #include "model/geometry/convex_parts.h"
 
 #include <stdlib.h>
@@ -21,7 +21,8 @@ bool pp_convex_parts_is_convex(const struct pp_polygon *outline)
 }
 
 /* Coordinates of a vertex in its polygon's plane: the two axes along which the polygon
- * is largest, unchanged, so that the corners of triangles are found again exactly. */
+ * is largest. Values stay unchanged, so that corners of triangles are matched
+ * exactly. */
 static void drop_largest_axis(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
 {
     struct pp_vec3 n = pp_vec(fabs(normal.x), fabs(normal.y), fabs(normal.z));

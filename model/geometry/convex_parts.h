@@ -1,4 +1,4 @@
-/* convex_parts.h - a plane polygon as convex parts. */
+/* convex_parts.h - divides a plane polygon into convex parts. */
 #ifndef PP_MODEL_GEOMETRY_CONVEX_PARTS_H
 #define PP_MODEL_GEOMETRY_CONVEX_PARTS_H
 
@@ -9,8 +9,8 @@
 
 bool pp_convex_parts_is_convex(const struct pp_polygon *outline);
 
-/* Triangles that cover a polygon that is not convex: *triangles is *count times three
- * indices of its vertices, to be freed; NULL and 0 for a convex one. */
+/* Triangulates a polygon that is not convex: *triangles is *count times three vertex
+ * indices, freed by the caller; NULL and 0 for a convex polygon. */
 enum pp_status pp_convex_parts_triangles(int (**triangles)[3], int *count,
                                          const struct pp_polygon *outline,
                                          struct pp_error *err);

@@ -1,4 +1,4 @@
-/* curve.h - lines in a plane on which a function has one value: contours. */
+/* curve.h - contours: lines in a plane on which a function has one value. */
 #ifndef PP_MODEL_GEOMETRY_CURVE_H
 #define PP_MODEL_GEOMETRY_CURVE_H
 
@@ -6,11 +6,11 @@
 
 #include "model/base/error.h"
 
-/* A polyline. It runs so that higher values lie on its left. */
+/* A polyline with higher values on its left. */
 struct pp_curve {
-    double level; /* of the function, in its own unit */
+    double level; /* value of the function, in its unit */
     bool closed;  /* the last point is joined to the first, which is not repeated */
-    int count;    /* 2 or more, 3 where closed */
+    int count;    /* 2 or more; closed: 3 or more */
     double (*xy)[2];
 };
 
@@ -21,7 +21,7 @@ struct pp_curve_list {
 
 void pp_curve_list_clear(struct pp_curve_list *curves); /* leaves none */
 
-/* Adds a point to a curve that has room for it, unless it is the one before. */
+/* Appends a point, unless it equals the last one; the curve must have space. */
 void pp_curve_add_point(struct pp_curve *curve, const double xy[2]);
 
 /* Adds a curve and takes ownership of its points, which are freed on failure. */
@@ -31,7 +31,7 @@ enum pp_status pp_curve_list_add(struct pp_curve_list *curves, struct pp_curve c
 /* Length of the line, in the unit of its points. */
 double pp_curve_length(const struct pp_curve *curve);
 
-/* Area within closed curves, counter-clockwise ones less clockwise ones. */
+/* Area of closed curves: counter-clockwise minus clockwise. */
 double pp_curve_list_area(const struct pp_curve_list *curves);
 
 #endif

@@ -1,7 +1,7 @@
-/* frame.h - three axes at right angles, and points and directions seen in them.
+/* frame.h - right-handed orthogonal axes, and directions in them.
  *
- * Right-handed: x cross y is z. Their orientation is defined by the owner: a face's
- * frame has z along its normal, a sampling frame has z along the axis of its lobe.
+ * x cross y is z. The owner defines their orientation: a face's frame has z along its
+ * normal, a sampling frame has z along the axis of its lobe.
  */
 #ifndef PP_MODEL_GEOMETRY_FRAME_H
 #define PP_MODEL_GEOMETRY_FRAME_H
@@ -12,7 +12,7 @@ struct pp_frame {
     struct pp_vec3 x, y, z; /* unit */
 };
 
-/* A direction of the frame as one of the world. */
+/* Converts a direction from the frame to the world. */
 static inline struct pp_vec3 pp_frame_out(const struct pp_frame *frame,
                                           struct pp_vec3 own)
 {
@@ -21,7 +21,7 @@ static inline struct pp_vec3 pp_frame_out(const struct pp_frame *frame,
                   frame->x.z * own.x + frame->y.z * own.y + frame->z.z * own.z);
 }
 
-/* A direction of the world as one of the frame. */
+/* Converts a direction from the world to the frame. */
 static inline struct pp_vec3 pp_frame_in(const struct pp_frame *frame,
                                          struct pp_vec3 direction)
 {

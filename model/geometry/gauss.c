@@ -5,7 +5,7 @@
 
 #include "model/geometry/vec.h"
 
-/* Legendre's polynomial of that order and its derivative, |x| < 1. */
+/* Legendre polynomial of that order and its derivative, |x| < 1. */
 static double legendre(int order, double x, double *derivative)
 {
     double before = 1.0, p = x;

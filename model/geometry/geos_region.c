@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* ---- rings and regions to GEOS ---- */
+/* ---- from rings and regions to GEOS ---- */
 
 GEOSGeometry *pp_geos_region_ring(GEOSContextHandle_t geos, const double (*xy)[2],
                                   int count)
@@ -18,7 +18,7 @@ GEOSGeometry *pp_geos_region_ring(GEOSContextHandle_t geos, const double (*xy)[2
     return GEOSGeom_createLinearRing_r(geos, line);
 }
 
-/* The rings of `region` are `from` (an outer one) and the holes up to `to`. */
+/* Makes a polygon of the rings from `from` (an outer one) to `to` (its last hole). */
 static GEOSGeometry *geos_polygon(GEOSContextHandle_t geos,
                                   const struct pp_region *region, int from, int to)
 {
@@ -89,7 +89,7 @@ GEOSGeometry *pp_geos_region_polygons(GEOSContextHandle_t geos,
     return all;
 }
 
-/* ---- GEOS to regions ---- */
+/* ---- from GEOS to regions ---- */
 
 static int ring_count(GEOSContextHandle_t geos, const GEOSGeometry *shape)
 {
@@ -118,8 +118,8 @@ static double perimeter(const double (*xy)[2], int count)
     return sum;
 }
 
-/* Appends one ring, oriented by `outer`; a ring less than two steps of the grid wide is
- * rounding and left out. */
+/* Appends a ring, oriented by `outer`. A ring narrower than two grid steps is rounding
+ * and left out. */
 static bool append_ring(struct pp_region *region, GEOSContextHandle_t geos,
                         const GEOSGeometry *line, bool outer, double grid)
 {

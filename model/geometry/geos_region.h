@@ -1,9 +1,8 @@
-/* geos_region.h - rings and regions to GEOS and back.
+/* geos_region.h - converts rings and regions to GEOS and back.
  *
- * A region goes to GEOS as a multipolygon and comes back from it ring by ring, each
- * outer ring followed by its own holes. Parts of lower dimension (points and lines
- * where two figures only touch) are dropped. The only file that includes GEOS's header.
- * Inside model/geometry/ only.
+ * A region becomes a multipolygon in GEOS. In the result each outer ring is followed by
+ * its holes. Parts of lower dimension (points and lines where two figures only touch)
+ * are dropped. Only this file includes the header of GEOS. Inside model/geometry/ only.
  */
 #ifndef PP_MODEL_GEOMETRY_GEOS_REGION_H
 #define PP_MODEL_GEOMETRY_GEOS_REGION_H
@@ -13,16 +12,16 @@
 #include "model/base/error.h"
 #include "model/geometry/region.h"
 
-/* A closed ring; NULL on failure. count is at least 3. */
+/* Converts a closed ring of 3 or more points; NULL on failure. */
 GEOSGeometry *pp_geos_region_ring(GEOSContextHandle_t geos, const double (*xy)[2],
                                   int count);
 
-/* All of `count` regions as one collection of polygons; NULL on failure. */
+/* Converts `count` regions to one collection of polygons; NULL on failure. */
 GEOSGeometry *pp_geos_region_polygons(GEOSContextHandle_t geos,
                                       const struct pp_region *regions, int count);
 
-/* Turns shape into *region and destroys it. Rings less than two steps of the grid (0: none)
- * wide are rounding and left out. */
+/* Converts shape to *region and destroys it. Rings narrower than two grid steps (0: no
+ * grid) are rounding and left out. */
 enum pp_status pp_geos_region_from(struct pp_region *region, GEOSContextHandle_t geos,
                                    GEOSGeometry *shape, double grid,
                                    struct pp_error *err);

@@ -1,9 +1,9 @@
-/* lens.h - projections of fisheye lenses: the distance from the picture's middle by the
- * angle from the lens's axis, relative to that at 90 degrees.
+/* lens.h - projections of fisheye lenses: distance from the picture's centre by the
+ * angle theta from the lens axis, relative to the distance at 90 degrees.
  *
  *     equidistant     theta / (pi/2)
- *     equisolid       sin(theta/2) / sin(pi/4)     equal solid angles, equal areas
- *     stereographic   tan(theta/2)                 small figures keep their form
+ *     equisolid       sin(theta/2) / sin(pi/4)     equal areas for equal solid angles
+ *     stereographic   tan(theta/2)                 conformal: small shapes are preserved
  *     orthographic    sin(theta)                   the horizontal configuration factor
  */
 #ifndef PP_MODEL_GEOMETRY_LENS_H
@@ -21,7 +21,7 @@ enum pp_lens {
     PP_LENS_COUNT
 };
 
-/* theta 0 to pi/2; returns 0 to 1. */
+/* Relative distance, 0 to 1, for theta from 0 to pi/2. */
 static inline double pp_lens_radius(enum pp_lens lens, double theta_rad)
 {
     switch (lens) {

@@ -1,5 +1,5 @@
-/* min_max.h - maximum, minimum and clamp of numbers, inline: unlike fmax and fmin, they do
- * not skip an argument that is NaN. */
+/* min_max.h - maximum, minimum and clamp of numbers, inline. Unlike fmax and fmin they
+ * do not skip a NaN argument. */
 #ifndef PP_MODEL_GEOMETRY_MIN_MAX_H
 #define PP_MODEL_GEOMETRY_MIN_MAX_H
 
@@ -13,7 +13,7 @@ static inline double pp_min(double a, double b)
     return a < b ? a : b;
 }
 
-/* x, limited to the range from `low` to `high`. */
+/* Limits x to the range from low to high. */
 static inline double pp_clamp(double x, double low, double high)
 {
     return x < low ? low : x > high ? high : x;

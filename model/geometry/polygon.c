@@ -34,7 +34,7 @@ void pp_polygon_measure(struct pp_polygon *polygon)
     double m2 = pp_vec_length(area);
     polygon->area_m2 = m2;
     polygon->normal = pp_vec(0.0, 0.0, 0.0);
-    /* Divided, so that a normal along an axis is 1 to the bit. */
+    /* Divides instead of scaling, so that a normal along an axis is exactly 1. */
     if (m2 > 0.0)
         polygon->normal = pp_vec(area.x / m2, area.y / m2, area.z / m2);
 }
@@ -84,7 +84,7 @@ double pp_polygon_unevenness(const struct pp_polygon *polygon)
 void pp_polygon_plane_axes(struct pp_vec3 normal, struct pp_vec3 *along,
                            struct pp_vec3 *up)
 {
-    /* z x normal points to the right of an eye that looks against the normal. */
+    /* z x normal points right for a viewer whom the normal points at. */
     struct pp_vec3 right = pp_vec(-normal.y, normal.x, 0.0);
     if (pp_vec_length(right) < PP_LEVEL_RAD)
         right = pp_vec(fabs(normal.z), 0.0, normal.z < 0.0 ? normal.x : -normal.x);
@@ -125,8 +125,8 @@ double pp_polygon_ring_edge_distance(const double (*xy)[2], int count, double x,
     return least;
 }
 
-/* Parity of the edges that a line to the right crosses; half-open, so that a vertex at
- * the point's own height counts for one of its edges. */
+/* True if a ray in +x crosses an odd number of edges. Edges are half-open, so that a
+ * vertex at the height of the point counts once. */
 static bool ring_encloses(const double (*xy)[2], int count, double x, double y)
 {
     bool inside = false;
@@ -169,7 +169,8 @@ static double space_edge_distance(const struct pp_polygon *polygon,
     return least;
 }
 
-/* Tests like ring_encloses, projected along the axis nearest to the normal. */
+/* True if the projection of the point, along the axis nearest to the normal, is
+ * inside. */
 static bool polygon_encloses(const struct pp_polygon *polygon, struct pp_vec3 point)
 {
     struct pp_vec3 n = polygon->normal;

@@ -1,8 +1,8 @@
 /* polygons_cross.c - see polygons_cross.h.
  *
- * Each polygon is cut by the other's plane, moved a little to one side and then to the
- * other. Along the line of both planes, the polygons go through each other on the
- * stretches that the four cuts have in common.
+ * Each polygon is cut by the other's plane, offset slightly to one side and then to the
+ * other. The polygons cross along the intervals, on the intersection line of the two
+ * planes, that all four cuts have in common.
  */
 #include "model/geometry/polygons_cross.h"
 
@@ -12,14 +12,15 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/tolerance.h"
 
-/* Stretches along a line, in order and apart: [from, to] pairs. */
+/* Disjoint intervals along a line, in order: [from, to] pairs. */
 struct stretches {
     double (*list)[2];
     int count;
 };
 
-/* Intersection of the polygon with the plane `level` above the one through `origin`
- * with this normal, as stretches along `line`. list has space for half the vertices. */
+/* Intersection of the polygon with a plane parallel to the one through `origin` with
+ * this normal, at height `level`, as intervals along `line`. list has space for half as
+ * many intervals as vertices. */
 static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon,
                         struct pp_vec3 origin, struct pp_vec3 normal, double level,
                         struct pp_vec3 line)
@@ -44,7 +45,7 @@ static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon
     cuts->count = count / 2;
 }
 
-/* The stretches that a and b have in common, to `both`, which has room for all of
+/* Intersection of two lists of intervals; `both` has space for all intervals of
  * either. */
 static void intersect(struct stretches *both, const struct stretches *a,
                       const struct stretches *b)
@@ -96,7 +97,7 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
         return pp_fail_memory(err);
     struct stretches common = {buffers, 0}, next = {buffers + space, 0},
                      both = {buffers + 2 * space, 0};
-    /* Both use one origin, so that stretches along the line can be compared. */
+    /* Both cuts use one origin, so that their intervals are comparable. */
     struct pp_vec3 origin = pp_polygon_middle(a);
     double b_level = pp_vec_dot(b->normal, pp_vec_sub(pp_polygon_middle(b), origin));
     for (int k = 0; k < 4; k++) {
@@ -120,8 +121,8 @@ enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
         *cross = to - from > PP_SAME_M;
         if (!*cross || !where)
             continue;
-        /* Point on both planes at the middle of the stretch: from the line's point
-         * nearest to the origin, along the line. */
+        /* Point on both planes at the middle of the interval: the line's point nearest
+         * to the origin, moved along the line. */
         double c = pp_vec_dot(a->normal, b->normal);
         struct pp_vec3 foot = pp_vec_sub(b->normal, pp_vec_scale(a->normal, c));
         *where = pp_vec_along(pp_vec_along(origin, b_level / (1.0 - c * c), foot),

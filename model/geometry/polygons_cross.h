@@ -1,4 +1,4 @@
-/* polygons_cross.h - do two plane polygons go through each other? */
+/* polygons_cross.h - tests whether two plane polygons cross each other. */
 #ifndef PP_MODEL_GEOMETRY_POLYGONS_CROSS_H
 #define PP_MODEL_GEOMETRY_POLYGONS_CROSS_H
 
@@ -7,10 +7,10 @@
 #include "model/base/error.h"
 #include "model/geometry/polygon.h"
 
-/* Two polygons cross where, along a stretch of the line in which their planes meet and
- * for more than a millimetre, both go on to either side. Polygons that only touch,
- * share an edge, stand on one another or lie in one plane don't. `where` (may be NULL)
- * is the middle of the first such stretch. */
+/* Two polygons cross if, along more than 1 mm of the intersection line of their planes,
+ * both extend to either side of it. Polygons that only touch, share an edge, stand on
+ * one another or lie in one plane do not cross. `where` (may be NULL): middle of the
+ * first such interval. */
 enum pp_status pp_polygons_cross(bool *cross, const struct pp_polygon *a,
                                  const struct pp_polygon *b, struct pp_vec3 *where,
                                  struct pp_error *err);

@@ -1,11 +1,11 @@
-/* polynomial.h - the polynomial through given values, for tables in pieces. */
+/* polynomial.h - the polynomial through given values, for piecewise tables. */
 #ifndef PP_MODEL_GEOMETRY_POLYNOMIAL_H
 #define PP_MODEL_GEOMETRY_POLYNOMIAL_H
 
 enum { PP_POLYNOMIAL_MOST = 8 };
 
-/* powers[k], the coefficient of t^k, of the polynomial of least degree with values[i]
- * at at[i]: `count` different places, 1 to PP_POLYNOMIAL_MOST. By Newton's divided
+/* Coefficients of the polynomial of least degree with values[i] at at[i]: powers[k] is
+ * that of t^k. `count` different positions, 1 to PP_POLYNOMIAL_MOST. Newton's divided
  * differences. */
 static inline void pp_polynomial_through(double *powers, const double *at,
                                          const double *values, int count)

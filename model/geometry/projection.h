@@ -1,9 +1,9 @@
 /* projection.h - a plane as seen from a point: the frame in which directions are drawn.
  *
- * The view from the eye is projected centrally on to a plane at distance_m, where
- * straight edges stay straight. A direction is the point (x, y) there, metres along
- * `along` and `up` from the foot of the eye's perpendicular. Points of space are (X, Y,
- * Z) in the same axes with the eye at the origin, Z the depth along `toward`.
+ * The view is a central projection from the eye on a plane at distance_m, in which
+ * straight edges stay straight. A direction is a point (x, y) of the plane: metres
+ * along `along` and `up` from the foot of the perpendicular through the eye. Points of
+ * space are (X, Y, Z) in the same axes with the eye at the origin, Z along `toward`.
  */
 #ifndef PP_MODEL_GEOMETRY_PROJECTION_H
 #define PP_MODEL_GEOMETRY_PROJECTION_H
@@ -16,7 +16,7 @@ struct pp_projection {
     double distance_m;                /* greater than 0 */
 };
 
-/* A point of space in the view's own axes. */
+/* Converts a point of space to the axes of the view. */
 static inline struct pp_vec3 pp_projection_point(const struct pp_projection *view,
                                                  struct pp_vec3 point)
 {
@@ -25,7 +25,7 @@ static inline struct pp_vec3 pp_projection_point(const struct pp_projection *vie
                   pp_vec_dot(v, view->toward));
 }
 
-/* A direction or half-space in the view's own axes. */
+/* Converts a direction or half-space to the axes of the view. */
 static inline struct pp_vec3 pp_projection_direction(const struct pp_projection *view,
                                                      struct pp_vec3 v)
 {
@@ -33,7 +33,7 @@ static inline struct pp_vec3 pp_projection_direction(const struct pp_projection 
                   pp_vec_dot(v, view->toward));
 }
 
-/* Converts a vector from the eye from the view's axes to the room's. */
+/* Converts a vector from the axes of the view to those of the room. */
 static inline struct pp_vec3 pp_projection_to_room(const struct pp_projection *view,
                                                    struct pp_vec3 own)
 {

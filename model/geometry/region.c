@@ -1,4 +1,5 @@
-/* region.c - sums over the rings of a figure: its area, points inside, its edge. */
+/* region.c - area, contained points and edge distance, by sums over the rings of a
+ * figure. */
 #include "model/geometry/region.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 double pp_region_ring_area(const double (*xy)[2], int count)
 {
     /* Coordinates are relative to the first point, so that a small ring far from the
-     * origin keeps its digits. */
+     * origin keeps its accuracy. */
     double twice = 0.0;
     for (int i = 1; i + 1 < count; i++)
         twice += (xy[i][0] - xy[0][0]) * (xy[i + 1][1] - xy[0][1])
@@ -67,7 +68,7 @@ struct pp_bounds2 pp_region_bounds(const struct pp_region *region)
 
 bool pp_region_contains(const struct pp_region *region, double x, double y)
 {
-    /* Even-odd rule: counts the edges crossed by the ray towards +x. */
+    /* Even-odd rule: counts edges crossed by the ray towards +x. */
     bool inside = false;
     for (int r = 0; r < region->count; r++) {
         const struct pp_ring *ring = &region->rings[r];

@@ -1,8 +1,9 @@
-/* region.h - plane figures with holes, and quantities by sums over their rings: area,
- * extent, points inside.
+/* region.h - plane figures with holes: area, extent, and contained points, by sums over
+ * their rings.
  *
- * Coordinates are plain pairs in any plane of the caller's choice (the working plane,
- * an opening's own plane). Figures are made and cut by model/geometry/clipper.h. */
+ * Coordinates are pairs in any plane chosen by the caller (working plane, plane of an
+ * opening). model/geometry/clipper.h makes and clips figures.
+ */
 #ifndef PP_MODEL_GEOMETRY_REGION_H
 #define PP_MODEL_GEOMETRY_REGION_H
 
@@ -11,15 +12,15 @@
 #include "model/base/error.h"
 #include "model/geometry/bounds.h"
 
-/* A closed line without its first point repeated. */
+/* A closed line; the first point is not repeated. */
 struct pp_ring {
     int count;
     double (*xy)[2];
 };
 
-/* Outer rings run counter-clockwise, holes clockwise, so that a signed sum over all
- * rings is the figure's; an outer ring is followed by its own holes. No rings: the
- * empty figure. */
+/* Outer rings are counter-clockwise, holes clockwise, so that a signed sum over all
+ * rings is the value of the figure. Each outer ring is followed by its holes. No rings:
+ * the empty figure. */
 struct pp_region {
     int count;
     struct pp_ring *rings;
@@ -29,14 +30,14 @@ enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *re
                               struct pp_error *err);
 void pp_region_clear(struct pp_region *region); /* leaves the empty figure */
 
-/* Twice the area of the triangle a, b, c: above 0 where it turns to the left. */
+/* Twice the area of the triangle a, b, c; positive for a left turn. */
 static inline double pp_region_turn(const double a[2], const double b[2],
                                     const double c[2])
 {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/* Area of a ring, negative where it runs clockwise. */
+/* Area of a ring; negative if clockwise. */
 double pp_region_ring_area(const double (*xy)[2], int count);
 
 double pp_region_area(const struct pp_region *region);

@@ -33,7 +33,7 @@ static enum pp_status add_region_piece(struct pp_region_pieces *pieces,
     return PP_OK;
 }
 
-/* An outer ring and the holes in it. */
+/* Adds an outer ring with its holes as triangles. */
 static enum pp_status add_region_triangles(struct pp_region_pieces *pieces,
                                            const struct piece_plane *plane,
                                            const struct pp_region *part,

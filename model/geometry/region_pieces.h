@@ -5,7 +5,7 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/vec.h"
 
-/* Outlines that cover the figure and nothing else. */
+/* Outlines that cover exactly the figure. */
 struct pp_region_pieces {
     struct pp_region_piece {
         int count;
@@ -14,9 +14,9 @@ struct pp_region_pieces {
     int count;
 };
 
-/* Cuts the figure with its axes (unit, square to each other) along and up from the
- * origin: a ring without holes is one piece, all else triangles; pieces smaller than
- * least_m2 are left out. To be cleared in any case. */
+/* Divides the figure, given by orthogonal unit axes along and up from the origin. A
+ * ring without holes is one piece; others become triangles. Pieces smaller than
+ * least_m2 are left out. The caller clears *pieces in any case. */
 enum pp_status pp_region_pieces_cut(struct pp_region_pieces *pieces,
                                     const struct pp_region *figure,
                                     struct pp_vec3 origin, struct pp_vec3 along,

@@ -1,28 +1,28 @@
-/* tolerance.h - tolerances of lengths and angles, in one place.
+/* tolerance.h - tolerances of lengths and angles.
  *
- * A room file is typed by people, to the millimetre at best; two points nearer than
- * that count as one. Sums of typed lengths (left + width) are off by rounding only, and
- * far less.
+ * Room files are typed with a precision of at best 1 mm; two points nearer than that
+ * are the same. Sums of typed lengths (left + width) differ only by rounding, which is
+ * much smaller.
  */
 #ifndef PP_MODEL_GEOMETRY_TOLERANCE_H
 #define PP_MODEL_GEOMETRY_TOLERANCE_H
 
-/* Points nearer than this are one; a polygon is plane, an opening lies in a face, to
- * within it; nothing may be smaller. Metres. */
+/* Points nearer than this (m) are the same. Also the tolerance for plane polygons and
+ * for openings in a face, and the smallest size of any object. */
 #define PP_SAME_M 1e-3
 
-/* Rounding error of a sum of typed lengths: a window that sticks out of its wall or into
- * its neighbour by less is moved back. Metres. */
+/* Rounding error (m) of a sum of typed lengths. A window that exceeds its wall or
+ * overlaps its neighbour by less is moved back. */
 #define PP_ROUNDING_M 1e-6
 
-/* A receiver nearer to a surface than this lies on it. Metres. */
+/* A receiver nearer to a surface than this (m) lies on it. */
 #define PP_TOUCH_M 1e-4
 
-/* Surfaces flush with the envelope are moved off it by this, so that rays meet them in
- * a definite order. Metres. */
+/* Offset (m) of surfaces that lie in a face of the envelope, so that rays hit them in a
+ * definite order. */
 #define PP_SET_OFF_M 1e-4
 
-/* A face is level, a direction horizontal, when its slope is below this (radians). */
+/* A face or direction with a slope below this (rad) is horizontal. */
 #define PP_LEVEL_RAD 1e-6
 
 #endif

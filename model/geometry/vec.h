@@ -1,6 +1,6 @@
 /* vec.h - points and directions in space, by value.
  *
- * Right-handed metres: x along the plan's width, y along its depth, z up.
+ * Axes are right-handed: x along the plan's width, y along its depth, z up; metres.
  */
 #ifndef PP_MODEL_GEOMETRY_VEC_H
 #define PP_MODEL_GEOMETRY_VEC_H
@@ -9,7 +9,7 @@
 #include <stdbool.h>
 
 #define PP_PI 3.14159265358979323846
-#define PP_RAD (PP_PI / 180.0) /* one degree, in radians */
+#define PP_RAD (PP_PI / 180.0) /* one degree in radians */
 
 struct pp_vec3 {
     double x, y, z;
@@ -35,7 +35,7 @@ static inline struct pp_vec3 pp_vec_scale(struct pp_vec3 a, double s)
     return pp_vec(a.x * s, a.y * s, a.z * s);
 }
 
-/* a + s b: the point at s along b from a. */
+/* a + s b: the point at distance s along b from a. */
 static inline struct pp_vec3 pp_vec_along(struct pp_vec3 a, double s, struct pp_vec3 b)
 {
     return pp_vec(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);
@@ -61,19 +61,19 @@ static inline bool pp_vec_same(struct pp_vec3 a, struct pp_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* A direction mirrored in a plane with normal n (unit). */
+/* Direction a mirrored at a plane with unit normal n. */
 static inline struct pp_vec3 pp_vec_mirrored(struct pp_vec3 a, struct pp_vec3 n)
 {
     return pp_vec_along(a, -2.0 * pp_vec_dot(n, a), n);
 }
 
-/* a's direction; a must not be zero. */
+/* Unit vector in the direction of a, which must not be zero. */
 static inline struct pp_vec3 pp_vec_unit(struct pp_vec3 a)
 {
     return pp_vec_scale(a, 1.0 / pp_vec_length(a));
 }
 
-/* Unit vector at that altitude and bearing: clockwise from y, which points north. */
+/* Unit vector with that altitude, and bearing clockwise from +y (north). */
 static inline struct pp_vec3 pp_vec_at_bearing(double bearing_rad, double altitude_rad)
 {
     double c = cos(altitude_rad);

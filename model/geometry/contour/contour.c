@@ -1,5 +1,5 @@
-/* contour.c - see contour.h: the crossings of a level (level_crossing.h) joined to
- * curves, and these with the figure's edge to outlines. */
+/* contour.c - joins the crossings of a level (level_crossing.h) to curves, and these
+ * with the figure's edge to outlines. */
 #include "model/geometry/contour/contour.h"
 
 #include <float.h>
@@ -26,8 +26,8 @@ static bool is_near(const struct pp_field *field, int triangle)
     return low - more <= field->level && field->level <= high + more;
 }
 
-/* Halves triangles near the level down to three quarters of the coarse size, which was
- * chosen by trial. */
+/* Halves triangles near the level down to three quarters of the coarse size (chosen by
+ * trial). */
 static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
 {
     bool changed = true;
@@ -48,7 +48,7 @@ static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
-/* Reserves an end on each edge of the mesh; known ends of the level are kept, without
+/* Reserves an end for each edge of the mesh; known ends of the level are kept, without
  * their crossings. */
 static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
 {
@@ -64,8 +64,8 @@ static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
-/* Passes once over all triangles, then halves those longer than least_m that the curve
- * leaves midway. *again is true if there were any. */
+/* Finds the crossings of all triangles, then halves triangles longer than least_m that
+ * the curve leaves midway. *again: there were such triangles. */
 static enum pp_status cross_triangles(struct pp_field *field, double least_m,
                                       bool *again, struct pp_error *err)
 {
@@ -88,8 +88,9 @@ static enum pp_status cross_triangles(struct pp_field *field, double least_m,
     return status;
 }
 
-/* Triangles that the curve leaves and comes back to are halved, down to a sixty-fourth
- * of the coarse size: at a crease of the function the curve has corners. */
+/* Finds the crossings of a level. Triangles that the curve leaves and re-enters are
+ * halved, down to 1/64 of the coarse size: the curve has corners at a crease of the
+ * function. */
 static enum pp_status find_crossings(struct pp_field *field, double level,
                                      struct pp_error *err)
 {
@@ -132,7 +133,7 @@ static enum pp_status join_crossings(struct pp_field *field, int first,
     return PP_OK;
 }
 
-/* All curves of the level, open ones first, however short. */
+/* Adds all curves of the level, open ones first, however short. */
 static enum pp_status trace_contours(struct pp_field *field, double level,
                                      struct pp_curve_list *curves, struct pp_error *err)
 {
@@ -170,15 +171,16 @@ enum pp_status pp_contour_curves(struct pp_field *field, double level,
 
 /* ---- outlines ---- */
 
-/* Place on the figure's edge where a curve begins or ends. */
+/* Position on the figure's edge where a curve begins or ends. */
 struct boundary_end {
     int ring;
-    double along; /* the ring, from its first point: segment number + share of it */
+    double along; /* segment number plus fraction of the segment, from the ring's
+                   * first point */
     int curve;
     bool taken;
 };
 
-/* The place on the figure's edge that is nearest to a point. */
+/* Finds the position on the figure's edge that is nearest to a point. */
 static void find_landing(const struct pp_region *region, const double xy[2],
                          struct boundary_end *landing)
 {
@@ -210,7 +212,7 @@ static int compare_landings(const void *a, const void *b)
     return p->curve - q->curve;
 }
 
-/* The first landing at or after a place on a ring, which is closed; -1: none on it. */
+/* First landing at or after a position on a closed ring; -1: no landing on it. */
 static int next_landing(const struct boundary_end *landings, int count, int ring,
                         double along)
 {
@@ -226,7 +228,7 @@ static int next_landing(const struct boundary_end *landings, int count, int ring
     return round;
 }
 
-/* Adds a ring's points from one place on it to another, in its direction. */
+/* Adds the points of a ring from one position to another, in its direction. */
 static enum pp_status add_arc(struct pp_curve *outline, int *room,
                               const struct pp_ring *ring, double from, double to,
                               struct pp_error *err)
@@ -244,7 +246,7 @@ static enum pp_status add_arc(struct pp_curve *outline, int *room,
     return PP_OK;
 }
 
-/* Adds a curve's points from its end to its beginning: lower values on the left. */
+/* Adds the points of a curve in reverse order, which has lower values on the left. */
 static enum pp_status add_backwards(struct pp_curve *outline, int *room,
                                     const struct pp_curve *curve, struct pp_error *err)
 {
@@ -258,9 +260,9 @@ static enum pp_status add_backwards(struct pp_curve *outline, int *room,
     return PP_OK;
 }
 
-/* Traces one outline: backwards along curves, and along the figure's edge from the end
- * of one curve to the next. `ends` are the sorted ends of the curves (where they begin,
- * backwards); `first` is the end to begin at. */
+/* Traces one outline: in reverse along curves, and along the figure's edge from each
+ * curve to the next. `ends`: sorted final points of the curves; `first`: index of the
+ * one to begin with. */
 static enum pp_status trace_outline(const struct pp_field *field,
                                     const struct pp_curve_list *curves,
                                     struct boundary_end *ends, int end_count, int first,
@@ -312,7 +314,7 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
     if (!ends && status == PP_OK)
         status = pp_fail_memory(err);
 
-    /* Closed curves are outlines by themselves. The ends of open ones are collected. */
+    /* Closed curves are outlines. The ends of open curves are collected. */
     int end_count = 0;
     for (int i = 0; i < curves.count && status == PP_OK; i++) {
         const struct pp_curve *curve = &curves.list[i];
@@ -331,7 +333,7 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
         if (!ends[i].taken)
             status = trace_outline(field, &curves, ends, end_count, i, outlines, err);
 
-    /* Edges of the figure that no curve meets are outlines if the function is low
+    /* Rings of the figure that no curve meets are outlines if the function is low
      * there. */
     for (int r = 0; r < field->region.count && status == PP_OK; r++) {
         const struct pp_ring *ring = &field->region.rings[r];

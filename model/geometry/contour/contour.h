@@ -1,12 +1,13 @@
-/* contour.h - true level curves of a function over a plane figure.
+/* contour.h - level curves of a function over a plane figure.
  *
- * The function is sampled over a mesh of triangles (field.h), which are halved (longest
- * edge first [RIV84]) near the requested levels; the curve is followed from triangle to
- * triangle (level_crossing.h) to within the field's tolerance. A closed curve without a
- * corner inside is not found: corners are at most 1/24 of the figure's diagonal apart,
- * three quarters of that near a level, and a quarter along the figure's edge.
+ * The function is sampled on a triangle mesh (field.h), whose triangles are halved
+ * (longest edge first [RIV84]) near the requested levels. The curve is followed from
+ * triangle to triangle (level_crossing.h) to within the field's tolerance. A closed
+ * curve that encloses no node of the mesh is not found. Nodes are at most 1/24 of the
+ * figure's diagonal apart, three quarters of that near a level, and a quarter along the
+ * figure's edge.
  *
- * The function need not be smooth: the curve of a step is where it jumps.
+ * The function need not be smooth: at a step the curve follows the jump.
  */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_CONTOUR_H
 #define PP_MODEL_GEOMETRY_CONTOUR_CONTOUR_H
@@ -15,14 +16,14 @@
 #include "model/geometry/contour/field.h"
 #include "model/geometry/curve.h"
 
-/* Adds the curves of one level to curves (zeroed at first), each with higher values on
- * its left; "higher" is greater than the level, all else is lower. Ends of open curves
- * lie on the figure's edge. */
+/* Adds the curves of one level to curves (initialised with zeros), with higher values
+ * on their left. "Higher" is greater than the level, everything else is lower. Open
+ * curves end on the figure's edge. */
 enum pp_status pp_contour_curves(struct pp_field *field, double level,
                                  struct pp_curve_list *curves, struct pp_error *err);
 
-/* Adds the outlines of the part of the figure where the function is not higher than the
- * level: closed, outer ones counter-clockwise, holes clockwise. */
+/* Adds the outlines of the area where the function is not higher than the level:
+ * closed, outer ones counter-clockwise, holes clockwise. */
 enum pp_status pp_contour_below(struct pp_field *field, double level,
                                 struct pp_curve_list *outlines, struct pp_error *err);
 

@@ -7,11 +7,10 @@
 
 #include "model/base/array.h"
 
-/* Longest edge of the first triangles, over the figure's diagonal. Chosen by trial. */
+/* Longest edge of the initial triangles over the figure's diagonal; chosen by trial. */
 #define COARSE (1.0 / 24.0)
-/* The same along the figure's edge, over COARSE: light from windows changes most next
- * to them. With coarse triangles at the edge, the highest level in a hall of 100 m was
- * missed. */
+/* Longest edge along the figure's edge over COARSE, since light changes most next to
+ * windows. Without it the highest level in a hall of 100 m was missed. */
 #define FINE_EDGE 0.25
 
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],

@@ -1,5 +1,5 @@
-/* known_values.c - a list, and a hash table of its places, which must agree to the
- * bit. */
+/* known_values.c - a list, and a hash table of its points, which are compared
+ * exactly. */
 #include "model/geometry/contour/known_values.h"
 
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 #include "model/base/array.h"
 
-/* Slot that holds the place, or the free slot for it. */
+/* Slot that holds the point, or the free slot for it. */
 static int *known_value_slot(const struct pp_known_values *known, const double xy[2])
 {
     uint64_t bits[2];

@@ -6,13 +6,13 @@
 
 #include "model/base/array.h"
 
-/* Greatest number of halvings of a chord between two crossings. Chosen by trial. */
+/* Largest number of bisections of a chord between two crossings; chosen by trial. */
 enum { DEEPEST = 10 };
 
-/* The place between a and b, on different sides of the level by ga and gb (value less
- * level; higher is > 0), to within the tolerance. Brent's zeroin [BRE73]: secant or
- * inverse quadratic steps, bisection where they don't help. It ends with a bracket, so
- * that it finds where a function jumps, too. */
+/* Finds the crossing of the level between a and b, to within the tolerance. ga, gb:
+ * value minus level, of opposite sign. Brent's zeroin [BRE73]: secant or inverse
+ * quadratic steps, or else bisection. It keeps a bracket, so that it also finds a jump
+ * of the function. */
 static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
                                  double ga, const double b_xy[2], double gb,
                                  double found[2], struct pp_error *err)
@@ -22,7 +22,8 @@ static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
     double a = 0.0, b = 1.0, c = 0.0, gc = ga;
     double step = 1.0, before = 1.0;
     for (;;) {
-        /* b is the best so far, c on the other side of the level, a the one before. */
+        /* b is the best point, c is on the other side of the level, a is the previous
+         * b. */
         if ((gb > 0.0) == (gc > 0.0)) {
             c = a;
             gc = ga;
@@ -74,8 +75,8 @@ static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
     return PP_OK;
 }
 
-/* A triangle that the level crosses: its corner A is the only one on its side. The
- * curve runs from edge AB to edge AC and is met by each ray from A to a place on BC. */
+/* A triangle crossed by the level: corner A is the only one on its side. The curve runs
+ * from edge AB to edge AC and crosses each ray from A to a point of BC. */
 struct fan {
     const double *a, *b, *c;
     bool a_high;
@@ -87,8 +88,7 @@ static void between_of(const double p[2], const double q[2], double share, doubl
         xy[k] = p[k] + share * (q[k] - p[k]);
 }
 
-/* Intersection of the ray from A to BC at `share` with the chord p q, as a fraction of
- * that ray. */
+/* Intersection of the ray from A to r with the chord p q, as a fraction of the ray. */
 static double chord_on_ray(const struct fan *fan, const double r[2], const double p[2],
                            const double q[2])
 {
@@ -100,11 +100,11 @@ static double chord_on_ray(const struct fan *fan, const double r[2], const doubl
     return fmin(fmax(share, 0.0), 1.0);
 }
 
-/* The curve's place on the ray from A to r, near `guess` (a share of the ray, where the
- * chord is); *strays tells whether that is further from the chord than the tolerance,
- * *leaves becomes true where the ray has no such place: there the curve runs outside the
- * triangle, or along the ray. Evaluates on the chord, a tolerance beside it, then ever further away until the level
- * lies between. */
+/* Finds the curve on the ray from A to r, near `guess`, the fraction of the ray at the
+ * chord. *strays: it is further from the chord than the tolerance. *leaves is set if
+ * there is no such point, since the curve leaves the triangle or follows the ray.
+ * Evaluates on the chord, then at one tolerance beside it, then further away until the
+ * level is between two points. */
 static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
                                   const double r[2], double guess, double found[2],
                                   bool *strays, bool *leaves, struct pp_error *err)
@@ -133,10 +133,10 @@ static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
         if ((far_value > field->level) != near_high)
             break;
         if (share <= 0.0 || share >= 1.0) {
-            *leaves = true; /* keep to the chord */
+            *leaves = true; /* keeps the chord */
             return PP_OK;
         }
-        /* A little beyond the linear extrapolation to the level. */
+        /* Slightly beyond the linear extrapolation to the level. */
         double rise = (far_value - near_value) / (step - near_step);
         double reach = 1.2 * (field->level - far_value) / rise;
         *strays = true;
@@ -162,14 +162,14 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
     return status;
 }
 
-/* Positions along a chord where the curve is searched: the middle and, on a chord
- * across the whole triangle, one other, since an S-shaped curve passes through the
+/* Positions on a chord where the curve is searched: the middle and, on a chord across
+ * the whole triangle, a second one, since an S-shaped curve passes through the
  * middle. */
 static const double asides[] = {0.5, 0.27};
 enum { ASIDES = sizeof asides / sizeof *asides };
 
-/* Adds the points that the curve needs between p, on the ray to BC at p_share, and q,
- * at q_share. */
+/* Adds the points of the curve between p, on the ray at p_share of BC, and q, at
+ * q_share. */
 static enum pp_status follow_level_curve(struct pp_field *field, const struct fan *fan,
                                          const double p[2], double p_share,
                                          const double q[2], double q_share, int depth,
@@ -177,7 +177,7 @@ static enum pp_status follow_level_curve(struct pp_field *field, const struct fa
 {
     if (hypot(q[0] - p[0], q[1] - p[1]) < 2.0 * field->tolerance)
         return PP_OK;
-    if (depth == 0) { /* it runs along a ray, where none meets it but at one end */
+    if (depth == 0) { /* the curve follows a ray, so that other rays do not meet it */
         *leaves = true;
         return PP_OK;
     }
@@ -204,7 +204,7 @@ static enum pp_status follow_level_curve(struct pp_field *field, const struct fa
     return status;
 }
 
-/* The place of the level on an edge, found once. */
+/* Finds the crossing of the level with an edge, unless it is known. */
 static enum pp_status end_on_edge(struct pp_field *field, int edge,
                                   struct pp_error *err)
 {
@@ -231,7 +231,7 @@ enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
     int apex = high[1] == high[2] ? 0 : high[2] == high[0] ? 1 : 2;
     int a = t[apex], b = t[(apex + 1) % 3], c = t[(apex + 2) % 3];
 
-    /* Higher values are on the left: from AB to AC where A is high. */
+    /* Higher values are on the left: the curve runs from AB to AC if A is high. */
     int from = pp_mesh_edge(&field->mesh, a, b), to = pp_mesh_edge(&field->mesh, a, c);
     struct fan fan = {field->mesh.nodes[a], field->mesh.nodes[b], field->mesh.nodes[c],
                       high[apex]};

@@ -9,7 +9,7 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Room for one item more than `count`. */
+/* Ensures space for one more item than `count`. */
 static bool reserve(void *list, int *room, int count, size_t size)
 {
     return pp_array_reserve(list, room, count + 1, size, NULL) == PP_OK;
@@ -64,7 +64,7 @@ static bool grow_table(struct pp_mesh *mesh)
     return true;
 }
 
-/* The edge between two nodes, made where there is none; -1: memory is out. */
+/* Edge between two nodes, created if necessary; -1 without memory. */
 static int need_edge(struct pp_mesh *mesh, int a, int b)
 {
     int edge = mesh->table_room ? pp_mesh_edge(mesh, a, b) : -1;
@@ -93,9 +93,9 @@ static bool put_neighbour(struct pp_mesh *mesh, int a, int b, int before, int no
     return true;
 }
 
-/* ---- making ---- */
+/* ---- construction ---- */
 
-/* The node at a point, made where there is none; -1: memory is out. */
+/* Node at a point, created if necessary; -1 without memory. */
 static int need_node(struct pp_mesh *mesh, const double xy[2])
 {
     for (int i = 0; i < mesh->node_count; i++)
@@ -167,8 +167,8 @@ static double length2(const struct pp_mesh *mesh, int a, int b)
     return dx * dx + dy * dy;
 }
 
-/* True if a-b is longer than c-d. Equal lengths are ordered by their nodes, so that one
- * of any two edges is the longer: otherwise halving might not end. */
+/* True if a-b is longer than c-d. Edges of equal length are ordered by their nodes;
+ * otherwise halving might not terminate. */
 static bool is_longer(const struct pp_mesh *mesh, int a, int b, int c, int d)
 {
     double ab = a < b ? length2(mesh, a, b) : length2(mesh, b, a);
@@ -221,8 +221,9 @@ static int across(const struct pp_mesh *mesh, int triangle, int edge)
 
 enum pp_status pp_mesh_halve(struct pp_mesh *mesh, int triangle, struct pp_error *err)
 {
-    /* Follow the longest edges to a pair that shares one, halve it, begin again until
-     * the triangle itself has been halved. Each step goes to a longer edge. */
+    /* Follows the longest edges to a pair of triangles that share one, halves it, and
+     * begins again until the triangle itself is halved. Each step goes to a longer
+     * edge. */
     for (;;) {
         int here = triangle, neighbour, edge, side;
         for (;;) {
