@@ -3,7 +3,7 @@
  *
  *     equidistant     theta / (pi/2)
  *     equisolid       sin(theta/2) / sin(pi/4)     equal areas for equal solid angles
- *     stereographic   tan(theta/2)                 conformal: small shapes are preserved
+ *     stereographic   tan(theta/2)                 conformal: keeps small shapes
  *     orthographic    sin(theta)                   the horizontal configuration factor
  */
 #ifndef PP_MODEL_GEOMETRY_LENS_H

@@ -4,19 +4,19 @@
 
 struct pp_finish {
     const char *name;
-    double reflectance;      /* diffuse and gloss together */
-    double red, green, blue; /* the hue, in proportion; NAN: grey */
-    double specular;         /* the part of the reflectance that is gloss; NAN: none */
-    double along, across;    /* its roughness; across NAN: the same */
-    const char *metal;       /* "yes": the gloss has the hue too */
-    const char *source;      /* as the head of the table explains it */
+    double reflectance;      /* total of diffuse and gloss */
+    double red, green, blue; /* relative channels of the colour; NAN: grey */
+    double specular;         /* specular part of the reflectance; NAN: none */
+    double along, across;    /* roughness along and across; across NAN: equal */
+    const char *metal;       /* "yes": the gloss has the colour too */
+    const char *source;      /* as explained at the head of the table */
     const char *description;
 };
 
 int pp_finishes_count(void);
-const struct pp_finish *pp_finishes_at(int index); /* in the table's order */
+const struct pp_finish *pp_finishes_at(int index); /* in table order */
 
-/* The finish of that name, or NULL. */
+/* Finish of that name; NULL if there is none. */
 const struct pp_finish *pp_finishes_find(const char *name);
 
 #endif

@@ -7,11 +7,11 @@
 
 #include "model/geometry/min_max.h"
 
-/* Light polarised perpendicular and parallel to the plane of incidence, calculated
- * together by the compiler's vectors. */
+/* Values for light polarised perpendicular and parallel to the plane of incidence, in
+ * one vector for the compiler. */
 typedef double polarised __attribute__((vector_size(16)));
 
-/* Transmittance and reflectance of a pane or a stack of panes. */
+/* Transmittance and reflectance of a pane, or of a stack of panes. */
 struct pane_optics {
     polarised t, r;
 };
@@ -33,7 +33,7 @@ static struct pane_optics stack_of(struct pane_optics pane, int panes)
     return stack;
 }
 
-/* Fresnel's amplitudes, squared; the panes; and the mean of both polarisations. */
+/* Fresnel reflectances, then the panes, then the mean of both polarisations. */
 static void clear_stack(const struct pp_glass *glass, double cos_i, double *t,
                         double *r)
 {
@@ -59,12 +59,12 @@ void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
         *reflectance = fmin(0.1, 1.0 - glass->diffuse);
     } else if (!(cos_incidence > 0.0)) {
         *transmittance = 0.0;
-        *reflectance = 1.0; /* grazing: the limit, which the formula has as 0/0 */
+        *reflectance = 1.0; /* limit at grazing incidence, where the formula is 0/0 */
     } else {
         double t, r;
         clear_stack(glass, pp_min(cos_incidence, 1.0), &t, &r);
         *transmittance = glass->scale * t;
-        /* A glazing clearer than its stack can't reflect all that the stack does. */
+        /* A scaled glazing cannot transmit and reflect more than all light. */
         *reflectance = pp_min(r, 1.0 - glass->scale * t);
     }
 }
@@ -83,7 +83,7 @@ double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence)
     return reflectance;
 }
 
-/* Integrand tau(cos i) 2 cos i, whose integral over cos i is the diffuse
+/* Integrand tau(cos i) 2 cos i; its integral over cos i is the diffuse
  * transmittance. */
 static int diffuse_integrand(unsigned dim, const double *cos_i, void *glass,
                              unsigned fdim, double *value)
@@ -117,8 +117,8 @@ struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal
     return pp_glass_scaled(pp_glass_panes(panes, n, kl), normal);
 }
 
-/* Stored result of pp_glass_panes(1, 1.52, 0.02): the integral takes 10 us, and a room
- * of a thousand windows needs this pane a million times. */
+/* Stores the result of pp_glass_panes(1, 1.52, 0.02): the integral takes 10 us, and a
+ * room of a thousand windows needs this pane a million times. */
 struct pp_glass pp_glass_clear_single(void)
 {
     return (struct pp_glass){.panes = 1,

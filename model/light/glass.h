@@ -1,14 +1,15 @@
 /* glass.h - transmittance and reflectance of a glazing by angle of incidence.
  *
- * Clear glass is a stack of like plane panes with Fresnel reflection at each face and
- * absorption between, each polarisation on its own [TS93]:
+ * Clear glass is a stack of equal plane panes, with Fresnel reflection at each surface
+ * and absorption in the pane, calculated for each polarisation [TS93]:
  *
  *     tau = (1 - rho)^2 a / (1 - rho^2 a^2),  R = rho (1 + a tau)
  *     a = exp(-KL / cos r),  sin i = n sin r
  *     a pane behind a stack: T = T1 T2 / (1 - R1 R2),  R = R1 + T1^2 R2 / (1 - R1 R2)
  *
- * A glazing with only a normal transmittance t has t/tau(0) of such a stack. A
- * diffusing one is Lambertian and has a hemispherical transmittance only.
+ * A glazing of which only the normal transmittance t is known is such a stack times
+ * t/tau(0). A diffusing glazing is Lambertian and has only a hemispherical
+ * transmittance.
  */
 #ifndef PP_MODEL_LIGHT_GLASS_H
 #define PP_MODEL_LIGHT_GLASS_H
@@ -16,13 +17,13 @@
 #include <stdbool.h>
 
 struct pp_glass {
-    int panes;      /* 0: no glass at all, an unglazed opening */
+    int panes;      /* 0: an unglazed opening */
     double n;       /* refractive index of a pane */
     double kl;      /* absorption coefficient times thickness of a pane */
-    double scale;   /* factor of the stack's own transmittance */
-    bool diffusing; /* Lambertian; then normal and diffuse are the same */
+    double scale;   /* factor on the transmittance of the stack */
+    bool diffusing; /* Lambertian; then normal and diffuse are equal */
     double normal;  /* transmittance at normal incidence */
-    double diffuse; /* transmittance of uniformly diffuse light */
+    double diffuse; /* transmittance for uniformly diffuse light */
 };
 
 /* The BRS clear single pane: n = 1.52, KL = 0.02; normal 0.900, diffuse 0.827. */
@@ -32,25 +33,25 @@ struct pp_glass pp_glass_none(void);
 
 bool pp_glass_is_same(const struct pp_glass *a, const struct pp_glass *b);
 
-/* panes > 0, n > 1, kl >= 0. */
+/* Clear glazing of equal panes: panes > 0, n > 1, kl >= 0. */
 struct pp_glass pp_glass_panes(int panes, double n, double kl);
 
-/* The same law of incidence, with the normal transmittance `normal`, in (0, 1]; not for
- * diffusing panes. */
+/* The glazing scaled to the normal transmittance `normal`, in (0, 1]; not for diffusing
+ * glazings. */
 struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal);
 
-/* Panes as of pp_glass_panes, with the normal transmittance `normal`, in (0, 1]. */
+/* As pp_glass_panes, scaled to the normal transmittance `normal`, in (0, 1]. */
 struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal);
 
-/* Hemispherical transmittance in (0, 1]. */
+/* Diffusing glazing; hemispherical transmittance in (0, 1]. */
 struct pp_glass pp_glass_diffusing(double transmittance);
 
-/* Transmittance at the cosine of the angle of incidence, 0 to 1. For a diffusing pane,
+/* Transmittance for a cosine of the angle of incidence, 0 to 1. For a diffusing glazing
  * its hemispherical transmittance. */
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);
 
-/* Specular reflectance, the same from both sides; at most 1 - transmittance. For a
- * diffusing pane 0.1, its diffuse reflectance. */
+/* Specular reflectance, equal for both sides; at most 1 - transmittance. For a
+ * diffusing glazing 0.1, its diffuse reflectance. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
 /* Calculates both at once. */

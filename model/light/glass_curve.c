@@ -1,4 +1,4 @@
-/* glass_curve.c - interpolates the law at Chebyshev's points of each step. */
+/* glass_curve.c - interpolates at Chebyshev nodes of each step. */
 #include "model/light/glass_curve.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 
 enum { POINTS = 4 };
 
-/* The sum of cubics times values. */
+/* Weighted sum of cubics. */
 static void add_up(double *sum, const pp_glass_cubic cubics[POINTS],
                    const double values[POINTS])
 {
@@ -23,7 +23,7 @@ void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *gl
 {
     curve->glass = *glass;
     double at[POINTS], through[POINTS], back[POINTS];
-    pp_glass_cubic one_at[POINTS]; /* 1 at one of the points, 0 at the others */
+    pp_glass_cubic one_at[POINTS]; /* Lagrange basis: 1 at node i, 0 at the others */
     for (int i = 0; i < POINTS; i++)
         at[i] = 0.5 - 0.5 * cos((2 * i + 1) * PP_PI / (2.0 * POINTS));
     for (int i = 0; i < POINTS; i++) {
@@ -41,7 +41,7 @@ void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *gl
     }
 }
 
-/* True if the law itself has to be evaluated, near grazing incidence. */
+/* True near grazing incidence, where the formulae of glass.h are evaluated. */
 static bool is_grazing(double cosine)
 {
     return !(cosine * PP_GLASS_CURVE_STEPS >= PP_GLASS_CURVE_GRAZING);

@@ -7,17 +7,17 @@
 struct pp_glazing {
     const char *name;
     double panes, n, kl;
-    double normal;         /* NAN: as the panes give it */
-    const char *diffusing; /* "yes": normal is its hemispherical transmittance */
-    const char *source;    /* as the head of the table explains it */
+    double normal;         /* NAN: from the panes */
+    const char *diffusing; /* "yes": normal is the hemispherical transmittance */
+    const char *source;    /* as explained at the head of the table */
     const char *description;
 };
 
 int pp_glazings_count(void);
-const struct pp_glazing *pp_glazings_at(int index); /* in the table's order */
+const struct pp_glazing *pp_glazings_at(int index); /* in table order */
 
-/* The glazing of that name, or NULL. "none" (an unglazed opening) is not in the
- * table. */
+/* Glazing of that name; NULL if there is none. "none" (an unglazed opening) is not in
+ * the table. */
 const struct pp_glazing *pp_glazings_find(const char *name);
 
 struct pp_glass pp_glazings_glass(const struct pp_glazing *glazing);

@@ -46,8 +46,8 @@ double pp_graded_sky_over_skyline(double b, double alpha_rad)
 
 double pp_graded_sky_skyline(double b, double share)
 {
-    /* q s^2 + p s - r = 0 in s = sin alpha, with r = p + q - share; the root in [0, 1],
-     * as one that needs no q. */
+    /* Solves q s^2 + p s - r = 0 for s = sin alpha in [0, 1], r = p + q - share, in a
+     * form that is valid for q = 0. */
     double p = even_part(b), q = graded_part(b), r = fmax(p + q - share, 0.0);
     double s = 2.0 * r / (p + sqrt(p * p + 4.0 * q * r));
     return asin(fmin(s, 1.0));

@@ -19,7 +19,7 @@
 #ifndef PP_MODEL_LIGHT_GRADED_SKY_H
 #define PP_MODEL_LIGHT_GRADED_SKY_H
 
-/* b of the two skies: numerals, which texts for other programs have too. */
+/* b of the two skies. Numerals, since texts for other programs contain them. */
 #define PP_GRADED_SKY_OVERCAST 2
 #define PP_GRADED_SKY_UNIFORM 0
 
@@ -36,26 +36,26 @@ double pp_graded_sky_horizon(double b);
  * p (1 + cos beta) + q (sin beta + (pi - beta) cos beta). */
 double pp_graded_sky_on_plane(double b, double beta_rad);
 
-/* Illuminance of an upright plane above an endless skyline that runs along it, at the
- * angle alpha in the section, 0 to pi/2: p (1 - sin alpha) + q cos^2 alpha. */
+/* Illuminance of a vertical plane above an endless skyline parallel to it, with the
+ * section angle alpha, 0 to pi/2: p (1 - sin alpha) + q cos^2 alpha. */
 double pp_graded_sky_over_skyline(double b, double alpha_rad);
 
-/* Skyline angle alpha for an illuminance; 0 for more than that of the open sky, pi/2
- * for less than 0. */
+/* Skyline angle alpha for an illuminance; 0 if it exceeds that of the open sky, pi/2 if
+ * it is negative. */
 double pp_graded_sky_skyline(double b, double share);
 
-/* Horizontal illuminance by the sky below a plane that rises at the angle gamma from a
- * horizontal line through the point, 0 to pi: p (1 - cos gamma)
- * + q (gamma - sin gamma cos gamma). */
+/* Horizontal illuminance from the sky below a plane that rises at the angle gamma from
+ * a horizontal line through the point, 0 to pi: p (1 - cos gamma) + q (gamma - sin
+ * gamma cos gamma). */
 double pp_graded_sky_below_plane(double b, double gamma_rad);
 
-/* Horizontal illuminance by the sky below the altitude gamma, per radian of azimuth, 0
- * to pi/2: p sin^2 gamma / pi + q sin^3 gamma / 2. */
+/* Horizontal illuminance from the sky below the altitude gamma, per radian of azimuth,
+ * 0 to pi/2: p sin^2 gamma / pi + q sin^3 gamma / 2. */
 double pp_graded_sky_below_altitude(double b, double sin_altitude);
 
-/* Illuminance of an upright plane by the sky below the altitude gamma, per unit of the
- * sine of the azimuth from the plane's normal, 0 to pi/2:
- * p (gamma + sin gamma cos gamma) / pi + q (1 - cos^3 gamma) / 2. */
+/* Illuminance of a vertical plane from the sky below the altitude gamma, per unit of
+ * the sine of the azimuth from the plane's normal, 0 to pi/2: p (gamma + sin gamma cos
+ * gamma) / pi + q (1 - cos^3 gamma) / 2. */
 double pp_graded_sky_upright_below_altitude(double b, double altitude_rad);
 
 #endif

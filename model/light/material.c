@@ -6,7 +6,7 @@
 
 #include "model/light/finishes.h"
 
-/* Most by which reflectances may exceed a sum of 1 through rounding. */
+/* Largest excess of a sum of reflectances over 1 that counts as rounding. */
 static const double ROUNDING = 1e-9;
 
 static struct pp_material blank(enum pp_material_kind kind)
@@ -87,7 +87,7 @@ struct pp_material pp_material_pane(struct pp_rgb transmissivity, double n)
     struct pp_material pane = blank(PP_MATERIAL_GLASS);
     const double channels[3] = {transmissivity.r, transmissivity.g, transmissivity.b};
     for (int i = 0; i < 3; i++) {
-        int like = 0; /* an earlier channel with the same value */
+        int like = 0; /* an earlier channel with equal values */
         while (channels[like] != channels[i])
             like++;
         pane.glass[i] =

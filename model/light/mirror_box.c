@@ -1,4 +1,4 @@
-/* mirror_box.c - sums (2) over azimuths, by the midpoint rule. */
+/* mirror_box.c - evaluates (2) by the midpoint rule over azimuth. */
 #include "model/light/mirror_box.h"
 
 #include <math.h>

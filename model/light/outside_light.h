@@ -1,27 +1,28 @@
-/* outside_light.h - the light that comes to a building from outside: sky, ground and, in
- * pictures of one moment, the sun.
+/* outside_light.h - outdoor light: sky, ground and, in pictures of one moment, the sun.
  *
- * It is not part of a room's geometry but a separate argument of all methods and
- * simulations, so that a room can be calculated under another light at no other cost.
+ * Outdoor light is a separate argument of all methods and simulations, not a part of a
+ * room's geometry, so that a room can be calculated for another light without
+ * rebuilding it.
  *
- * All of it is over Eh, the horizontal illuminance of the open sky. The ground is an
- * endless diffuse plane; where nothing shades it its exitance is its reflectance. An
- * unobstructed plane whose normal has the height n_z has the illuminance
+ * All values are relative to Eh, the horizontal illuminance of the open sky. The ground
+ * is an endless diffuse plane; its exitance is its reflectance if nothing shades it. An
+ * unobstructed plane whose normal has the z component n_z has the illuminance
  *
  *     E = Es + rho_ground (1 - n_z)/2
  *
- * Es from the sky (sky.h), the rest from the ground, which fills the share (1 - n_z)/2
- * of the plane's view.
+ * Es is from the sky (sky.h), the rest from the ground, which fills the share (1 -
+ * n_z)/2 of the plane's view.
  */
 #ifndef PP_MODEL_LIGHT_OUTSIDE_LIGHT_H
 #define PP_MODEL_LIGHT_OUTSIDE_LIGHT_H
 
 #include "model/light/sky.h"
 
-/* The sun; hand methods and the tracer of daylight factors leave it out. */
+/* The sun; hand methods and traced daylight factors do not include it. */
 struct pp_outside_sun {
     struct pp_vec3 to; /* unit; above the horizon */
-    double per_sky;    /* illuminance of a plane that faces it, over Eh; 0: no sun */
+    double per_sky;    /* illuminance of a plane normal to the sun, over Eh; 0: no
+                        * sun */
 };
 
 struct pp_outside_light {
@@ -30,21 +31,21 @@ struct pp_outside_light {
     struct pp_outside_sun sun;
 };
 
-/* Illuminance by the sun, unobstructed, of a plane with normal n (unit). */
+/* Illuminance by the unobstructed sun of a plane with unit normal n. */
 double pp_outside_light_sun_on_plane(const struct pp_outside_light *light,
                                      struct pp_vec3 n);
 
-/* Exitance of the ground under the sky alone, which is its reflectance; and with the
+/* Exitance of the ground lit by the sky only, equal to its reflectance; and with the
  * sun. */
 double pp_outside_light_ground(const struct pp_outside_light *light);
 double pp_outside_light_sunlit_ground(const struct pp_outside_light *light);
 
-/* Illuminance by the ground, unobstructed, of a plane with normal n (unit). */
+/* Illuminance by the unobstructed ground of a plane with unit normal n. */
 double pp_outside_light_ground_on_plane(const struct pp_outside_light *light,
                                         struct pp_vec3 n);
 
-/* Exitance of a diffuse face with normal n (unit) that stands free under the open sky,
- * as skylines do by convention: rho E. */
+/* Exitance rho E of a diffuse, unobstructed face with unit normal n under the open sky,
+ * as assumed for skylines. */
 double pp_outside_light_exitance(const struct pp_outside_light *light,
                                  double reflectance, struct pp_vec3 n);
 

@@ -1,5 +1,5 @@
-/* perez_sky.c - coefficients from the table, and the normalisation by quadrature in polar
- * coordinates about the sun. */
+/* perez_sky.c - coefficients from the table; normalisation by quadrature in polar
+ * coordinates around the sun. */
 #include "model/light/perez_sky.h"
 
 #include <math.h>
@@ -8,7 +8,8 @@
 #include "model/geometry/gauss.h"
 #include "model/geometry/min_max.h"
 
-/* Columns of the table: upper bound of the clearness bin; a1; the efficacies. */
+/* Columns of the table: upper limit of the clearness bin, a1, and luminous
+ * efficacies. */
 enum { EPS_HIGH = 2, A1 = 3, DIFFUSE = 27, DIRECT = 31, COLUMNS = 39 };
 
 static const double bins[][COLUMNS] = {
@@ -18,11 +19,11 @@ static const double bins[][COLUMNS] = {
 static const double EPS_MOST = 12.01, D_LEAST = 0.01, D_MOST = 0.6;
 static const double Z_MOST = 87.0 * PP_RAD;
 
-/* The value clamped to the limits; notes the limit if it is outside. */
+/* Clamps the value; records the limit if it is exceeded. */
 static double limited(double value, double low, double high, unsigned limit,
                       unsigned *limits)
 {
-    /* Rounding alone makes the clearness of a sky without sun slightly less than 1. */
+    /* Rounding makes the clearness of a sky without sun slightly less than 1. */
     if (value < low - 1e-9 || value > high)
         *limits |= limit;
     return pp_clamp(value, low, high);
@@ -33,7 +34,7 @@ static double linear(const double x[4], double Z, double D)
     return x[0] + x[1] * Z + D * (x[2] + x[3] * Z);
 }
 
-/* a to e of (1). */
+/* Sets a to e of (1). */
 static void set_shape(struct pp_perez_sky *sky, const double *row, double Z)
 {
     const double *x = row + A1;
@@ -56,7 +57,7 @@ static void set_shape(struct pp_perez_sky *sky, const double *row, double Z)
     }
 }
 
-/* (1) over N, in a direction of cosines z and to_sun to zenith and sun. */
+/* (1) over N, for cosines z to the zenith and to_sun to the sun. */
 static double relative(const struct pp_perez_sky *sky, double z, double to_sun,
                        double gamma)
 {
@@ -67,10 +68,10 @@ static double relative(const struct pp_perez_sky *sky, double z, double to_sun,
 
 /* ---- the integral of (1) times cos zeta over the sky ----
  *
- * In polar coordinates about the sun, gamma and psi, cos zeta = C + S cos psi with C =
- * cos gamma sin h and S = sin gamma cos h, h the sun's altitude. The circle of gamma lies
- * above the horizon as a whole, in part or not at all. The exponential of gamma, sharp at
- * the sun, is then smooth.
+ * In polar coordinates around the sun, gamma and psi: cos zeta = C + S cos psi with C =
+ * cos gamma sin h and S = sin gamma cos h; h is the sun's altitude. The circle of
+ * radius gamma is entirely, partly or not above the horizon. The exponential of gamma,
+ * sharp at the sun, is a smooth integrand in these coordinates.
  */
 enum { NODES = 20 };
 
@@ -93,7 +94,8 @@ static double ring_integral(const struct pp_perez_sky *sky,
     return 2.0 * 0.5 * most * sum * sin(gamma);
 }
 
-/* gamma from low to high; a substitution softens the roots at the ends. */
+/* Integral over gamma from low to high; a substitution removes the square roots at the
+ * ends. */
 static double rings_integral(const struct pp_perez_sky *sky,
                              const struct gauss_rule *rule, double low, double high,
                              double h)
@@ -118,7 +120,7 @@ static double horizontal(const struct pp_perez_sky *sky)
            + rings_integral(sky, &rule, PP_PI - touch, PP_PI, h);
 }
 
-/* ---- an hour ---- */
+/* ---- one hour ---- */
 
 static void set_efficacy(struct pp_perez_sky *sky, const double *row, double Z,
                          const struct pp_perez_conditions *conditions)
@@ -170,7 +172,7 @@ double pp_perez_sky_luminance(const struct pp_perez_sky *sky, struct pp_vec3 u)
 {
     if (!(u.z > 0.0))
         return 0.0;
-    /* The angle to the sun by atan2: acos loses half its digits beside it. */
+    /* atan2 for the angle to the sun: acos loses half its digits near the sun. */
     double to_sun = pp_vec_dot(u, sky->sun);
     double gamma = atan2(pp_vec_length(pp_vec_cross(u, sky->sun)), to_sun);
     return sky->N * relative(sky, u.z, to_sun, gamma);
@@ -178,8 +180,8 @@ double pp_perez_sky_luminance(const struct pp_perez_sky *sky, struct pp_vec3 u)
 
 struct pp_sky pp_perez_sky_relative(const struct pp_perez_sky *perez)
 {
-    /* In (1), 1 + c exp(d gamma) is K + c (exp(d gamma) - exp(d pi/2)), as ISO 15469
-     * writes it. */
+    /* In (1), 1 + c exp(d gamma) equals K + c (exp(d gamma) - exp(d pi/2)), the form of
+     * ISO 15469. */
     double K = 1.0 + perez->c * exp(perez->d * PP_PI / 2.0);
     struct pp_sky sky = pp_sky_overcast();
     sky.kind = PP_SKY_ISO;

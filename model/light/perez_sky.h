@@ -1,22 +1,22 @@
-/* perez_sky.h - sky and sun of an hour from its irradiances, by Perez and others.
+/* perez_sky.h - all-weather sky and sun of an hour, from its irradiances.
  *
- * All-weather sky [PSM93], with zeta the zenith angle of a direction and gamma its angle
- * from the sun:
+ * Luminance [PSM93], with zeta the zenith angle of a direction and gamma its angle from
+ * the sun:
  *
  *     L = N (1 + a exp(b / cos zeta)) (1 + c exp(d gamma) + e cos^2 gamma)       (1)
  *
  *     a ... e = x1 + x2 Z + D (x3 + x4 Z),  but in clearness bin 1
  *     c = exp((D (c1 + c2 Z))^c3) - c4,  d = -exp(D (d1 + d2 Z)) + d3 + D d4
  *
- *     eps = ((Ed + En)/Ed + 1.041 Z^3)/(1 + 1.041 Z^3)    clearness, chooses the bin
+ *     eps = ((Ed + En)/Ed + 1.041 Z^3)/(1 + 1.041 Z^3)    clearness, selects the bin
  *     D   = Ed m/E0                                       brightness
  *     m   = 1/(cos Z + 0.15 (93.885 - Z)^-1.253)          air mass, Z in degrees [KAS66]
  *
  *     Ed, En  diffuse horizontal and direct normal irradiance, W/m2
  *     E0      1367 W/m2 over the squared distance of the sun in astronomical units
- *     Z       zenith angle of the sun, in radians but for m
+ *     Z       zenith angle of the sun, in radians except in m
  *
- * N makes the horizontal illuminance of the sky equal to Ed times its luminous efficacy
+ * N makes the sky's horizontal illuminance equal to Ed times its luminous efficacy
  * [PISMS90], to 1e-6:
  *
  *     diffuse  da + db W + dc cos Z + dd ln D                                    (2)
@@ -24,9 +24,10 @@
  *
  *     W = exp(0.07 Td - 0.075)    precipitable water, cm; Td dew point, degrees Celsius
  *
- * Limits, most of them of Radiance's gendaylit: eps 1 to 12.01; D 0.01 to 0.6; Z at most
- * 87 degrees in a ... e and (2); D at least 0.2 in a ... e of bins 2 to 5. b is at most 0:
- * above, (1) has no bound at the horizon. Where (1) is negative it counts as 0.
+ * Limits, mostly those of Radiance's gendaylit: eps 1 to 12.01; D 0.01 to 0.6; Z at
+ * most 87 degrees in a ... e and (2); D at least 0.2 in a ... e of bins 2 to 5. b is at
+ * most 0, since (1) is unbounded at the horizon otherwise. Negative values of (1) count
+ * as 0.
  */
 #ifndef PP_MODEL_LIGHT_PEREZ_SKY_H
 #define PP_MODEL_LIGHT_PEREZ_SKY_H
@@ -36,20 +37,20 @@
 #include "model/geometry/vec.h"
 #include "model/light/sky.h"
 
-/* Conditions of an hour. */
+/* Weather of an hour. */
 struct pp_perez_conditions {
     double direct_w_m2, diffuse_w_m2; /* normal, horizontal; 0 or more */
-    struct pp_vec3 sun; /* towards it, unit; it may be below the horizon */
+    struct pp_vec3 sun; /* unit vector to the sun, which may be below the horizon */
     double sun_distance_au;
     double dew_point_c;
 };
 
-/* Limits of the model that an hour has exceeded. */
+/* Limits of the model that were exceeded. */
 enum pp_perez_limit {
-    PP_PEREZ_B_POSITIVE = 1, /* b was above 0 */
+    PP_PEREZ_B_POSITIVE = 1, /* b was positive */
     PP_PEREZ_BRIGHTNESS = 2, /* D outside 0.01 to 0.6 */
     PP_PEREZ_CLEARNESS = 4,  /* eps outside 1 to 12.01 */
-    PP_PEREZ_NO_DIFFUSE = 8, /* direct light without diffuse light */
+    PP_PEREZ_NO_DIFFUSE = 8, /* direct but no diffuse irradiance */
 };
 
 struct pp_perez_sky {
@@ -62,7 +63,8 @@ struct pp_perez_sky {
     unsigned limits; /* enum pp_perez_limit */
 };
 
-/* An hour without diffuse irradiance has a black sky; without any, no sun either. */
+/* Sky of an hour. Without diffuse irradiance it is black; without any irradiance there
+ * is no sun either. */
 struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions);
 
 /* Scales the sky to another diffuse illuminance (lx, 0 or more). */
@@ -71,8 +73,8 @@ void pp_perez_sky_set_diffuse(struct pp_perez_sky *sky, double diffuse_lx);
 /* Luminance in direction u (unit), cd/m2; 0 below the horizon. */
 double pp_perez_sky_luminance(const struct pp_perez_sky *sky, struct pp_vec3 u);
 
-/* The sky, without the sun's disc, as an argument of methods and simulation: its
- * luminances over its own horizontal illuminance. */
+/* The sky without the sun's disc, as an argument of methods and simulations: luminances
+ * over its own horizontal illuminance. */
 struct pp_sky pp_perez_sky_relative(const struct pp_perez_sky *sky);
 
 #endif

@@ -1,7 +1,6 @@
-/* rgb.h - a colour of light or of a reflectance, by value: three channels, linear.
+/* rgb.h - a colour of light or a reflectance, by value: three linear channels.
  *
- * Its grey value is the luminance-weighted mean of the lighting field's own
- * red, green and blue [WS98]:
+ * Grey is the luminance-weighted mean for Radiance's primaries [WS98]:
  *
  *     grey = 0.265 r + 0.670 g + 0.065 b
  */
@@ -51,7 +50,7 @@ static inline struct pp_rgb pp_rgb_along(struct pp_rgb a, double s, struct pp_rg
     return pp_rgb(a.r + s * b.r, a.g + s * b.g, a.b + s * b.b);
 }
 
-/* The luminance-weighted mean; exactly the value where all three channels are one. */
+/* Luminance-weighted mean; exact if all three channels are equal. */
 static inline double pp_rgb_luminance(struct pp_rgb a)
 {
     return a.g + 0.265 * (a.r - a.g) + 0.065 * (a.b - a.g);

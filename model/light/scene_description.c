@@ -8,7 +8,7 @@
 #include "model/base/array.h"
 #include "model/geometry/polygon.h"
 
-/* Greatest distance of a polygon's corner from its plane, over the polygon's size:
+/* Largest distance of a polygon's corner from its plane, over the polygon's size;
  * chosen, not measured. */
 static const double MOST_UNEVEN = 1e-3;
 
@@ -26,7 +26,7 @@ void pp_scene_description_clear(struct pp_scene_description *scene)
     pp_scene_description_init(scene);
 }
 
-/* Room for `more` items beyond count. */
+/* Ensures space for `more` items after count. */
 static enum pp_status grow_shape_list(void *list, int count, int *space, int more,
                                       size_t size, struct pp_error *err)
 {
@@ -96,8 +96,8 @@ static enum pp_status append_shape(struct pp_scene_description *scene,
     return PP_OK;
 }
 
-/* Copies the corners behind the scene's vertices without repeated ones; returns how
- * many are left. */
+/* Appends the corners without repeated ones to the scene's vertices; returns their
+ * number. */
 static int copy_corners(struct pp_scene_description *scene,
                         const struct pp_vec3 *corners, int count)
 {
@@ -219,8 +219,8 @@ enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene
 
 /* ---- patterns ---- */
 
-/* Skies of skybright.cal [WS98], with its names: gamma is the angle from the sun, zt
- * that of the sun and eta that of the direction from the zenith.
+/* Skies of skybright.cal [WS98], with its symbols: gamma is the angle from the sun; zt
+ * and eta are the zenith angles of the sun and of the direction.
  *
  *     clear         Lz (0.91 + 10 exp(-3 gamma) + 0.45 cos^2 gamma)
  *                      (1 - exp(-0.32 / cos eta)) / norm
@@ -263,8 +263,8 @@ double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
                 return pattern->skylines[i].radiance;
         return pattern->factor * pp_sky_luminance(&pattern->sky, u);
     }
-    /* The mean of sky and ground, weighted by tenth powers: the ground's share is a
-     * half at the horizon, a tenth at 6 degrees, 3e-4 at 30. */
+    /* Mean of sky and ground weighted by tenth powers; the ground's weight is 0.5 at
+     * the horizon, 0.1 at 6 degrees, 3e-4 at 30. */
     double above = pow(u.z + 1.01, 10.0), below = 1.0 / above;
     double value =
         (above * gensky_sky(pattern, u) + below * pattern->ground) / (above + below);

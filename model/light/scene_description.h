@@ -1,10 +1,10 @@
 /* scene_description.h - a scene as plain lists: shapes, materials, patterns of light.
  *
- * An import (formats/radiance) fills the lists; simulate/scene/light_scene.h is made
- * from them. Lengths are in metres (or in the unit of the receivers), radiances in any
- * unit, which the results then have.
+ * An import (formats/radiance) fills the lists; simulate/scene/light_scene.h is built
+ * from them. Lengths are in metres (or in the unit of the receivers); radiances in any
+ * unit, which is then the unit of results.
  *
- * Lists are grown by the functions below, which check each shape as it comes.
+ * The functions below grow the lists and check each shape.
  */
 #ifndef PP_MODEL_LIGHT_SCENE_DESCRIPTION_H
 #define PP_MODEL_LIGHT_SCENE_DESCRIPTION_H
@@ -15,22 +15,23 @@
 #include "model/geometry/vec.h"
 
 enum pp_shape_kind {
-    PP_SHAPE_POLYGON, /* plane, by crossings: a hole is joined by a bridge (region.h) */
+    PP_SHAPE_POLYGON, /* plane, even-odd rule; holes are joined by bridges
+                       * (clipper.h) */
     PP_SHAPE_SPHERE,
-    PP_SHAPE_CONE,    /* open at both ends; a cylinder where both radii are equal */
+    PP_SHAPE_CONE,    /* open at both ends; a cylinder if both radii are equal */
     PP_SHAPE_RING,    /* a disc, or a disc with a round hole */
-    PP_SHAPE_DISTANT, /* a cone of directions, infinitely far away */
+    PP_SHAPE_DISTANT, /* a cone of directions at infinite distance */
 };
 
-/* The front is the side that a polygon's corners run counter-clockwise seen from, the
- * outside of spheres and cones, the side a ring's axis points to. */
+/* The front is the side from which a polygon's corners are counter-clockwise, the
+ * outside of spheres and cones, or the side to which a ring's axis points. */
 struct pp_shape {
     enum pp_shape_kind kind;
     int material;
-    int back_material; /* of the other side; -1: the same, but giving off light only
-                        * where the material does from both sides */
-    int tag;           /* the caller's own: it comes back with every hit */
-    bool inward;       /* sphere, cone: their front is inside (bubble, cup, tube) */
+    int back_material; /* -1: same as the front, but emitting only if the material
+                        * emits from both sides */
+    int tag;           /* for the caller; returned with every hit */
+    bool inward;       /* sphere, cone: the front is inside (bubble, cup, tube) */
     union {
         struct {
             int first, count; /* of the description's vertices */
@@ -41,23 +42,23 @@ struct pp_shape {
         } sphere;
         struct {
             struct pp_vec3 ends[2];
-            double radii_m[2]; /* at either end, not both 0 */
+            double radii_m[2]; /* at the two ends, not both 0 */
         } cone;
         struct {
             struct pp_vec3 centre, axis; /* axis: unit */
             double radii_m[2];           /* inner (may be 0), outer */
         } ring;
         struct {
-            struct pp_vec3 direction; /* to its middle, unit */
+            struct pp_vec3 direction; /* unit, to its centre */
             double half_angle_rad;    /* 0 < .. <= pi */
         } distant;
     } is;
 };
 
-/* Factors of a distant source's radiance by direction. */
+/* Factor on a distant source's radiance, by direction. */
 enum pp_pattern_kind {
     PP_PATTERN_SKY,    /* factor times pp_sky_luminance; the factor is the sky's Eh */
-    PP_PATTERN_GENSKY, /* the formulae that Radiance's skies are written with [WS98] */
+    PP_PATTERN_GENSKY, /* formulae of Radiance's skies [WS98] */
 };
 
 enum pp_gensky_kind {
@@ -67,10 +68,10 @@ enum pp_gensky_kind {
     PP_GENSKY_INTERMEDIATE = 4,
 };
 
-/* An endless obstruction so far away that it hides the directions u with
- * 0 < u.z < slope (u . outward) from every point. */
+/* A distant endless obstruction: from every point it hides the directions u with 0 <
+ * u.z < slope (u . outward). */
 struct pp_pattern_skyline {
-    struct pp_vec3 outward; /* horizontal, unit: towards it */
+    struct pp_vec3 outward; /* horizontal, unit, towards the obstruction */
     double slope;           /* tangent of its angle */
     double radiance;
 };
@@ -81,18 +82,18 @@ struct pp_pattern {
     enum pp_pattern_kind kind;
     double factor;     /* of PP_PATTERN_SKY */
     struct pp_sky sky; /* of PP_PATTERN_SKY */
-    int skyline_count; /* of PP_PATTERN_SKY; where several hide a direction, the first
-                        * in the list is seen */
+    int skyline_count; /* PP_PATTERN_SKY; if several hide a direction the first in
+                        * the list is visible */
     struct pp_pattern_skyline skylines[PP_PATTERN_SKYLINES_MOST];
 
-    enum pp_gensky_kind type; /* the rest of PP_PATTERN_GENSKY */
+    enum pp_gensky_kind type; /* this and the following: PP_PATTERN_GENSKY only */
     double zenith, ground;    /* radiances of zenith and ground */
-    double norm;              /* divisor of clear and intermediate skies */
-    struct pp_vec3 sun;       /* towards it, unit */
+    double norm;              /* divisor for clear and intermediate skies */
+    struct pp_vec3 sun;       /* unit, towards the sun */
 };
 
-/* The factor in direction u (unit). A gensky pattern has sky and ground in one, run
- * into each other about the horizon as its formula does. */
+/* Factor in unit direction u. A gensky pattern includes sky and ground, which fade into
+ * each other around the horizon as in its formula. */
 double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
                                           struct pp_vec3 u);
 
@@ -110,8 +111,8 @@ struct pp_scene_description {
 void pp_scene_description_init(struct pp_scene_description *scene);
 void pp_scene_description_clear(struct pp_scene_description *scene);
 
-/* Adds a copy to its list; *index is its place there (index may be NULL). Materials are
- * checked by pp_material_check. */
+/* Adds a copy to the list; *index (may be NULL) is its position. Materials are checked
+ * by pp_material_check. */
 enum pp_status pp_scene_description_add_material(struct pp_scene_description *scene,
                                                  const struct pp_material *material,
                                                  int *index, struct pp_error *err);
@@ -119,15 +120,15 @@ enum pp_status pp_scene_description_add_pattern(struct pp_scene_description *sce
                                                 const struct pp_pattern *pattern,
                                                 int *index, struct pp_error *err);
 
-/* A polygon of count corners; repeated corners and a repeated first one are left out.
- * One without an area, or farther out of its plane than a thousandth of its size, is
- * PP_BAD_INPUT. */
+/* Adds a polygon of count corners; repeated corners are left out. PP_BAD_INPUT for a
+ * polygon without area, or uneven by more than a thousandth of its size. */
 enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *scene,
                                                 const struct pp_vec3 *corners,
                                                 int count, int material, int *index,
                                                 struct pp_error *err);
 
-/* Any other shape; directions are made unit, ends and radii are checked. */
+/* Adds any other shape. Directions are normalised; PP_BAD_INPUT for invalid ends and
+ * radii. */
 enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene,
                                               const struct pp_shape *shape, int *index,
                                               struct pp_error *err);

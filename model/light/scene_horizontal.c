@@ -1,5 +1,5 @@
-/* scene_horizontal.c - see scene_horizontal.h. Midpoint sums over the hemisphere, in
- * z^2 and azimuth, which weight all directions alike on a level plane:
+/* scene_horizontal.c - midpoint sums over the hemisphere, in z^2 and azimuth, so that
+ * all terms have equal weight on a horizontal plane:
  *
  *     E = pi / (rings turns) sum L(u),   u.z^2 = (i + 1/2) / rings
  */
@@ -10,7 +10,7 @@
 
 enum { RINGS = 400, TURNS = 720 };
 
-/* Distant sources that are summed; a scene usually has two. */
+/* Limit on distant sources; a scene usually has two. */
 enum { SOURCES_MOST = 256 };
 
 static bool is_sky(const struct pp_scene_description *scene,
@@ -20,7 +20,7 @@ static bool is_sky(const struct pp_scene_description *scene,
            && scene->materials[shape->material].emits == PP_EMITS_EXTENDED;
 }
 
-/* The distant sources that are skies. */
+/* Distant sources that are skies. */
 struct sources {
     const struct pp_scene_description *scene;
     int list[SOURCES_MOST];
@@ -36,7 +36,7 @@ static struct sources sources_of(const struct pp_scene_description *scene)
     return sources;
 }
 
-/* The source of smallest angle in direction u; NULL: none. */
+/* Source with the smallest angle in direction u; NULL: none. */
 static const struct pp_shape *seen_in(const struct sources *sources, struct pp_vec3 u)
 {
     const struct pp_shape *found = NULL;
@@ -80,7 +80,7 @@ static struct pp_rgb quadrature(const struct sources *sources)
     return pp_rgb_scale(sum, PP_PI / ((double)RINGS * TURNS));
 }
 
-/* Material of the sky if it is one whole hemisphere of PP_PATTERN_SKY, whose Eh is its
+/* Material of the sky if it is a whole hemisphere of PP_PATTERN_SKY, whose Eh is its
  * factor; else NULL. */
 static const struct pp_material *known_sky(const struct pp_scene_description *scene)
 {

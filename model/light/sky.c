@@ -55,7 +55,7 @@ bool pp_sky_has_azimuth(const struct pp_sky *sky)
     return sky->kind == PP_SKY_ISO && (sky->c != 0.0 || sky->e != 0.0);
 }
 
-/* Sky (1 + 2z)/3 blended with the ground's luminance, as in skybright.cal. */
+/* Blends the sky (1 + 2z)/3 with the ground's luminance, as in skybright.cal. */
 static double faded_luminance(double fade, double z)
 {
     double weight = pow(z + 1.01, 10.0);
@@ -63,8 +63,8 @@ static double faded_luminance(double fade, double z)
            / (weight + 1.0 / weight);
 }
 
-/* Luminance over that of the zenith; for ISO skies over 1 / (f(Zs) phi(0)) of it; of a
- * photograph in cd/m2. */
+/* Luminance over that of the zenith; ISO skies: over that of the zenith divided by
+ * f(Zs) phi(0); photographs: in cd/m2. */
 static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
 {
     if (sky->fade > 0.0)
@@ -78,7 +78,7 @@ static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
         gradation += sky->a * exp(sky->b / u.z);
     if (sky->c == 0.0 && sky->e == 0.0)
         return gradation;
-    /* The angle to the sun by atan2: acos loses half its digits beside it. */
+    /* atan2 for the angle to the sun: acos loses half its digits near the sun. */
     double chi =
         atan2(pp_vec_length(pp_vec_cross(u, sky->sun)), pp_vec_dot(u, sky->sun));
     double cos_chi = cos(chi);
@@ -94,14 +94,14 @@ double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u)
     return fmax(relative_luminance(sky, u) * sky->per_horizontal, 0.0);
 }
 
-/* Data that the quadrature of pp_sky_on_plane needs at each node. */
+/* Arguments of the integrand in pp_sky_on_plane. */
 struct plane_integral {
     const struct pp_sky *sky;
     struct pp_vec3 normal;
 };
 
-/* Integrand over azimuth x[0] and x[1], the part 0 to 1 of the altitudes that the
- * plane sees at that azimuth. */
+/* Integrand over azimuth x[0] and x[1], the position (0 to 1) in the range of altitudes
+ * that the plane sees at that azimuth. */
 static int plane_integrand(unsigned dim, const double *x, void *data, unsigned fdim,
                            double *value)
 {
@@ -129,8 +129,8 @@ static int plane_integrand(unsigned dim, const double *x, void *data, unsigned f
 
 static double quadrature_on_plane(const struct pp_sky *sky, struct pp_vec3 n)
 {
-    /* The integrand has a kink where the plane's own horizon meets the true one, and
-     * a cusp at the sun: cut there. */
+    /* The integrand has a kink where the plane's own horizon meets the true one, and a
+     * cusp at the sun; the range is divided there. */
     double side = atan2(n.x, n.y) + PP_PI / 2.0;
     double sun = atan2(sky->sun.x, sky->sun.y);
     double cut[5] = {0.0, side, side + PP_PI, sun, sun + PP_PI};
@@ -192,9 +192,9 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
 struct pp_sky pp_sky_faded(double ground_reflectance)
 {
     struct pp_sky sky = pp_sky_overcast();
-    /* rho Eh / pi over Lz; a black ground darkens the horizon, too. */
+    /* rho Eh / pi over Lz; even a black ground darkens the horizon. */
     sky.fade = fmax(ground_reflectance / (PP_PI * sky.per_horizontal), 1e-12);
-    sky.per_horizontal = 1.0; /* for the quadrature */
+    sky.per_horizontal = 1.0; /* neutral value during the quadrature */
     sky.per_horizontal = 1.0 / quadrature_on_plane(&sky, pp_vec(0.0, 0.0, 1.0));
     return sky;
 }

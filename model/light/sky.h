@@ -1,6 +1,5 @@
-/* sky.h - the luminance of the sky, for the methods and the simulation: graded skies
- * (overcast, uniform: graded_sky.h), those of ISO 15469, and photographs
- * (sky_picture.h).
+/* sky.h - luminance of the sky, for methods and simulation: graded skies (overcast,
+ * uniform: graded_sky.h), ISO 15469 skies, and photographs (sky_picture.h).
  *
  * A sky is normalised by its own unobstructed horizontal illuminance Eh, so that the
  * illuminance of a receiver is a daylight factor without further division:
@@ -12,7 +11,7 @@
  *                phi(Z) = 1 + a exp(b / cos Z),  phi(pi/2) = 1
  *                with Eh by adaptive quadrature to 1e-10
  *
- * The sun's disc is left out.
+ * The sun's disc is not included.
  */
 #ifndef PP_MODEL_LIGHT_SKY_H
 #define PP_MODEL_LIGHT_SKY_H
@@ -28,36 +27,36 @@ struct pp_sky_picture;
 
 struct pp_sky {
     enum pp_sky_kind kind;
-    int iso; /* 1 to 15 for PP_SKY_ISO, 0 for one of its form by Perez; else 0 */
-    double gradation;     /* b of graded_sky.h. A sky that is not graded has that of the
-                           * overcast one, which replaces it where an obstruction becomes
-                           * an angle and where light is only estimated */
-    struct pp_vec3 sun;   /* towards the sun, unit length; zenith where there is none */
-    double a, b, c, d, e; /* ISO 15469, zero elsewhere */
-    double per_horizontal; /* L / Eh (1/sr) where the relative luminance is 1 */
-    double fade; /* Lg / Lz of a faded sky, which only luminances know of (simulation);
-                  * 0: it is none */
-    const struct pp_sky_picture *picture; /* of PP_SKY_PICTURE; not owned */
-    double north[2]; /* its: cosine and sine of the bearing of +y */
+    int iso; /* PP_SKY_ISO: 1 to 15, or 0 for a Perez sky in this form; else 0 */
+    double gradation;      /* b of graded_sky.h. Skies that are not graded have that
+                           * of the overcast sky, used to convert obstructions to
+                           * angles and for estimates */
+    struct pp_vec3 sun;    /* unit, towards the sun; the zenith if there is none */
+    double a, b, c, d, e;  /* ISO 15469, else 0 */
+    double per_horizontal; /* L / Eh (1/sr) for a relative luminance of 1 */
+    double fade; /* Lg / Lz of a faded sky, used only for luminances in simulations;
+                  * 0: not faded */
+    const struct pp_sky_picture *picture; /* PP_SKY_PICTURE only; not owned */
+    double north[2]; /* picture: cosine and sine of the bearing of +y */
 };
 
 struct pp_sky pp_sky_overcast(void);
 struct pp_sky pp_sky_uniform(void);
 
 /* Overcast sky of Radiance's gensky over a ground of that reflectance (0 to 1): Lg is
- * it times Eh over pi. */
+ * the reflectance times Eh over pi. */
 struct pp_sky pp_sky_faded(double ground_reflectance);
 
-/* A graded sky of any b: its kind is uniform for b = 0, else overcast. Rooms use the
- * two above; tests use other values of b. */
+/* Graded sky with any b; its kind is uniform for b = 0, else overcast. Rooms use the
+ * two above, tests other values. */
 struct pp_sky pp_sky_graded(double b);
 
-/* Sky by the formula of ISO 15469 with parameters a to e and the sun in direction sun
- * (unit), scaled to its horizontal illuminance. */
+/* Sky by the formula of ISO 15469 with parameters a to e and the sun in unit direction
+ * sun, scaled by its horizontal illuminance. */
 struct pp_sky pp_sky_of_parameters(const double parameters[5], struct pp_vec3 sun);
 
-/* ISO 15469 sky of type 1 to 15 with the sun in direction sun (unit, above the horizon;
- * ignored by types without a sun). Fails on any other type and on a sun below the
+/* ISO 15469 sky of type 1 to 15 with the sun in unit direction sun, above the horizon;
+ * ignored by types without a sun. PP_BAD_INPUT for another type, or a sun below the
  * horizon. */
 enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
                           struct pp_error *err);
@@ -65,17 +64,17 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
 /* True if the luminance of ISO type `type` depends on the position of the sun. */
 bool pp_sky_iso_has_sun(int type);
 
-/* Sky of a photograph in axes whose +y has the bearing north_rad. The picture must live
- * as long. */
+/* Sky of a photograph, in axes whose +y has the bearing north_rad. The picture must
+ * live as long as the sky. */
 struct pp_sky pp_sky_of_picture(const struct pp_sky_picture *picture, double north_rad);
 
-/* True if the luminance is a gradation in the sine of the altitude. */
+/* True if the luminance depends only on the sine of the altitude, linearly. */
 static inline bool pp_sky_is_graded(const struct pp_sky *sky)
 {
     return sky->kind == PP_SKY_OVERCAST || sky->kind == PP_SKY_UNIFORM;
 }
 
-/* Direction u of the sky's axes with x to the east and y to the north. */
+/* Converts direction u from the sky's axes to x east and y north. */
 static inline struct pp_vec3 pp_sky_to_north(const struct pp_sky *sky, struct pp_vec3 u)
 {
     return pp_vec(u.x * sky->north[0] + u.y * sky->north[1],
@@ -85,15 +84,15 @@ static inline struct pp_vec3 pp_sky_to_north(const struct pp_sky *sky, struct pp
 /* True if the luminance depends on azimuth. */
 bool pp_sky_has_azimuth(const struct pp_sky *sky);
 
-/* Luminance in direction u (unit) over the horizontal illuminance, 1/sr; 0 below the
+/* Luminance in unit direction u over the horizontal illuminance, 1/sr; 0 below the
  * horizon. */
 double pp_sky_luminance(const struct pp_sky *sky, struct pp_vec3 u);
 
 /* Angle (rad) of a photograph's pixels; 0 for other skies, which are smooth. */
 double pp_sky_grain(const struct pp_sky *sky);
 
-/* Illuminance of a plane with normal n (unit, any tilt) from the unobstructed sky,
- * as a fraction of Eh. Closed form for graded skies, else to 1e-9; to 1e-4 for a
+/* Illuminance from the unobstructed sky, as a fraction of Eh, of a plane with unit
+ * normal n of any tilt. Closed form for graded skies, else to 1e-9; to 1e-4 for a
  * photograph. */
 double pp_sky_on_plane(const struct pp_sky *sky, struct pp_vec3 n);
 

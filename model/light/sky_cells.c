@@ -1,8 +1,9 @@
-/* sky_cells.c - inverts cumulated sums over a fine net of directions.
+/* sky_cells.c - inverts cumulative sums over a fine grid of directions.
  *
- * The light of a patch on a horizontal plane is L sin(a) cos(a) da db for altitude a
- * and bearing b; cos(a) sin(a) da is d(sin^2 a)/2, so that strips between equal steps
- * of sin^2 a would be equal under a uniform sky. */
+ * The light from a patch on a horizontal plane is L sin(a) cos(a) da db for altitude a
+ * and bearing b. Since cos(a) sin(a) da is d(sin^2 a)/2, strips between equal steps of
+ * sin^2 a would be equal under a uniform sky.
+ */
 #include "model/light/sky_cells.h"
 
 #include <math.h>
@@ -10,12 +11,12 @@
 
 enum { STRIPS = 2000, BEARINGS = 720 };
 
-/* The net: strips of altitude from the zenith down, and bearings within them. */
+/* Grid of directions: strips of altitude from the zenith downwards, and bearings. */
 struct net {
     const struct pp_sky *sky;
-    int bearings;              /* 1 where the sky is the same in all */
+    int bearings;              /* 1 if the sky does not depend on bearing */
     double above[STRIPS + 1];  /* share of the light above the strip's upper edge */
-    double turn[BEARINGS + 1]; /* of a ring: share of the light before each bearing */
+    double turn[BEARINGS + 1]; /* in a ring: share of the light before each bearing */
 };
 
 static double altitude_of(double strip)
@@ -23,7 +24,7 @@ static double altitude_of(double strip)
     return 0.5 * PP_PI * (1.0 - strip / STRIPS);
 }
 
-/* Light of the part of strips between two places, which need not be whole, at a bearing. */
+/* Light, at a bearing, of strips between two positions, which may be fractional. */
 static double light_of(const struct net *net, double upper, double lower, int bearing)
 {
     double high = sin(altitude_of(upper)), low = sin(altitude_of(lower));
@@ -46,7 +47,7 @@ static void sum_strips(struct net *net)
         net->above[i] /= net->above[STRIPS];
 }
 
-/* Position, in steps, of `share` in a rising table of count + 1 shares. */
+/* Position, in steps, of `share` in an ascending table of count + 1 shares. */
 static double share_position(const double *shares, int count, double share)
 {
     int low = 0, high = count;
@@ -59,7 +60,7 @@ static double share_position(const double *shares, int count, double share)
     return low + fmin(fmax(t, 0.0), 1.0);
 }
 
-/* Bearings of a ring between two places. */
+/* Sums the bearings of a ring between two positions. */
 static void sum_ring(struct net *net, double upper, double lower)
 {
     net->turn[0] = 0.0;
@@ -75,8 +76,8 @@ static void sum_ring(struct net *net, double upper, double lower)
         net->turn[k] /= net->turn[net->bearings];
 }
 
-/* Number of cells of the ring that begins behind `done` of `count`: those that are
- * nearest to square, and all that are left where another such ring has no room. */
+/* Number of cells of the ring after `done` of `count` cells: the number that makes them
+ * most nearly square, or all remaining cells if another such ring does not fit. */
 static int ring_size(const struct net *net, int done, int count)
 {
     double top = altitude_of(share_position(net->above, STRIPS, (double)done / count));

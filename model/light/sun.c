@@ -1,6 +1,6 @@
-/* sun.c - see sun.h. The steps are the almanac's: the sun's longitude on the ecliptic,
- * its right ascension and declination, and by sidereal time its hour angle and its
- * place above the horizon [MIC88]:
+/* sun.c - the almanac's steps: the sun's ecliptic longitude, its right ascension and
+ * declination, and from sidereal time its hour angle and position above the horizon
+ * [MIC88]:
  *
  *     L  = 280.460 + 0.9856474 n                    mean longitude (degrees)
  *     g  = 357.528 + 0.9856003 n                    mean anomaly
@@ -20,12 +20,12 @@
 
 #include "model/geometry/vec.h"
 
-/* The earth's radius at the sun's mean distance: 8.794 seconds of arc. */
+/* Solar parallax: 8.794 seconds of arc at the sun's mean distance. */
 static const double PARALLAX = 8.794 / 3600.0 * PP_RAD;
 
 double pp_sun_days_since_2000(int year, int month, int day, double hour_ut)
 {
-    /* Days since 1 March of year 0, years beginning in March [MEEUS98]. */
+    /* Days since 1 March of year 0; years begin in March [MEEUS98]. */
     int y = month > 2 ? year : year - 1;
     int m = month > 2 ? month - 3 : month + 9;
     int days = 365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + day - 1;
@@ -33,7 +33,7 @@ double pp_sun_days_since_2000(int year, int month, int day, double hour_ut)
     return days - FIRST_JANUARY_2000 + (hour_ut - 12.0) / 24.0;
 }
 
-/* The value less whole turns: 0 to `whole`. */
+/* Reduces a value by whole turns to 0 ... `whole`. */
 static double wrapped(double value, double whole)
 {
     return value - whole * floor(value / whole);
@@ -52,7 +52,7 @@ struct pp_sun pp_sun_at(double n, double latitude_rad, double longitude_rad)
     double ra = atan2(cos(ep) * sin(l), cos(l));
     double dec = asin(sin(ep) * sin(l));
 
-    /* Hour angle, by the sidereal time of Greenwich (hours). */
+    /* Hour angle from Greenwich sidereal time (hours). */
     double hour_ut = 24.0 * wrapped(n + 0.5, 1.0);
     double gmst = 6.697375 + 0.0657098242 * n + hour_ut;
     double ha = gmst * 15.0 * PP_RAD + longitude_rad - ra;
@@ -67,7 +67,7 @@ struct pp_sun pp_sun_at(double n, double latitude_rad, double longitude_rad)
     sun.bearing_rad = wrapped(atan2(east, north), 2.0 * PP_PI);
     sun.distance_au = 1.00014 - 0.01671 * cos(g) - 0.00014 * cos(2.0 * g);
 
-    /* Parallax: seen from the surface of the earth, the sun is lower than from its centre. */
+    /* Parallax: the sun is lower seen from the earth's surface than from its centre. */
     sun.altitude_rad -= PARALLAX / sun.distance_au * cos(sun.altitude_rad);
     return sun;
 }

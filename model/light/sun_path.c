@@ -1,4 +1,4 @@
-/* sun_path.c - a rotation about the earth's axis. */
+/* sun_path.c - the sun's direction as a rotation about the earth's axis. */
 #include "model/light/sun_path.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 struct pp_vec3 pp_sun_path_direction(double latitude, double declination,
                                      double hour_angle)
 {
-    double south = cos(declination) * cos(hour_angle); /* in the equator's plane */
+    double south = cos(declination) * cos(hour_angle); /* in the equatorial plane */
     return pp_vec(-cos(declination) * sin(hour_angle),
                   sin(declination) * cos(latitude) - south * sin(latitude),
                   sin(declination) * sin(latitude) + south * cos(latitude));

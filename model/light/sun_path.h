@@ -10,15 +10,14 @@
 
 #include "model/geometry/vec.h"
 
-/* Towards the sun, unit; x east, y north, z up. All radians. */
+/* Unit vector to the sun: x east, y north, z up. Angles in rad. */
 struct pp_vec3 pp_sun_path_direction(double latitude, double declination,
                                      double hour_angle);
 
-/* The hour angle of sunset, 0 to pi: 0 where the sun does not rise, pi where it does not
- * set. */
+/* Hour angle of sunset, 0 to pi: 0 if the sun does not rise, pi if it does not set. */
 double pp_sun_path_sunset(double latitude, double declination);
 
-/* The sun's declination at noon of the day in 2025. */
+/* The sun's declination (rad) at noon of that day in 2025. */
 double pp_sun_path_declination(int month, int day);
 
 #endif

@@ -7,7 +7,7 @@
 
 #include "model/base/array.h"
 
-/* Bits of group 70. */
+/* Bits of group code 70. */
 enum { CLOSED = 1, CLOSED_ACROSS = 32, POLYGON_MESH = 16, POLYFACE = 64 };
 enum { OF_SPLINE_FRAME = 16, MESH_CORNER = 64, FACE_RECORD = 128 };
 
@@ -25,7 +25,7 @@ static enum pp_status dxf_number(double *number, const struct pp_dxf_entity *e,
                               err);
 }
 
-/* Reads a whole number; 0 if it is not one, or too large. */
+/* Reads a whole number; 0 if the value is not one, or too large. */
 static enum pp_status count_of(int *count, const struct pp_dxf_entity *e, int code,
                                struct pp_error *err)
 {
@@ -64,7 +64,7 @@ enum pp_status pp_dxf_shapes_axes(struct pp_dxf_move *move,
     return status;
 }
 
-/* Adds a corner, given in the entity's coordinates. */
+/* Adds a corner in the entity's coordinates. */
 static enum pp_status add_dxf_corner(const struct pp_dxf_entity *e, struct pp_vec3 p,
                                      int line, struct pp_error *err)
 {
@@ -96,7 +96,7 @@ enum pp_status pp_dxf_shapes_face(const struct pp_dxf_entity *e, struct pp_error
     return status == PP_OK ? add_dxf_face(e, corners, count, line_of(e), err) : status;
 }
 
-/* ---- Outlines that are raised ---- */
+/* ---- extruded outlines ---- */
 
 /* Outline in the entity's own axes, at its elevation. */
 struct outline {
@@ -117,7 +117,7 @@ static enum pp_status append_outline_point(struct outline *outline, struct pp_ve
     return status;
 }
 
-/* Walls over the outline's edges and, where it is closed, a floor and a lid. */
+/* Adds walls over the outline's edges and, if it is closed, floor and lid. */
 static enum pp_status raise(const struct pp_dxf_entity *e,
                             const struct outline *outline, struct pp_error *err)
 {
@@ -189,7 +189,7 @@ enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *e,
     return status;
 }
 
-/* The corners of the entity are in the order first, second, fourth, third. */
+/* The file gives the corners in the order first, second, fourth, third. */
 enum pp_status pp_dxf_shapes_solid(const struct pp_dxf_entity *e, struct pp_error *err)
 {
     static const int order[] = {10, 11, 13, 12};
@@ -212,7 +212,7 @@ enum pp_status pp_dxf_shapes_solid(const struct pp_dxf_entity *e, struct pp_erro
 
 /* ---- MESH ---- */
 
-/* The tag at `at` as a whole number of that code, from 0 to `most`. */
+/* Reads the tag at `at` as a whole number of that code, from 0 to `most`. */
 static enum pp_status whole_at(int *whole, const struct pp_dxf_entity *e, int at,
                                int code, int most, struct pp_error *err)
 {
@@ -229,7 +229,8 @@ static enum pp_status whole_at(int *whole, const struct pp_dxf_entity *e, int at
     return status;
 }
 
-/* Adds the corners behind the tag at `at` (92, their number); *corners: how many. */
+/* Adds the corners after the tag at `at` (code 92, their number). *corners: number
+ * read. */
 static enum pp_status read_mesh_corners(int *corners, const struct pp_dxf_entity *e,
                                         int at, struct pp_error *err)
 {
@@ -253,8 +254,8 @@ static enum pp_status read_mesh_corners(int *corners, const struct pp_dxf_entity
     return status;
 }
 
-/* Adds the faces of the list behind the tag at `at` (93, its length): each its number of
- * corners and these, from 0, all in group 90. */
+/* Adds the faces of the list after the tag at `at` (code 93, its length). All values
+ * have code 90; each face is the number of its corners and their indices from 0. */
 static enum pp_status read_mesh_faces(const struct pp_dxf_entity *e, int at, int first,
                                       int corners, struct pp_error *err)
 {
@@ -292,7 +293,7 @@ enum pp_status pp_dxf_shapes_mesh(const struct pp_dxf_entity *e, struct pp_error
 
 /* ---- POLYLINE with its VERTEX entities ---- */
 
-/* The vertex at `at` as an entity by itself. */
+/* The vertex at `at` as an entity of its own. */
 static struct pp_dxf_entity vertex_at(const struct pp_dxf_entity *e, int at)
 {
     struct pp_dxf_entity vertex = *e;
@@ -306,8 +307,8 @@ static bool is_vertex(const struct pp_dxf_entity *e, int at)
     return strcmp(e->tags->list[at].value, "VERTEX") == 0;
 }
 
-/* A face of a polyface mesh: up to four of its corners, from 1, negative where the edge
- * is not drawn. */
+/* Adds a face of a polyface mesh: up to four corner numbers, from 1, negative if the
+ * edge is not drawn. */
 static enum pp_status add_record(const struct pp_dxf_entity *vertex, int first,
                                  int count, struct pp_error *err)
 {
@@ -353,8 +354,7 @@ static enum pp_status read_polyface(const struct pp_dxf_entity *e, struct pp_err
     return status;
 }
 
-/* Reads the corners of the polyline, in its own axes, without those of a spline's
- * frame. */
+/* Reads the corners of the polyline in its own axes, without spline frame points. */
 static enum pp_status read_corners(struct outline *outline,
                                    const struct pp_dxf_entity *e, bool arcs_count,
                                    struct pp_error *err)
@@ -381,7 +381,8 @@ static enum pp_status read_corners(struct outline *outline,
     return status;
 }
 
-/* M times N corners, row by row; a direction that is closed ends where it begins. */
+/* Reads a mesh of M times N corners in rows; a closed direction ends where it
+ * begins. */
 static enum pp_status read_net(const struct pp_dxf_entity *e, int flags,
                                struct pp_error *err)
 {

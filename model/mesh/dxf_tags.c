@@ -7,7 +7,7 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* Cuts blanks off both ends. */
+/* Removes blanks at both ends. */
 static char *trim(char *text)
 {
     text += strspn(text, " \t");

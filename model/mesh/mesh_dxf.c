@@ -1,4 +1,4 @@
-/* mesh_dxf.c - see mesh_dxf.h: the file's sections, its blocks, and which entities are
+/* mesh_dxf.c - sections and blocks of the file, and the choice of entities that are
  * read. */
 #include "model/mesh/mesh_dxf.h"
 
@@ -9,7 +9,7 @@
 #include "model/mesh/dxf_shapes.h"
 #include "model/mesh/dxf_tags.h"
 
-/* Blocks within blocks, and how many are put in their places in all. */
+/* Limits on the nesting of blocks, and on the total number of inserted blocks. */
 enum { DEPTH_MOST = 16, INSERTS_MOST = 100000 };
 
 struct dxf {
@@ -24,7 +24,7 @@ static bool is(const struct pp_dxf_tag *tag, const char *name)
     return strcmp(tag->value, name) == 0;
 }
 
-/* Range of the section's tags without its name; false: no such section. */
+/* Range of the section's tags without its name; false if there is no such section. */
 static bool find_section(int range[2], const struct dxf *dxf, const char *name)
 {
     const struct pp_dxf_tag *list = dxf->tags.list;
@@ -43,7 +43,7 @@ static bool find_section(int range[2], const struct dxf *dxf, const char *name)
 
 /* ---- The unit ---- */
 
-/* Metres of each value of $INSUNITS; 0: no unit. */
+/* Metres per unit of $INSUNITS; 0: no unit. */
 static double unit_of(int insunits)
 {
     static const double units[] = {0.0,  0.0254, 0.3048,  1609.344, 1e-3,   1e-2,
@@ -77,7 +77,7 @@ static enum pp_status read_entities(struct dxf *dxf, int from, int to,
                                     const struct pp_dxf_move *move, int depth,
                                     struct pp_error *err);
 
-/* Refuses a block whose drawing is in another file (group 70, 4 or 8). */
+/* Rejects a block that is drawn in another file (group 70, 4 or 8). */
 static enum pp_status check_own(const struct pp_dxf_entity *block, const char *name,
                                 struct pp_error *err)
 {
@@ -98,7 +98,8 @@ static enum pp_status check_own(const struct pp_dxf_entity *block, const char *n
         pp_text_excerpt(other, sizeof other, path ? path->value : ""));
 }
 
-/* The entities of the block of that name; false: there is none. *base: its origin. */
+/* Entities of the block of that name; *found is false if there is none. *base: its
+ * origin. */
 static enum pp_status find_block(int range[2], struct pp_vec3 *base, bool *found,
                                  const struct dxf *dxf, const char *name,
                                  struct pp_error *err)
@@ -124,8 +125,8 @@ static enum pp_status find_block(int range[2], struct pp_vec3 *base, bool *found
     return PP_OK;
 }
 
-/* Transformation from the block's coordinates to those of the insert; steps: from one
- * column to the next, and one row, where the insert repeats the block. */
+/* Transformation from the block's coordinates to those of the insert. steps: offset
+ * from one column, and one row, to the next if the insert repeats the block. */
 static enum pp_status move_of(struct pp_dxf_move *move, struct pp_vec3 steps[2],
                               const struct pp_dxf_entity *e, struct pp_vec3 base,
                               struct pp_error *err)
@@ -157,7 +158,7 @@ static enum pp_status move_of(struct pp_dxf_move *move, struct pp_vec3 steps[2],
         turned.axes[k] = pp_dxf_shapes_moved(&own, axes[k]);
     turned.origin =
         pp_vec_sub(pp_dxf_shapes_moved(&own, at), pp_dxf_shapes_moved(&turned, base));
-    /* Then to the file's coordinates. */
+    /* Converts to the file's coordinates. */
     struct pp_dxf_move level = *e->move;
     level.origin = pp_vec(0.0, 0.0, 0.0);
     move->origin = pp_dxf_shapes_moved(e->move, turned.origin);
@@ -215,7 +216,8 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
     return status;
 }
 
-/* Refuses surfaces that cannot be read, including those raised by a thickness (39). */
+/* Rejects surfaces that cannot be read, including those extruded by a thickness
+ * (39). */
 static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
                                         struct pp_error *err)
 {
@@ -267,7 +269,7 @@ static enum pp_status read_entity(struct dxf *dxf, struct pp_dxf_entity *e, int 
     return refuse_dxf_entity(e, err);
 }
 
-/* The end of the entity: of a polyline, behind its corners. */
+/* End of the entity; for a polyline, after its vertices. */
 static int end_of(const struct dxf *dxf, int at, int to)
 {
     bool has_parts = is(&dxf->tags.list[at], "POLYLINE");

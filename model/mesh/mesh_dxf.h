@@ -1,12 +1,11 @@
-/* mesh_dxf.h - the surfaces of a DXF file of text, of AutoCAD R12 and later.
+/* mesh_dxf.h - the surfaces of an ASCII DXF file, of AutoCAD R12 and later.
  *
- * ENTITIES that are read: 3DFACE; POLYLINE that is a polyface or a polygon mesh;
- * LWPOLYLINE, POLYLINE, SOLID and TRACE with a thickness, extruded along their own
- * normal, with a lid if closed; MESH; INSERT, by the entities of its block, moved, scaled,
- * turned, and repeated in columns and rows. Refused by name and line are entities with an
- * unsupported surface (3DSOLID, REGION, ...), arcs in extruded outlines, and blocks from
- * another file. Lines,
- * texts and similar entities are ignored. The unit is $INSUNITS.
+ * Entities read: 3DFACE; POLYLINE that is a polyface or a polygon mesh; LWPOLYLINE,
+ * POLYLINE, SOLID and TRACE with a thickness, extruded along their own normal, with a
+ * lid if closed; MESH; INSERT, as the entities of its block, moved, scaled, rotated,
+ * and repeated in columns and rows. Errors with name and line: entities with
+ * unsupported surfaces (3DSOLID, REGION, ...), arcs in extruded outlines, and blocks of
+ * another file. Lines, texts and similar entities are ignored. The unit is $INSUNITS.
  */
 #ifndef PP_MODEL_MESH_MESH_DXF_H
 #define PP_MODEL_MESH_MESH_DXF_H
@@ -14,7 +13,7 @@
 #include "model/mesh/mesh_triangles.h"
 #include "model/mesh/mesh_lines.h"
 
-/* Fills an empty mesh, which the caller clears, after a failure too. PP_BAD_INPUT names
+/* Fills an empty mesh, which the caller clears even after a failure. PP_BAD_INPUT names
  * file and line. */
 enum pp_status pp_mesh_dxf_read(struct pp_mesh_triangles *mesh,
                                 struct pp_mesh_lines *lines, struct pp_error *err);

@@ -35,8 +35,8 @@ enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
     return fail_kind(name, err);
 }
 
-/* True if the path is a regular file, or does not exist, which reading reports. Reading
- * a pipe would not end. */
+/* True if the path is a regular file, or does not exist, which the reader reports.
+ * Reading a pipe might never end. */
 static bool is_plain_file(const char *path)
 {
     struct stat found;

@@ -10,8 +10,8 @@
 
 static const char blanks[] = " \t\v\f";
 
-/* The statement's lines in one: a \ at the end of a line and the break behind it become
- * blanks. NULL as pp_mesh_lines_next. *line: the statement's first. */
+/* Returns the next statement as one line: a \ at the end of a line and the line break
+ * become blanks. NULL as for pp_mesh_lines_next. *line: first line of the statement. */
 static char *next_statement(struct pp_mesh_lines *lines, int *line)
 {
     char *statement = pp_mesh_lines_next(lines), *end = statement;
@@ -30,7 +30,7 @@ static char *next_statement(struct pp_mesh_lines *lines, int *line)
     return NULL;
 }
 
-/* The next word of the text, which is cut there; NULL: there is none. */
+/* Next word of the text, which is cut there; NULL if there is none. */
 static char *next_word(char **text)
 {
     char *word = *text + strspn(*text, blanks);
@@ -64,8 +64,7 @@ static enum pp_status read_corner(struct pp_mesh_triangles *mesh,
         err);
 }
 
-/* Index of the corner that a word of a face names ("7", "7/3/2", "-1"); -1: no such
- * corner. */
+/* Index of the corner in a word of a face ("7", "7/3/2", "-1"); -1: no such corner. */
 static int corner_of(const struct pp_mesh_triangles *mesh, const char *word)
 {
     char *end;
@@ -77,7 +76,7 @@ static int corner_of(const struct pp_mesh_triangles *mesh, const char *word)
     return index > 0 && index <= mesh->corner_count ? (int)index - 1 : -1;
 }
 
-/* The corners of a face, in a list that serves one face after another. */
+/* Corners of a face; the memory is reused for the next face. */
 struct corners {
     int *list, count, space;
 };

@@ -53,8 +53,8 @@ static const char *add_mesh_triangle(struct pp_mesh_triangles *mesh, int a, int 
     return NULL;
 }
 
-/* Triangles of a polygon that is plane and not convex; PP_BAD_INPUT where it crosses
- * itself, and a fan has to do. */
+/* Triangulates a plane polygon that is not convex. PP_BAD_INPUT if it crosses itself; a
+ * fan is then used instead. */
 static enum pp_status cut_concave_polygon(int (**triangles)[3], int *triangle_count,
                                           const struct pp_mesh_triangles *mesh,
                                           const int *corners, int count)

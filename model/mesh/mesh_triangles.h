@@ -1,7 +1,7 @@
-/* mesh_triangles.h - triangles in space, as other programs' files hold them.
+/* mesh_triangles.h - triangles in space, from files of other programs.
  *
- * Corners are in the file's own units and axes, finite; triangles are three indices of
- * corners each, not empty but for rounding, either way round.
+ * Corners are finite, in the units and axes of the file. Triangles are three corner
+ * indices, of either orientation, and have an area apart from rounding.
  */
 #ifndef PP_MODEL_MESH_MESH_TRIANGLES_H
 #define PP_MODEL_MESH_MESH_TRIANGLES_H
@@ -9,34 +9,34 @@
 #include "model/base/error.h"
 #include "model/geometry/vec.h"
 
-/* The most triangles that are taken of one file, and the most corners. */
+/* Limits on the triangles and corners of a file. */
 enum { PP_MESH_MOST = 1000000, PP_MESH_CORNERS_MOST = 3000000 };
 
-/* Coordinates are less than this, either sign, in any unit: larger ones cannot be those
- * of a building's surroundings. */
+/* Limit on the absolute value of coordinates in any unit; larger ones cannot be the
+ * surroundings of a building. */
 #define PP_MESH_COORDINATE_MOST 1e12
 
-/* Begin with all zero; to be cleared. */
+/* Initialise with zeros; clear after use. */
 struct pp_mesh_triangles {
     struct pp_vec3 *corners;
     int corner_count, corner_space;
     int (*triangles)[3];
     int triangle_count, triangle_space;
-    double unit_m; /* of the file's lengths, as it says itself; 0: it does not */
+    double unit_m; /* metres per unit, if the file states it; else 0 */
 };
 
 void pp_mesh_triangles_clear(struct pp_mesh_triangles *mesh);
 
-/* Reason why a corner or a triangle could not be added, static; NULL: it was added. If
- * memory is exhausted it is this pointer. */
+/* The functions below return the reason why a corner or face could not be added,
+ * static, or NULL on success. Without memory the reason is this pointer. */
 extern const char *const pp_mesh_triangles_no_memory;
 
 const char *pp_mesh_triangles_add_corner(struct pp_mesh_triangles *mesh,
                                          struct pp_vec3 corner);
 
-/* A face with these corners (indices of the mesh's, 3 or more), cut into triangles: a
- * plane one as its outline runs, one that is not as a fan. Corners that repeat and faces
- * without an area are left out. */
+/* Adds a face with these corners (indices, 3 or more) as triangles: a plane face by its
+ * outline, another one as a fan. Repeated corners and faces without area are left
+ * out. */
 const char *pp_mesh_triangles_add_face(struct pp_mesh_triangles *mesh,
                                        const int *corners, int count);
 

@@ -4,7 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A view along its own "up" has no up. */
+/* Least angle between the direction of view and `up`; below it the picture has no
+ * top. */
 static const double least_angle_rad = 1e-6;
 
 static enum pp_status check_size(enum pp_view_kind kind, double size,
@@ -66,7 +67,7 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
     return PP_OK;
 }
 
-/* Half the picture's extent on the plane or dome that the view is projected on. */
+/* Half the extent of the picture on its projection plane or dome. */
 static double half_extent(enum pp_view_kind kind, double size)
 {
     switch (kind) {

@@ -7,8 +7,7 @@
 
 #include "model/geometry/vec.h"
 
-/* Share of the pixels, at either end, that the scale leaves out: chosen, not
- * measured. */
+/* Share of pixels at each end that the scale leaves out; chosen, not measured. */
 static const double left_out = 0.005;
 
 enum { DECADES_MOST = 4 };
@@ -100,7 +99,7 @@ int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
         }
         return count;
     }
-    /* Uses equal steps, about ten of them. */
+    /* Uses about ten equal steps. */
     double step = round_number(round_above((scale->high - scale->low) / 12.0));
     for (double i = ceil(scale->low / step - 1e-9); count < PP_FALSE_COLOUR_LEVELS_MOST;
          i++) {

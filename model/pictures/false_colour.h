@@ -1,8 +1,9 @@
-/* false_colour.h - false colours: a scale, its round levels, a picture in it.
+/* false_colour.h - false colours: a scale, its round levels, and a picture in these
+ * colours.
  *
- * Colours are those of [GREEN11]: from black to white by way of all hues, ever lighter
- * to the eye, so that a black and white copy keeps the order; the darkest and the
- * lightest tenth are left out, for lines and paper.
+ * Colours are those of [GREEN11]: from black to white through all hues with increasing
+ * lightness, so that a black and white copy keeps the order. The darkest and lightest
+ * tenth are left out, for lines and paper.
  */
 #ifndef PP_MODEL_PICTURES_FALSE_COLOUR_H
 #define PP_MODEL_PICTURES_FALSE_COLOUR_H
@@ -12,35 +13,35 @@
 #include "model/pictures/picture.h"
 #include "model/pictures/raster.h"
 
-/* Values are in the unit that people read (quantity.h). */
+/* Values are in the printed unit (quantity.h). */
 struct pp_false_colour_scale {
-    double low, high; /* low < high; where logarithmic low > 0 */
+    double low, high; /* low < high; low > 0 if logarithmic */
     bool logarithmic;
 };
 
-/* Fits a scale to the picture, whose values are luminances times `unit`. Its ends are
- * rounded outwards to 1, 2, 5 and their decades from the range of all but the darkest
- * and lightest half per cent of the pixels. It has at most four decades, and begins at
- * 0 if it is linear. Pixels that are black or NaN do not count. */
+/* Fits a scale to the picture, whose values are luminances times `unit`. Its range
+ * excludes the darkest and lightest half per cent of the pixels, and is rounded
+ * outwards to 1, 2, 5 and their decades. It has at most four decades; a linear scale
+ * begins at 0. Black and NaN pixels do not count. */
 enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
                                          const struct pp_picture *picture, double unit,
                                          bool logarithmic, struct pp_error *err);
 
 enum { PP_FALSE_COLOUR_LEVELS_MOST = 40 };
 
-/* The round values of the scale from end to end, ascending: 1, 2, 5 and their decades,
- * or equal steps. Returns how many. */
+/* Round values of the scale, ascending from end to end: 1, 2, 5 and their decades, or
+ * equal steps. Returns their number. */
 int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
                                  double levels[PP_FALSE_COLOUR_LEVELS_MOST]);
 
-/* Position of a value on the scale, 0 to 1; values off the scale are at its end. */
+/* Position of a value on the scale, 0 to 1; values off the scale are at its ends. */
 double pp_false_colour_scale_at(const struct pp_false_colour_scale *scale,
                                 double value);
 
-/* sRGB of a place on the scale, 0 to 1. */
+/* sRGB colour for a position on the scale, 0 to 1. */
 void pp_false_colour(double at, unsigned char rgb[3]);
 
-/* The picture in the scale's colours; pixels that are no number are white. */
+/* The picture in the scale's colours; NaN pixels are white. */
 enum pp_status pp_false_colour_raster(struct pp_raster *raster,
                                       const struct pp_picture *picture, double unit,
                                       const struct pp_false_colour_scale *scale,

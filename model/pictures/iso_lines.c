@@ -1,17 +1,17 @@
-/* iso_lines.c - see iso_lines.h. Marching squares on the logarithms of the values. */
+/* iso_lines.c - marching squares on the logarithms of the values. */
 #include "model/pictures/iso_lines.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Threshold without tags: neighbours that differ by more than this, in natural
- * logarithms, show two surfaces. Chosen by trial. */
+/* Without tags: neighbours whose natural logarithms differ by more than this belong to
+ * different surfaces. Chosen by trial. */
 static const double edge_log = 0.3;
 
 struct log_picture {
     int width, height;
-    double *logs; /* of the values; -INFINITY: a pixel without a value */
+    double *logs; /* logarithms of the values; -INFINITY: no value */
     const int *tags;
 };
 
@@ -32,7 +32,7 @@ static bool alike(const struct log_picture *field, size_t a, size_t b)
 
 /* ---- smoothing ---- */
 
-/* Smooths along rows (step 1) or columns (step: the width), from field->logs to out. */
+/* Smooths along rows or columns, from field->logs to out. */
 static void smooth_along(const struct log_picture *field, double *out, bool rows,
                          double deviation)
 {
@@ -63,8 +63,8 @@ static void smooth_along(const struct log_picture *field, double *out, bool rows
         }
 }
 
-/* True if a pixel shows another surface than one of its neighbours: its value may be a
- * mixture of both. */
+/* True if a pixel belongs to another surface than a neighbour, so that its value may be
+ * a mixture of both. */
 static bool is_mixed(const struct log_picture *field, int x, int y)
 {
     for (int j = y > 0 ? y - 1 : y; j <= y + 1 && j < field->height; j++)
@@ -107,9 +107,9 @@ static enum pp_status make_field(struct log_picture *field,
 
 /* ---- squares ---- */
 
-/* Edges between neighbouring pixels are numbered 2 i (to the right of pixel i) and 2 i
- * + 1 (below it). A line crosses a square from one edge to another, with the brighter
- * side on its left; next[] leads from each edge to the following one. */
+/* Edges between adjacent pixels have the numbers 2 i (right of pixel i) and 2 i + 1
+ * (below it). A line crosses a square from edge to edge, with the brighter side on its
+ * left; next[] is the following edge. */
 struct squares {
     const struct log_picture *field;
     double level; /* logarithm */
@@ -117,15 +117,15 @@ struct squares {
     bool *entered;
 };
 
-/* A corner pair of a square that the line passes between. */
+/* Adds a line segment from one edge of a square to another. */
 static void link_edges(struct squares *squares, int from, int to)
 {
     squares->next[from] = to;
     squares->entered[to] = true;
 }
 
-/* Adds the lines of one square, whose upper left pixel is x, y. Corners run clockwise
- * as seen. */
+/* Adds the lines of the square whose upper left pixel is x, y. Corners are clockwise as
+ * seen. */
 static void cross_square(struct squares *squares, int x, int y)
 {
     const struct log_picture *field = squares->field;
@@ -143,8 +143,8 @@ static void cross_square(struct squares *squares, int x, int y)
         above[i] = field->logs[corner[i]] > squares->level;
         mean += 0.25 * field->logs[corner[i]];
     }
-    /* Seen along corners clockwise, a line with the bright side on its left comes in
-     * where dark turns to bright and leaves where bright turns to dark. */
+    /* Going clockwise, a line with the bright side on its left enters between a dark
+     * and a bright corner and leaves between a bright and a dark one. */
     int in[2], out[2], count_in = 0, count_out = 0;
     for (int i = 0; i < 4; i++) {
         if (!above[i] && above[(i + 1) % 4])
@@ -155,8 +155,8 @@ static void cross_square(struct squares *squares, int x, int y)
     if (count_in == 1) {
         link_edges(squares, in[0], out[0]);
     } else if (count_in == 2) {
-        /* Two opposite bright corners are joined if the middle is bright. in[0] is
-         * before out[0] where corner 0 is dark. */
+        /* Two opposite bright corners are joined if the mean is bright. in[0] precedes
+         * out[0] if corner 0 is dark. */
         bool joined = mean > squares->level;
         bool swapped = above[0] ? !joined : joined;
         link_edges(squares, in[0], out[swapped ? 1 : 0]);
@@ -176,7 +176,7 @@ static void place_of_edge(const struct squares *squares, int edge, double xy[2])
     xy[1] = y + 0.5 + (below ? t : 0.0);
 }
 
-/* Removes the line that begins at an edge from the squares; stores it if it is long
+/* Removes the line that begins at an edge from the squares, and stores it if it is long
  * enough. */
 static enum pp_status take_iso_line(struct squares *squares, int start, double shortest,
                                     struct pp_curve_list *lines, struct pp_error *err)

@@ -1,4 +1,4 @@
-/* picture.h - a picture as numbers: linear colour, a value a pixel, row by row. */
+/* picture.h - a picture as numbers: linear colours, by rows of pixels. */
 #ifndef PP_MODEL_PICTURES_PICTURE_H
 #define PP_MODEL_PICTURES_PICTURE_H
 
@@ -7,16 +7,16 @@
 #include "model/base/error.h"
 #include "model/light/rgb.h"
 
-/* Limits of each side, and of all pixels: 768 MiB. */
+/* Limits on each side, and on all pixels (768 MiB). */
 enum { PP_PICTURE_SIDE_MOST = 65535 };
 #define PP_PICTURE_PIXELS_MOST (1 << 26)
 
 struct pp_picture {
     int width, height; /* pixels */
-    float *rgb;        /* three a pixel; rows from the top, pixels from the left */
+    float *rgb;        /* three per pixel; rows from the top, pixels from the left */
 };
 
-/* A black picture; PP_BAD_INPUT where it would be larger than the limits or empty. */
+/* Makes a black picture; PP_BAD_INPUT if it is empty or exceeds the limits. */
 enum pp_status pp_picture_init(struct pp_picture *picture, int width, int height,
                                struct pp_error *err);
 void pp_picture_clear(struct pp_picture *picture);

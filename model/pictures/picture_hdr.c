@@ -8,13 +8,13 @@
 
 #include "model/base/text.h"
 
-/* Limits of widths whose rows may be packed channel by channel: the width has 15 bits,
- * and shorter rows could be mistaken for pixels. */
+/* Widths whose rows may be run-length encoded by channel: the format has 15 bits for
+ * the width, and shorter rows could be mistaken for pixels. */
 enum { PACKED_LEAST = 8, PACKED_MOST = 32767, RUN_LEAST = 4, RUN_MOST = 127 };
 
 enum { LINE_MOST = 2048 };
 
-/* ---- a pixel ---- */
+/* ---- pixels ---- */
 
 static void to_rgbe(unsigned char rgbe[4], const float rgb[3])
 {
@@ -29,7 +29,7 @@ static void to_rgbe(unsigned char rgbe[4], const float rgb[3])
     memset(rgbe, 0, 4);
     if (mantissa == 0.0 || exponent < -127)
         return;
-    if (exponent > 127) { /* 2^127 and above: the brightest pixel there is */
+    if (exponent > 127) { /* 2^127 and above: the brightest possible pixel */
         memset(rgbe, 255, 4);
         return;
     }
@@ -39,7 +39,7 @@ static void to_rgbe(unsigned char rgbe[4], const float rgb[3])
     rgbe[3] = (unsigned char)(exponent + 128);
 }
 
-/* The middle of the step that the bytes stand for. */
+/* Returns the middle of the quantisation step. */
 static void from_rgbe(float rgb[3], const unsigned char rgbe[4])
 {
     for (int i = 0; i < 3; i++)
@@ -49,7 +49,8 @@ static void from_rgbe(float rgb[3], const unsigned char rgbe[4])
 
 /* ---- writing ---- */
 
-/* Length of the run of equal bytes that begins at `at`, every fourth byte. */
+/* Length of the run of equal bytes that begins at `at`; bytes of a channel are 4
+ * apart. */
 static int run_at(const unsigned char *row, int at, int width)
 {
     int run = 1;
@@ -58,8 +59,7 @@ static int run_at(const unsigned char *row, int at, int width)
     return run;
 }
 
-/* Writes one channel of a row: runs of equal bytes, and the bytes between runs
- * unchanged. */
+/* Writes one channel of a row: runs of equal bytes, and other bytes unchanged. */
 static void write_channel(FILE *out, const unsigned char *row, int width)
 {
     for (int at = 0; at < width;) {
@@ -68,7 +68,7 @@ static void write_channel(FILE *out, const unsigned char *row, int width)
             at += run;
             run = run_at(row, at, width);
         }
-        if (run < RUN_LEAST && at - begin + run <= 128) { /* the row ends so */
+        if (run < RUN_LEAST && at - begin + run <= 128) { /* last run of the row */
             at += run;
             run = 0;
         }
@@ -132,10 +132,10 @@ enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
 struct input {
     const unsigned char *bytes;
     size_t length, at;
-    int line; /* that was read last, from 1 */
+    int line; /* number of the line read last, from 1 */
 };
 
-/* The next line without its end; false where the input ends before or it is too
+/* Reads the next line without its end; false if the input ends before, or it is too
  * long. */
 static bool read_hdr_line(struct input *in, char line[LINE_MOST])
 {
@@ -154,7 +154,7 @@ static bool read_hdr_line(struct input *in, char line[LINE_MOST])
     return true;
 }
 
-/* The text behind the word and its "=", or NULL if the line begins otherwise. */
+/* Text after the word and "="; NULL if the line begins otherwise. */
 static const char *behind(const char *line, const char *word)
 {
     size_t length = strlen(word);
@@ -192,7 +192,7 @@ static enum pp_status take_header_line(const struct input *in, const char *line,
     return PP_OK;
 }
 
-/* "-Y 512 +X 768": both lengths, and which way they run. */
+/* Reads "-Y 512 +X 768": lengths and directions. */
 static bool read_size(const char *line, int size[2], char signs[2])
 {
     char axes[2], rest;
@@ -236,7 +236,7 @@ static enum pp_status read_header(struct input *in, struct pp_hdr_notes *notes,
 
 /* ---- reading the pixels ---- */
 
-/* Reads a row of pixels, each explicit or a repeat count of the one before. */
+/* Reads a row of pixels; each is explicit or repeats the previous one. */
 static bool read_plain_row(struct input *in, unsigned char *row, int width)
 {
     int shift = 0;
@@ -260,7 +260,7 @@ static bool read_plain_row(struct input *in, unsigned char *row, int width)
     return true;
 }
 
-/* Reads a row channel by channel, in runs. */
+/* Reads a run-length encoded row, by channel. */
 static bool read_packed_row(struct input *in, unsigned char *row, int width)
 {
     for (int channel = 0; channel < 4; channel++)
@@ -306,7 +306,8 @@ enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
     int size[2];
     char signs[2];
     enum pp_status status = read_header(&in, notes, size, signs, err);
-    /* A row has four bytes at least, so that a short file can't ask for much. */
+    /* A row needs at least four bytes, so that a short file cannot request much
+     * memory. */
     if (status == PP_OK && (length - in.at) / 4 < (size_t)size[0])
         status =
             pp_fail(err, PP_BAD_INPUT, "the picture is cut off: %zu bytes for %d rows",

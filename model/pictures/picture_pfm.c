@@ -23,7 +23,7 @@ enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
     return PP_OK;
 }
 
-/* The next word of the header, and its end. */
+/* Next word of the header, and its end. */
 static bool read_word(char word[32], const unsigned char *bytes, size_t length,
                       size_t *at)
 {
@@ -75,7 +75,7 @@ enum pp_status pp_picture_pfm_read(struct pp_picture *picture,
         || scale == 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "line 3: no order of bytes; expected -1.0 or 1.0");
-    at++; /* the one white byte behind the header */
+    at++; /* the single white byte after the header */
     size_t channels = kind[1] == 'F' ? 3 : 1;
     if ((length - at) / (4 * channels) / (size_t)width < (size_t)height)
         return pp_fail(err, PP_BAD_INPUT,

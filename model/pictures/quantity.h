@@ -1,22 +1,22 @@
-/* quantity.h - the quantities that pixels may hold, and the units they are read in. */
+/* quantity.h - the quantities of pixels, and their printed units. */
 #ifndef PP_MODEL_PICTURES_QUANTITY_H
 #define PP_MODEL_PICTURES_QUANTITY_H
 
-/* Lumens to a watt of the light in pictures, by convention of their format [WS98]. */
+/* Luminous efficacy of the light in pictures (lm/W), fixed by the format [WS98]. */
 #define PP_LUMENS_PER_WATT 179.0
 
 enum pp_quantity {
-    PP_LUMINANCE,       /* pixels are radiances, W/sr/m2; read in cd/m2 */
-    PP_ILLUMINANCE,     /* irradiances of the surface seen, W/m2; read in lx */
-    PP_DAYLIGHT_FACTOR, /* of the surface seen, fractions; read in per cent */
+    PP_LUMINANCE,       /* radiance, W/sr/m2; printed in cd/m2 */
+    PP_ILLUMINANCE,     /* irradiance of the visible surface, W/m2; printed in lx */
+    PP_DAYLIGHT_FACTOR, /* of the visible surface, a fraction; printed in per cent */
     PP_QUANTITY_COUNT,
 };
 
 struct pp_quantity_words {
-    const char *name;    /* as typed, and in the head of a picture: "luminance" */
+    const char *name;    /* as typed, and in the header of a picture: "luminance" */
     const char *heading; /* "Luminance" */
     const char *unit;    /* "cd/m²" */
-    double scale;        /* from a pixel's number to that unit */
+    double scale;        /* printed unit per unit of the pixels */
 };
 
 static inline struct pp_quantity_words pp_quantity_words(enum pp_quantity quantity)

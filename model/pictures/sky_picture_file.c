@@ -13,7 +13,7 @@
 #include "model/pictures/quantity.h"
 #include "model/pictures/sky_picture_view.h"
 
-/* The most bytes of a file. */
+/* Limit on the bytes of a file. */
 static const size_t BYTES_MOST = (size_t)512 << 20;
 
 /* ---- a file ---- */
@@ -23,7 +23,7 @@ struct file {
     struct pp_hdr_notes notes;
 };
 
-/* Puts the file's name before a message. */
+/* Puts the file's name in front of a message. */
 static enum pp_status of_file(const char *path, enum pp_status status,
                               struct pp_error *err)
 {
@@ -89,7 +89,7 @@ static enum pp_status take_pixels(struct pp_sky_frame *frame, const struct file 
     return PP_OK;
 }
 
-/* Another frame that looks the other way. */
+/* Frame of a second picture that looks in the opposite direction. */
 static struct pp_sky_frame opposite(const struct pp_sky_frame *frame)
 {
     struct pp_sky_frame other = *frame;
@@ -130,8 +130,8 @@ static enum pp_status add_frame(struct pp_sky_picture *picture, const char *path
     return of_file(path, status, err);
 }
 
-/* A picture that leaves more than this share of the light to be filled in is a mistake:
- * two tenths of the sky lie within 12 degrees of the horizon, and give 0.04 of the
+/* Largest share of the light that may be filled in; more is reported as a mistake. Two
+ * tenths of the sky are within 12 degrees of the horizon, and give 0.04 of the
  * light. */
 static const double FILLED_MOST = 0.2;
 

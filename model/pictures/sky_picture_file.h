@@ -1,14 +1,14 @@
-/* sky_picture_file.h - a photographed sky from picture files: Radiance's (.hdr) and
- * portable float maps (.pfm).
+/* sky_picture_file.h - reads a photographed sky from picture files: Radiance's (.hdr)
+ * and portable float maps (.pfm).
  *
- * A fisheye's circle lies in the middle of its picture and fills the shorter side,
- * unless given. One that looks at the zenith, top to the north, shows the west on its
- * right. A latitude-longitude picture is twice as wide as high; bearings grow to its
+ * Unless given, a fisheye's circle is at the centre of its picture and fills the
+ * shorter side. A picture of the zenith with north at the top shows west on its right.
+ * A latitude-longitude picture is twice as wide as high; bearings increase to its
  * right.
  *
- * Radiance's header counts where nothing is given: EXPOSURE divides, VIEW gives angular
- * and hemispherical views, their direction, top and angle, with x east and y north.
- * Luminance is 179 lm/W times the grey of the channels (rgb.h; of sRGB primaries
+ * If an option is missing, Radiance's header applies: EXPOSURE divides; VIEW gives
+ * angular and hemispherical views with direction, top and angle, x east and y north.
+ * Luminance is 179 lm/W times the grey of the channels (rgb.h; for sRGB primaries
  * 0.2126 R + 0.7152 G + 0.0722 B).
  */
 #ifndef PP_MODEL_PICTURES_SKY_PICTURE_FILE_H
@@ -19,41 +19,43 @@
 #include "model/base/error.h"
 #include "model/light/photographs/sky_picture.h"
 
-/* Position and unit of the pictures. NAN and -1: as the file says, or else the
- * value in brackets. */
+/* Orientation and unit of the pictures. NAN and -1: as in the file, or else the value
+ * in parentheses. */
 struct pp_sky_picture_options {
     int projection;           /* (latitude-longitude if twice as wide as high, else
                                * equidistant) */
     double view_angle_rad;    /* of the whole circle (pi) */
-    double top_bearing_rad;   /* of the top of a picture that looks up or down (0) */
-    double view_bearing_rad;  /* of the middle of any other (0) */
-    double view_altitude_rad; /* of the middle (pi/2; latitude-longitude 0) */
-    bool mirrored;            /* left for right, as a map has it */
-    double circle[3];         /* middle from left and top, radius; pixels */
-    double horizon_rad;       /* 0: down to the horizon */
-    double fill_cd_m2;        /* NAN: the nearest (sky_picture.h) */
-    double illuminance_lx;    /* measured horizontal; NAN: as the pixels say */
-    double exposure;          /* factor on all pixels, 1 */
-    bool srgb;                /* primaries of the channels; else Radiance's */
+    double top_bearing_rad;   /* bearing of the top, for a picture that looks up or
+                               * down (0) */
+    double view_bearing_rad;  /* bearing of the centre, for other pictures (0) */
+    double view_altitude_rad; /* altitude of the centre (pi/2; latitude-longitude 0) */
+    bool mirrored;            /* left and right exchanged, as on a map */
+    double circle[3];         /* centre from left and top, radius; pixels */
+    double horizon_rad;       /* altitude below which the sky is filled; 0: none */
+    double fill_cd_m2;        /* NAN: nearest luminance (sky_picture.h) */
+    double illuminance_lx;    /* measured horizontal illuminance; NAN: from the
+                               * pixels */
+    double exposure;          /* factor on all pixels (1) */
+    bool srgb;                /* sRGB primaries; else Radiance's */
 };
 
 struct pp_sky_picture_options pp_sky_picture_options_none(void);
 
-/* "key=value" pairs behind commas; keys are the attributes of <sky> in a room file:
- * projection, view-angle, top-bearing, view-bearing, view-altitude, mirrored, circle,
- * horizon, fill, illuminance, exposure, primaries; and second, another file. *second is
- * the caller's to free. */
+/* Parses "key=value" pairs, each after a comma. Keys are the attributes of <sky> in a
+ * room file: projection, view-angle, top-bearing, view-bearing, view-altitude,
+ * mirrored, circle, horizon, fill, illuminance, exposure, primaries, and second, the
+ * name of another file. The caller frees *second. */
 enum pp_status pp_sky_picture_options_parse(struct pp_sky_picture_options *options,
                                             char **second, const char *pairs,
                                             struct pp_error *err);
 
-/* Sets one of them. PP_BAD_INPUT names the key and what was expected. */
+/* Sets one option. PP_BAD_INPUT names the key and the expected value. */
 enum pp_status pp_sky_picture_options_set(struct pp_sky_picture_options *options,
                                           const char *key, const char *value,
                                           struct pp_error *err);
 
-/* Reads a file, and a second one (NULL: none) that looks the other way and lies
- * likewise. PP_BAD_INPUT names the file. *picture is the caller's to release. */
+/* Reads a file, and a second one (NULL: none) with the opposite direction of view and
+ * the same options. PP_BAD_INPUT names the file. The caller releases *picture. */
 enum pp_status pp_sky_picture_file_read(struct pp_sky_picture **picture,
                                         const char *path, const char *second,
                                         const struct pp_sky_picture_options *options,

@@ -1,4 +1,4 @@
-/* sky_picture_options.c - the options of sky_picture_file.h, from words. */
+/* sky_picture_options.c - parses the options of sky_picture_file.h. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,9 +20,9 @@ struct pp_sky_picture_options pp_sky_picture_options_none(void)
                                            .exposure = 1.0};
 }
 
-/* ---- kinds of value ---- */
+/* ---- kinds of values ---- */
 
-/* A number within limits, times a unit. */
+/* Reads a number within limits, and multiplies it by the unit. */
 static bool read_within(const char *value, double least, double most, double unit,
                         double *number)
 {

@@ -9,14 +9,14 @@
 
 /* ---- Radiance's VIEW ---- */
 
-/* Values of a VIEW in the header; 0 and NAN: not given. */
+/* Values of VIEW in the header; 0 and NAN: not given. */
 struct said {
     char type; /* behind -vt */
     struct pp_vec3 toward, up;
     double across_deg, down_deg;
 };
 
-/* The next word of a text, and behind it; false at its end. */
+/* Next word of a text, which is advanced; false at the end. */
 static bool next_word(const char **text, char word[32])
 {
     const char *from = *text + strspn(*text, " \t");
@@ -138,7 +138,7 @@ static double or_else(double given, double fallback)
     return isnan(given) ? fallback : given;
 }
 
-/* The direction of view, and a direction to the top of the picture. */
+/* Finds the direction of view, and a direction to the top of the picture. */
 static void find_view(const struct pp_sky_frame *frame, const struct said *said,
                       const struct pp_sky_picture_options *options,
                       struct pp_vec3 *toward, struct pp_vec3 *top)

@@ -2,8 +2,8 @@
  *
  *     log Ld = log Ld_min + (log Ld_max - log Ld_min) P(log Lw)
  *
- * P is the cumulated histogram of the scene's luminances Lw, trimmed until the slope of
- * the curve nowhere exceeds its ceiling.
+ * P is the cumulative histogram of the scene's luminances Lw, trimmed until the slope
+ * of the curve does not exceed its ceiling.
  */
 #include "model/pictures/tone.h"
 
@@ -13,10 +13,11 @@
 #include <string.h>
 
 /* Trimming ends when it removes less than this share of the remaining histogram.
- * [LRP97] use the same share of the whole, which can be half of a small remainder. */
+ * [LRP97] use this share of the whole histogram, which may be half of a small
+ * remainder. */
 static const double tolerance = 0.025;
 
-/* Share of the histogram that is spread evenly over its bins: chosen by trial. */
+/* Share of the histogram that is spread evenly over its bins; chosen by trial. */
 static const double spread = 0.01;
 
 double pp_tone_threshold(double luminance)
@@ -37,8 +38,8 @@ double pp_tone_threshold(double luminance)
 
 /* ---- adaptation ---- */
 
-/* Natural logarithms of the mean luminances of squares of a degree; those that are
- * black are left out. */
+/* Natural logarithms of the mean luminances of squares of one degree, without black
+ * ones. */
 struct adaptation_fields {
     double *logs;
     int count;
@@ -79,17 +80,17 @@ static enum pp_status average_fields(struct adaptation_fields *fields,
 
 static const double display_range = 4.605170185988092; /* log of most over least */
 
-/* Logarithm of the display luminance where `below` of `all` fields are darker. */
+/* Log display luminance of a field, where `below` of `all` fields are darker. */
 static double display_log(double below, double all)
 {
     return log(PP_TONE_DISPLAY_LEAST) + display_range * below / all;
 }
 
-/* Cuts the histogram down to the ceiling at which the curve shows at most the contrast
- * of the scene, and at most that visible to the eye in it: the lower of the two
- * ceilings of [LRP97]. The eye's ceiling alone would give dark parts of the display,
- * where the eye sees less, more contrast than the scene. Returns the amount cut; *total
- * is the remainder. */
+/* Trims the histogram to the ceiling at which the curve shows at most the contrast of
+ * the scene, and at most the contrast visible in it: the lower of the two ceilings of
+ * [LRP97]. The visibility ceiling alone would give dark parts of the display, where the
+ * eye sees less, more contrast than the scene. Returns the amount removed; *total is
+ * the remainder. */
 static double trim(double bins[PP_TONE_BINS], const struct pp_tone *tone, double *total)
 {
     double below = 0.0, cut = 0.0, all = *total;
@@ -109,8 +110,8 @@ static double trim(double bins[PP_TONE_BINS], const struct pp_tone *tone, double
     return cut;
 }
 
-/* If the scene's contrast fits the display, shows it linearly, with its brightest
- * luminance as white. */
+/* Shows a scene whose contrast fits the display linearly, with its brightest luminance
+ * as white. */
 static void show_linearly(struct pp_tone *tone, double brightest)
 {
     tone->white = brightest;
@@ -143,9 +144,9 @@ static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fie
         bins[bin < PP_TONE_BINS ? bin : PP_TONE_BINS - 1] += 1.0;
         total += 1.0;
     }
-    /* A hundredth of all spread evenly over the bins, so that trimmed contrast can go
-     * into the gap between the luminances of a room and its window, where it shows
-     * nowhere. */
+    /* Spreads a hundredth evenly over the bins, so that trimmed contrast can move to
+     * the gap between the luminances of a room and its window, where it is not
+     * visible. */
     double all = total + spread * total;
     for (int i = 0; i < PP_TONE_BINS; i++)
         bins[i] += spread * total / PP_TONE_BINS;
@@ -199,7 +200,7 @@ double pp_tone_shown(const struct pp_tone *tone, double luminance)
     if (tone->white > 0.0)
         return luminance / tone->white;
     double at = (log(luminance) - tone->low) / tone->step, shown;
-    if (at <= 0.0) /* darker than all fields: in proportion */
+    if (at <= 0.0) /* darker than all fields: proportional */
         shown = tone->curve[0] + at * tone->step;
     else if (at >= PP_TONE_BINS)
         shown = tone->curve[PP_TONE_BINS];
@@ -209,7 +210,7 @@ double pp_tone_shown(const struct pp_tone *tone, double luminance)
     return exp(shown) / PP_TONE_DISPLAY_MOST;
 }
 
-/* sRGB's own curve, 0 to 255. */
+/* sRGB transfer function, 0 to 255. */
 static unsigned char encode(double linear)
 {
     double value =

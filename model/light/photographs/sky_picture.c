@@ -5,14 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- a pixel's neighbourhood ---- */
+/* ---- pixels around a position ---- */
 
-/* Mean of the valid pixels around a place, with bilinear weights. */
+/* Mean of the valid pixels around a position, with bilinear weights. */
 struct pixel_square {
     double luminance;
     struct pp_rgb colour;
-    double q;      /* rim_variable of their centres */
-    double weight; /* of those that count: 1 where all four do */
+    double q;      /* rim_variable, mean over the pixels */
+    double weight; /* total weight of valid pixels: 1 if all four are valid */
 };
 
 static bool is_fisheye(const struct pp_sky_frame *frame)
@@ -20,14 +20,14 @@ static bool is_fisheye(const struct pp_sky_frame *frame)
     return frame->projection != PP_SKY_LATITUDE_LONGITUDE;
 }
 
-/* Distance of a place, in pixels, from the middle of the circle over its radius. */
+/* Distance of a position (pixels) from the centre of the circle, over its radius. */
 static double radius_of(const struct pp_sky_frame *frame, double x, double y)
 {
     return hypot(x - frame->centre[0], y - frame->centre[1]) / frame->radius[0];
 }
 
-/* The variable for extrapolation at the rim: r, or the cosine of the angle for a
- * hemispherical picture. */
+/* Variable for extrapolation at the rim: r, or for a hemispherical picture the cosine
+ * of the angle. */
 static double rim_variable(const struct pp_sky_frame *frame, double radius)
 {
     if (frame->projection != PP_SKY_HEMISPHERICAL)
@@ -36,7 +36,8 @@ static double rim_variable(const struct pp_sky_frame *frame, double radius)
     return sqrt(fmax(0.0, 1.0 - sine * sine));
 }
 
-/* True if the pixel is on the same side of the horizon as `side` (its sign; 0: any). */
+/* True if the pixel is on the side of the horizon given by the sign of `side` (0:
+ * any). */
 static bool is_on_side(const struct pp_sky_frame *frame, int x, int y, double side)
 {
     double place[2] = {(x + 0.5 - frame->centre[0]) / frame->radius[0],
@@ -52,7 +53,7 @@ static bool is_on_side(const struct pp_sky_frame *frame, int x, int y, double si
            > 0.0;
 }
 
-/* Pixels that count: within the circle or the picture, and on that side of the
+/* Criterion for valid pixels: within the circle or picture, and on that side of the
  * horizon. */
 struct counted {
     double side;
@@ -68,7 +69,7 @@ static void add_pixel(struct pixel_square *sum, const struct pp_sky_frame *frame
         if (radius > 1.0 || x < 0 || y < 0 || x >= frame->width || y >= frame->height)
             return;
         q = rim_variable(frame, radius);
-    } else { /* it closes upon itself, and ends at the poles */
+    } else { /* latitude-longitude: periodic in x, ends at the poles */
         x = x < 0 ? x + frame->width : x >= frame->width ? x - frame->width : x;
         y = y < 0 ? 0 : y >= frame->height ? frame->height - 1 : y;
     }
@@ -84,7 +85,7 @@ static void add_pixel(struct pixel_square *sum, const struct pp_sky_frame *frame
     }
 }
 
-/* x and y in pixels. */
+/* Mean at x, y (pixels). */
 static struct pixel_square around(const struct pp_sky_frame *frame, double x, double y,
                                   struct counted counted)
 {
@@ -103,7 +104,7 @@ static struct pixel_square around(const struct pp_sky_frame *frame, double x, do
     return sum;
 }
 
-/* The pixels `in` pixels inside a place that is `radius` from the middle. */
+/* Mean at `in` pixels inwards from a place at `radius` from the centre. */
 static struct pixel_square inside(const struct pp_sky_frame *frame,
                                   const double place[2], double radius, double in)
 {
@@ -112,7 +113,7 @@ static struct pixel_square inside(const struct pp_sky_frame *frame,
                   frame->centre[1] - scale * place[1], (struct counted){0});
 }
 
-/* The parabola through three points, at q. */
+/* Value at q of the parabola through three points. */
 static double parabola(const double at[3], const double value[3], double q)
 {
     double sum = 0.0;
@@ -123,8 +124,8 @@ static double parabola(const double at[3], const double value[3], double q)
     return sum;
 }
 
-/* Luminance within two pixels of the rim: the parabola through the outermost pixels that
- * count and others farther in. */
+/* Luminance within two pixels of the rim, from the parabola through the outermost valid
+ * pixels and two positions further inwards. */
 static double rim_luminance(const struct pp_sky_frame *frame, const double place[2],
                             double radius)
 {
@@ -154,7 +155,8 @@ static double rim_luminance(const struct pp_sky_frame *frame, const double place
 
 /* ---- a picture ---- */
 
-/* Place of a direction in a frame, moved to the rim if it lies outside; its radius. */
+/* Position of a direction in a frame, moved to the rim if it is outside. Returns its
+ * radius. */
 static double place_in(const struct pp_sky_frame *frame, struct pp_vec3 u,
                        double place[2], bool *outside)
 {
@@ -172,7 +174,7 @@ static double place_in(const struct pp_sky_frame *frame, struct pp_vec3 u,
     return radius;
 }
 
-/* Bilinear luminance where all four neighbours are in the picture; x and y in pixels. */
+/* Bilinear luminance if all four neighbours are in the picture; x and y in pixels. */
 static bool bilinear(const struct pp_sky_frame *frame, double x, double y,
                      double *luminance)
 {
@@ -198,7 +200,7 @@ static double frame_luminance(const struct pp_sky_frame *frame, struct pp_vec3 u
         return rim_luminance(frame, place, radius);
     double x = frame->centre[0] + frame->radius[0] * place[0];
     double y = frame->centre[1] - frame->radius[1] * place[1];
-    /* Ground and sky do not mix at the horizon. */
+    /* Ground and sky pixels must not mix at the horizon. */
     double step = PP_PI / 2.0 / frame->radius[1];
     bool edge =
         fabs(u.z) < 1.5 * step * fmax(1.0, frame->half_angle_rad / (PP_PI / 2.0));
@@ -211,8 +213,8 @@ static double frame_luminance(const struct pp_sky_frame *frame, struct pp_vec3 u
     return those.luminance;
 }
 
-/* Share of the first of two opposite pictures in direction u: 1 where only it shows it,
- * falling to 0 over their overlap. */
+/* Weight of the first of two opposite pictures in direction u: 1 where only that one
+ * shows it, decreasing to 0 over the overlap. */
 static double share_of_first(const struct pp_sky_picture *picture, struct pp_vec3 u)
 {
     if (picture->frame_count == 1)
@@ -225,7 +227,7 @@ static double share_of_first(const struct pp_sky_picture *picture, struct pp_vec
     return fmax(0.0, fmin(1.0, (most - t) / (most - least)));
 }
 
-/* The direction itself, or raised to the horizon of the picture. */
+/* The direction, or the direction raised to the horizon of the picture. */
 static struct pp_vec3 above_horizon(const struct pp_sky_picture *picture,
                                     struct pp_vec3 u, bool *below)
 {
@@ -276,8 +278,8 @@ struct pp_rgb pp_sky_picture_colour(const struct pp_sky_picture *picture,
 static const double ROW_RAD = PP_PI / 2.0 / PP_SKY_PICTURE_ROWS;
 static const double COLUMN_RAD = 2.0 * PP_PI / PP_SKY_PICTURE_COLUMNS;
 
-/* Mean of a cell from places no farther apart than the pixels, 16 by 16 at most;
- * *filled: the share of it that is not from the pictures. */
+/* Mean of a cell, sampled at the resolution of the pixels, at most 16 by 16 times.
+ * *filled: share of the mean that is not from the pictures. */
 static double cell_mean(const struct pp_sky_picture *picture, int row, int column,
                         double *filled)
 {
@@ -344,7 +346,7 @@ double pp_sky_picture_on_plane(const struct pp_sky_picture *picture, struct pp_v
     return sum;
 }
 
-/* ---- the rest ---- */
+/* ---- other quantities ---- */
 
 static void scale_luminance(struct pp_sky_picture *picture, double factor)
 {
@@ -389,8 +391,9 @@ static enum pp_status check_pixels(struct pp_sky_picture *picture, struct pp_err
     return PP_OK;
 }
 
-/* A sun is cut off where several pixels share the largest value, within the step of a
- * shared exponent, and that is SUN times the mean of the sky. */
+/* Counts pixels of a sun beyond the camera's range: several pixels share the largest
+ * value, within the resolution of the format, and it is SUN times the mean of the
+ * sky. */
 static void count_saturated(struct pp_sky_picture *picture)
 {
     enum { SEVERAL = 4 };
@@ -436,7 +439,7 @@ static uint64_t hash_of(const struct pp_sky_picture *picture)
     return stir(hash, rest, sizeof rest);
 }
 
-/* The smallest angle of a pixel in the middle of the pictures. */
+/* Smallest angle of a pixel at the centre of the pictures. */
 static double pixel_angle(const struct pp_sky_picture *picture)
 {
     double least = PP_PI;
