@@ -1,6 +1,5 @@
-/* bench.h - what the programs of bench/ share: a fault ends them, processor time, a
- * room out of a text.
- */
+/* bench.h - shared by the programs of bench/: exit on errors, processor time, a room
+ * from a text. */
 #ifndef PP_BENCH_BENCH_H
 #define PP_BENCH_BENCH_H
 
@@ -22,7 +21,7 @@ static inline void must(enum pp_status status, const struct pp_error *err)
     }
 }
 
-/* Processor time of all threads: other work on the machine does not count. */
+/* Processor time of all threads, which excludes other work on the machine. */
 static inline double processor_s(void)
 {
     struct timespec t;
@@ -30,7 +29,7 @@ static inline double processor_s(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* The room of a room file's text, to be destroyed by the caller, and its light. */
+/* World and light of a room file's text; the caller destroys the world. */
 static inline struct pp_world *world_of(struct pp_outside_light *light, const char *xml)
 {
     struct pp_building *building = NULL;

@@ -1,9 +1,10 @@
-/* bench_drawing_board.c - how far the diagrams of the drawing board are from the
- * integral that they stand for, by the shape of the window: the tables of the manual.
+/* bench_drawing_board.c - deviation of the drawing-board diagrams from the integral
+ * that they approximate, by the shape of the window: the tables of the manual.
  *
- * Windows of clear single glass under the overcast sky, of every shape, with a sill up
- * to half their head's height, anywhere from straight ahead to a distance to the
- * side. */
+ * Windows of clear single glass under the overcast sky, of every shape. Sills are up to
+ * half the height of the head; positions range from straight ahead to one distance to
+ * the side.
+ */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -21,7 +22,7 @@ static double next(uint64_t *seed)
     return (double)(*seed >> 11) * 0x1p-53;
 }
 
-/* A window at unit distance: from a0 to a1 across, b0 to b1 up. */
+/* A window at unit distance: a0 to a1 across, b0 to b1 up. */
 struct window {
     double a0, a1, b0, b1;
 };
@@ -34,7 +35,7 @@ static struct window random_window(uint64_t *seed, int wide, int high)
     return (struct window){middle - width / 2.0, middle + width / 2.0, sill, head};
 }
 
-/* The sky component by the midpoint rule, to 1e-5 of itself. */
+/* Sky component by the midpoint rule, with a relative error of 1e-5. */
 static double integral(const struct window *window, const struct pp_sky *sky,
                        const struct pp_glass *glass)
 {
@@ -62,7 +63,7 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Sorts `off` by size. */
+/* Mean, rms, 95th percentile and largest absolute value; sorts `off`, made absolute. */
 static struct spread spread_of(double *off, int count)
 {
     struct spread spread = {0};
@@ -84,8 +85,8 @@ struct diagrams {
     struct pp_pepper_pot *pot;
 };
 
-/* Errors of each window of one shape: the area, as a share of the integral; squares and
- * dots, as sky components. */
+/* Errors for each window of one shape: the area's relative to the integral, those of
+ * squares and dots as sky components. */
 static void measure(const struct diagrams *diagrams, int wide, int high, double *area,
                     double *squares, double *dots)
 {

@@ -1,12 +1,12 @@
-/* bench_exact.c - how fast the direct component is, on one core: rates and times, no
- * verdict. */
+/* bench_exact.c - speed of the direct component on one core: rates and times, without
+ * limits. */
 #include <stdio.h>
 
 #include "bench/bench.h"
 #include "methods/method.h"
 #include "methods/exact/solid_angle.h"
 
-/* A window's moments alone, from a row of points. */
+/* Moments of a window only, from a row of points. */
 static void closed_form(void)
 {
     enum { POINTS = 4000000 };
@@ -27,8 +27,8 @@ static void closed_form(void)
         POINTS / seconds / 1e6, sum / POINTS);
 }
 
-/* A way of asking the method: of what its tools are made, which may be nothing, and by
- * which function. */
+/* A way of calling the method: a function that prepares tables (may be NULL), and one
+ * that evaluates. */
 struct way {
     const char *name;
     enum pp_status (*prepare)(void **tools, const struct pp_world *world,
@@ -41,7 +41,7 @@ struct way {
                                struct pp_part *part, struct pp_error *err);
 };
 
-/* The time of a point over a grid of points in us, for about half a second. */
+/* Time per point (us) over a grid of points, measured for about half a second. */
 static double point_us(const struct pp_world *world,
                        const struct pp_outside_light *light, const struct way *way,
                        const void *tools, double *mean)
@@ -69,7 +69,7 @@ static double point_us(const struct pp_world *world,
     return 1e6 * seconds / (double)points;
 }
 
-/* The whole method by each way: what its tools take, and a point. */
+/* Times of the whole method for each way: tables, and one point. */
 static void rooms(const char *name, const char *parts)
 {
     const struct way ways[] = {

@@ -1,6 +1,7 @@
-/* bench_import.c - what a scene of a million polygons costs to read and to build.
+/* bench_import.c - cost of reading and building a scene of a million polygons.
  *
- * It is asked that both together take less than 10 s and 1 GiB. */
+ * Requirement: less than 10 s and 1 GiB for both.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +20,7 @@ static const char materials[] = "void plastic a 0 0 5 .5 .4 .3 0 0\n"
                                 "void glow c 0 0 4 1 1 1 0\n"
                                 "c source sky 0 0 4 0 0 1 180\n";
 
-/* A field of slanting tiles, a million, each written out. */
+/* Writes a million slanting tiles, each explicitly. */
 static void write_tiles(FILE *out)
 {
     fputs(materials, out);
@@ -34,7 +35,7 @@ static void write_tiles(FILE *out)
     }
 }
 
-/* As many, of boxes that two lines ask for. */
+/* Writes as many polygons as boxes, by two commands. */
 static void write_boxes(FILE *out)
 {
     fputs(materials, out);

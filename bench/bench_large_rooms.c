@@ -1,5 +1,5 @@
-/* bench_large_rooms.c - how long rooms of hundreds of like parts take, by all methods, one
- * point and the average: processor times, no verdict. */
+/* bench_large_rooms.c - processor time for rooms with hundreds of equal parts, all
+ * methods, one point and the average; without limits. */
 #include <math.h>
 #include <stdio.h>
 
@@ -7,7 +7,8 @@
 #include "methods/evaluate.h"
 #include "model/results/report.h"
 
-/* The text of a room file as it is written; not to be copied, the stream fills it. */
+/* Text of a room file under construction; must not be copied, since the stream refers
+ * to it. */
 struct text {
     char *bytes;
     size_t size;
@@ -27,7 +28,7 @@ static void add_box(FILE *out, double width_m)
     fprintf(out, "<plan width='%g' depth='9.3' height='2.7'/>", width_m);
 }
 
-/* A plan whose corners stand at 10 m and at inner_m from its middle by turns. */
+/* A plan with corners at 10 m and at inner_m from its centre, alternating. */
 static void add_ring(FILE *out, int corners, double inner_m)
 {
     fputs("<plan height='2.7'>", out);

@@ -1,4 +1,4 @@
-/* bench_light.c - what next-event estimation saves: rays and time to one error. */
+/* bench_light.c - gain by next-event estimation: rays and time for equal error. */
 #include <math.h>
 #include <stdio.h>
 
@@ -12,7 +12,7 @@
 
 enum { SEEDS = 32 };
 
-/* A mean irradiance, the error of one sequence of `paths`, and what it took. */
+/* Mean irradiance, error for one sequence of `paths`, and cost. */
 struct outcome {
     double value, error, rays, seconds;
 };
@@ -82,8 +82,8 @@ static void light_and_glow(void)
     printf("  %8s  %12s %9s  %12s %9s\n", "rays", "as light", "error", "as glow",
            "error");
     for (uint32_t paths = 4; paths <= 65536; paths *= 4) {
-        /* By next-event estimation a path has two rays: one to the lamp, one round
-         * about. */
+        /* With next-event estimation a path has two rays: one to the lamp, one
+         * sampled. */
         struct outcome a = measure(light, NULL, NULL, options, under, paths / 2);
         struct outcome b = measure(glow, NULL, NULL, options, under, paths);
         printf("  %8.0f  %12.6f %8.4f%%  %12.6f %8.4f%%\n", b.rays, a.value,
@@ -101,7 +101,7 @@ static void light_and_glow(void)
 
 /* ---- openings ---- */
 
-/* Time to one error goes with time x error^2. */
+/* Cost for equal error is proportional to time x error^2. */
 static double cost(const struct outcome *outcome)
 {
     return outcome->seconds * outcome->error * outcome->error;

@@ -1,5 +1,6 @@
-/* bench_nomogram.c - how far `nomogram` is from `bre` in 1,000 random side-lit rooms,
- * and what of it is the rule R_cw = k R_fw, what the reading: the manual's table. */
+/* bench_nomogram.c - deviation of `nomogram` from `bre` in 1,000 random side-lit rooms,
+ * in total and separately for the rule R_cw = k R_fw and for the reading: a table of
+ * the manual. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -26,8 +27,8 @@ struct room {
     int windows;
 };
 
-/* Box rooms of all sorts: 2.5 to 8 m, floors 0.1 to 0.5, walls 0.2 to 0.8, ceilings 0.3
- * to 0.9, one to three walls with a window, half of them with a skyline up to 60
+/* Random box rooms: 2.5 to 8 m, floors 0.1 to 0.5, walls 0.2 to 0.8, ceilings 0.3 to
+ * 0.9, one to three walls with a window, half of them with a skyline of up to 60
  * degrees. */
 static struct room random_room(uint64_t number)
 {
@@ -69,7 +70,7 @@ static struct room random_room(uint64_t number)
     return room;
 }
 
-/* By the formula, by the formula with the rule, and as read. */
+/* Values by the formula, by the formula with the rule, and as read. */
 static bool values_of(const struct pp_world *world,
                       const struct pp_outside_light *light, double values[3])
 {
@@ -103,7 +104,7 @@ static int ascending(const void *a, const void *b)
     return (difference > 0.0) - (difference < 0.0);
 }
 
-/* A row of the table: deviations of `count` rooms, per cent. */
+/* Prints a row of the table: deviations in `count` rooms, per cent. */
 static void print_row(const char *name, double *rule, double *read, int count)
 {
     double sum = 0.0, squares = 0.0, rule_squares = 0.0, reading_squares = 0.0;

@@ -1,8 +1,9 @@
-/* bench_photons.c - photons against the path tracer at equal error, by kind of room: the
- * ratio of their processor times, each times the square of the error that it came to.
+/* bench_photons.c - photons compared with the path tracer at equal error, by kind of
+ * room: the ratio of processor time times squared error.
  *
- * Above 1 the path tracer is the quicker. Its scenes are matt; the room with a mirror
- * is one for the sensors of simulate/transport, which follow paths, too. */
+ * Above 1 the path tracer is faster. Its scenes are matt. The room with a mirror is
+ * calculated by the sensors of simulate/transport, which also trace paths.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +16,7 @@
 
 enum { RUNS = 2, MOST_POINTS = 400 };
 
-/* A room under its light. */
+/* A room with its light. */
 struct scenario {
     const struct pp_world *world;
     struct pp_light_scene *scene;
@@ -24,7 +25,7 @@ struct scenario {
     double error;
 };
 
-/* Cost of a simulation, and the mean square of its relative standard errors. */
+/* Processor time of a simulation, and its mean squared relative standard error. */
 struct outcome {
     double taken_s, variance;
 };
@@ -104,7 +105,7 @@ static struct outcome by_sensors(const struct scenario *scenario, uint64_t seed)
     return outcome;
 }
 
-/* The mean over runs of time times variance. */
+/* Mean of time times variance over several runs. */
 static double cost_of(struct outcome (*simulate)(const struct scenario *, uint64_t),
                       const struct scenario *scenario, struct outcome *mean)
 {

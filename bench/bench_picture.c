@@ -1,5 +1,6 @@
-/* bench_picture.c - a picture through the irradiance cache: its time, and how far its
- * pixels are off a converged one; and the noise of pixels in rooms with polished metal. */
+/* bench_picture.c - a picture by the irradiance cache: its time, and the deviation of
+ * its pixels from a converged picture; also the noise of pixels in rooms with polished
+ * metal. */
 #include <math.h>
 #include <stdio.h>
 
@@ -18,11 +19,11 @@ enum {
     BOUNCES = 5,
     SAMPLES = 16,
     THREADS = 2,
-    EVERY = 16,   /* every so many pixels across and down are compared */
-    PATHS = 2048, /* of each of the two references of such a pixel */
+    EVERY = 16,   /* stride in pixels, both ways, between compared pixels */
+    PATHS = 2048, /* paths of each of the two references of a pixel */
 };
 
-/* As the command render has it, but for the bounces. */
+/* Options of the command render, except for the bounces. */
 static struct pp_render_options picture_of(const struct pp_light_scene *scene,
                                            const struct pp_world *world)
 {
@@ -60,7 +61,7 @@ static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
     return cache;
 }
 
-/* Luminance of one pixel, by as many paths; without a cache where the options have
+/* Luminance of one pixel from `paths` paths; without a cache if the options have
  * none. */
 static double by_paths(const struct pp_light_scene *scene,
                        const struct pp_environment *environment,
@@ -90,8 +91,8 @@ static double by_paths(const struct pp_light_scene *scene,
     return sum;
 }
 
-/* The root of the mean square of (found - true)/true. The product of the differences
- * from two independent references has none of their own noise in its mean. */
+/* RMS of (found - true)/true. Multiplying the differences from two independent
+ * references removes the references' own noise from the mean. */
 static double error_of(const struct pp_picture *picture,
                        const struct pp_light_scene *scene,
                        const struct pp_environment *environment,
@@ -115,7 +116,8 @@ static double error_of(const struct pp_picture *picture,
 
 /* ---- polished metal ---- */
 
-/* The noise of pixels of 16 paths: the spread of so many seeds, RMS over pixels. */
+/* Noise of pixels with 16 paths: relative standard deviation over seeds, RMS over
+ * pixels. */
 static double noise_of(const struct pp_light_scene *scene,
                        const struct pp_environment *environment,
                        const struct pp_render_options *options)
@@ -183,8 +185,8 @@ static void polished_rooms(void)
     polished("ceiling, brass", "<finishes floor='0.2' walls='0.5' ceiling='brass'/>");
 }
 
-/* By the defaults, or by as many paths and such a cache; seconds by the clock. `full`: with its
- * error. */
+/* Renders the deep room with these samples and cache options; returns seconds of
+ * wall-clock time. full: also measures the error. */
 static double deep_room(int samples, struct pp_cache_options wanted, int threads,
                         bool full)
 {
@@ -236,7 +238,7 @@ static double deep_room(int samples, struct pp_cache_options wanted, int threads
     return start;
 }
 
-/* In turn, since the clock of a shared machine moves. */
+/* Alternates the numbers of threads, since the speed of a shared machine varies. */
 static void threads_of_picture(void)
 {
     enum { TURNS = 4 };
@@ -258,7 +260,7 @@ int main(void)
     coarse.supersamples = 128;
     deep_room(SAMPLES, pp_irradiance_cache_defaults(), THREADS, true);
     threads_of_picture();
-    /* wanted: 1.5 s at 2 % on two idle cores */
+    /* requirement: 1.5 s at 2 % on two idle cores */
     deep_room(SAMPLES / 4, coarse, THREADS, true);
     polished_rooms();
     return 0;

@@ -1,5 +1,5 @@
-/* bench_process.c - what whole processes cost: processor time and memory of the command,
- * from its start to its end. */
+/* bench_process.c - processor time and memory of whole processes of the command, from
+ * start to end. */
 #include <fcntl.h>
 #include <math.h>
 #include <spawn.h>
@@ -22,7 +22,8 @@ static struct run run(char *const *words)
     struct rusage usage;
     int state = -1;
     pid_t child;
-    posix_spawn_file_actions_t actions; /* a fork would count as its own */
+    posix_spawn_file_actions_t actions; /* posix_spawn, since a fork would count this
+                                         * process's memory */
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     bool started = posix_spawn(&child, words[0], &actions, NULL, words, environ) == 0;

@@ -1,6 +1,6 @@
-/* bench_radiosity.c - finite elements level by level, in the deep office with 400 points,
- * in a street and behind a partition: elements, terms and time, how far they are from a
- * finely traced truth, and what the path tracer takes to 1 %. */
+/* bench_radiosity.c - finite elements by level of refinement, in the deep office with
+ * 400 points, in a street and behind a partition: elements, terms and time, deviation
+ * from a finely traced reference, and the time of the path tracer for 1 %. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 
 enum { MOST_POINTS = 400, LEVELS = 3 };
 
-/* Daylight factors by the path tracer; returns the processor time. */
+/* Daylight factors from the path tracer; returns the processor time. */
 static double trace(const struct pp_world *world, const struct pp_outside_light *light,
                     int points, double error, double *df)
 {
@@ -41,8 +41,8 @@ static double trace(const struct pp_world *world, const struct pp_outside_light 
     return taken;
 }
 
-/* RMS relative distance from the truth, and RMS relative error stated; relative to 0.2 % at
- * least, as a point may lie inside the partition. */
+/* RMS relative deviation from the reference, and RMS of the stated relative error. Both
+ * are relative to at least 0.2 %, since a point may be inside the partition. */
 static void compare(const struct pp_radiosity *elements, int points,
                     const double *truth, double *off, double *stated)
 {

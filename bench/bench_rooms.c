@@ -1,5 +1,5 @@
-/* bench_rooms.c - a thousand rooms of the random kind, and how the simulation's time grows
- * with the number of points, windows, polygons, rooms and threads. */
+/* bench_rooms.c - a thousand random rooms, and the simulation's time as a function of
+ * the numbers of points, windows, polygons, rooms and threads. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,7 +15,8 @@ struct times {
     double clock_s, processor_s;
 };
 
-/* Daylight factors of all receivers to 1 %: adds what it took, scene and all. */
+/* Traces the daylight factors of all receivers to 1 %, and adds the times, including
+ * the scene. */
 static void trace(struct times *sum, const struct pp_world *world,
                   const struct pp_outside_light *light, int threads, bool average)
 {
@@ -40,7 +41,7 @@ static void trace(struct times *sum, const struct pp_world *world,
     sum->processor_s += processor_s() - spent;
 }
 
-/* One after another, by two threads. */
+/* Rooms one after another, with two threads each. */
 static void bench_rooms(void)
 {
     enum { POINTS = 8, THREADS = 2, ROOMS = 1000 };
@@ -62,7 +63,7 @@ static void bench_rooms(void)
     }
 }
 
-/* The best of three. */
+/* Best time of three runs. */
 static double trace_xml(const char *xml, int threads, bool by_clock)
 {
     double best = INFINITY;
@@ -81,8 +82,8 @@ static double trace_xml(const char *xml, int threads, bool by_clock)
 
 enum { TEXT = 1 << 22 };
 
-/* A room of 24 x 8 x 3 m with that many windows in its long wall, and so many screens
- * of four edges before it; `columns` x 8 points. */
+/* A room of 24 x 8 x 3 m with `windows` windows in its long wall, `screens`
+ * quadrilaterals in front of it, and `columns` x 8 points. */
 static char *grown_room(int columns, int windows, int screens)
 {
     char *xml = malloc(TEXT);
@@ -160,7 +161,8 @@ static void bench_threads(void)
     char *xml = grown_room(64, 4, 0);
     double best[2 * PROCESSORS_MOST + 1];
     int end = 2 * (most < PROCESSORS_MOST ? most : PROCESSORS_MOST);
-    for (int round = 0; round < ROUNDS; round++) /* a machine has its moods */
+    for (int round = 0; round < ROUNDS; round++) /* repeated, since the speed of a
+                                                  * machine varies */
         for (int threads = 1; threads <= end; threads *= 2) {
             double taken = trace_xml(xml, threads, true);
             best[threads] = round > 0 ? fmin(best[threads], taken) : taken;

@@ -1,11 +1,11 @@
-/* bench_skies.c - a hundred skies on one scene: one build, a hundred integrations. */
+/* bench_skies.c - a hundred skies for one scene: one build, a hundred integrations. */
 #include "bench/bench.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/fast/tracer.h"
 
 enum { SKIES = 100 };
 
-/* Surfaces enough that a build is worth saving: louvres before the window. */
+/* An office with louvres, whose many surfaces make a build expensive. */
 static struct pp_world *office(void)
 {
     static char xml[1 << 16];

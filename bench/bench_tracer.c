@@ -1,4 +1,4 @@
-/* bench_tracer.c - what tracing costs: whole rooms, and rays against the bare
+/* bench_tracer.c - cost of tracing: whole rooms, and rays compared with the bare ray
  * kernels. */
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +13,7 @@
 #include "simulate/fast/tracer.h"
 #include "tests/lib/random_rooms.h"
 
-/* Daylight factors of all receivers (and the average behind them); seconds taken. */
+/* Daylight factors of all receivers, followed by the average; returns the time (s). */
 static double trace(const struct pp_world *world, const struct pp_outside_light *light,
                     double error, int threads, uint64_t seed, struct pp_reading *df,
                     struct pp_tracer_work *work)
@@ -45,7 +45,7 @@ static double trace(const struct pp_world *world, const struct pp_outside_light 
     return taken;
 }
 
-/* The mean time of several seeds at an error, and how far their values are off. */
+/* Mean time over several seeds for a target error, and deviation of the values. */
 static void bench_error(const char *name, const struct pp_world *world,
                         const struct pp_outside_light *light,
                         const struct pp_reading *fine, double error, int runs)
@@ -98,7 +98,7 @@ static void bench_room(const char *name, const char *xml)
     pp_world_destroy(world);
 }
 
-/* Rooms of the tests' random kind, eight points each, at 1 %. */
+/* Random rooms of the tests, eight points each, to 1 %. */
 static void bench_random_rooms(void)
 {
     enum { ROOMS = 40, POINTS = 8 };
@@ -117,10 +117,10 @@ static void bench_random_rooms(void)
         (int)POINTS, 1e3 * taken / ROOMS, (int)ROOMS);
 }
 
-/* ---- rays against the bare kernels ---- */
+/* ---- rays compared with the bare ray kernels ---- */
 
-/* 32 randomisations of `paths` paths of each kind at all receivers, with rays logged
- * where there is a log. */
+/* Traces 32 randomisations of `paths` paths of each kind for all receivers; rays are
+ * logged if there is a log. */
 static void run_randomisations(const struct pp_world *world,
                                const struct pp_light_scene *scene,
                                const struct pp_environment *environment,
@@ -215,7 +215,7 @@ static void bench_rays(const char *name, const struct pp_world *world,
     pp_light_scene_destroy(scene);
 }
 
-/* The world with a million small triangles in the air of its room. */
+/* Adds a million small triangles inside the room to the world. */
 static void fill_with_triangles(struct pp_world *world, int count)
 {
     int there = world->surface_count;

@@ -1,11 +1,12 @@
-/* compare_averages.c - averages over the working plane by the room formulae beside the
- * traced ones, in families of random rooms: the manual's tables of wells, of glass below
- * the working plane and of the efficiency method.
+/* compare_averages.c - averages over the working plane by room formulae compared with
+ * traced ones, in families of random rooms: the manual's tables of wells, of glass
+ * below the working plane and of the efficiency method.
  *
  *     compare_averages [FAMILY [ROOMS]]
  *
- * Of every method and class of rooms: bias and root mean square of its deviations, per
- * cent of the traced value. Rooms are traced to 0.5 % of their average. */
+ * For every method and class of rooms: bias and rms of the deviation in per cent of the
+ * traced value. Rooms are traced to 0.5 % of their average.
+ */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -29,12 +30,14 @@ static double draw(uint64_t *series, double low, double high)
     return low + (high - low) * (double)(*series >> 11) * 0x1p-53;
 }
 
-/* A family of rooms: how one is written, and by what its rooms are told apart. */
+/* A family of rooms: a function that writes a random room, and the key that divides the
+ * rooms into classes. */
 struct family {
     const char *name, *what, *methods, *key;
     double (*write)(char *xml, uint64_t *series); /* returns the key */
-    bool wells;                                   /* is N itself held against rays? */
-    double classes[MOST_CLASSES];                 /* upper ends of the key, ascending */
+    bool wells;                                   /* also compare N itself with rays */
+    double classes[MOST_CLASSES];                 /* upper limits of the key,
+                                                   * ascending */
 };
 
 static int write_box(char *xml, uint64_t *series, double size[3])
@@ -49,7 +52,8 @@ static int write_box(char *xml, uint64_t *series, double size[3])
                     draw(series, 0.3, 0.8), draw(series, 0.5, 0.9));
 }
 
-/* One rooflight of 0.5 to 2 m in a level ceiling, with a well of 0.05 to 2.5 m. */
+/* Writes a rooflight of 0.5 to 2 m in a horizontal ceiling, with a well of 0.05 to 2.5
+ * m. */
 static double write_well(char *xml, uint64_t *series)
 {
     double size[3];
@@ -78,7 +82,8 @@ static int write_window(char *xml, int n, uint64_t *series, const double size[3]
                       head - sill);
 }
 
-/* A window that begins below the working plane; the key is how much of it lies there. */
+/* Writes a window that begins below the working plane; the key is the share below
+ * it. */
 static double write_low_glass(char *xml, uint64_t *series)
 {
     double size[3];
@@ -90,7 +95,8 @@ static double write_low_glass(char *xml, uint64_t *series)
     return (0.85 - sill) / (head - sill);
 }
 
-/* A window above the working plane, half of them before a skyline, the key. */
+/* Writes a window above the working plane, half of them with a skyline; the key is its
+ * angle. */
 static double write_side(char *xml, uint64_t *series)
 {
     double size[3];
@@ -120,8 +126,8 @@ static int write_face(char *xml, int n, const char *role, const char *name,
     return n + snprintf(xml + n, (size_t)(TEXT - n), "</face>");
 }
 
-/* A mono-pitch room, its roof falling to the south, a roof window in the roof; the key is
- * the slope. */
+/* Writes a mono-pitch room with its roof falling to the south and a roof window in it;
+ * the key is the slope. */
 static double write_roof(char *xml, uint64_t *series)
 {
     double w = draw(series, 3.0, 7.0), d = draw(series, 3.0, 6.0);
@@ -191,7 +197,7 @@ static const struct family families[] = {
 
 /* ---- one room ---- */
 
-/* The traced average, all components. */
+/* Traces the average of all components. */
 static void trace(struct pp_reading readings[PP_COMPONENT_COUNT],
                   const struct pp_world *world, const struct pp_outside_light *light)
 {
@@ -212,7 +218,7 @@ static void trace(struct pp_reading readings[PP_COMPONENT_COUNT],
     pp_light_scene_destroy(scene);
 }
 
-/* Results of the methods; names are "df exact+bre" or "irc sphere". */
+/* Splits a list of names, "df exact+bre" or "irc sphere"; returns their number. */
 static int split_names(char *list, char *names[])
 {
     int count = 0;
@@ -237,8 +243,9 @@ static void evaluate(double values[], char *const names[], int count,
     pp_report_clear(&report);
 }
 
-/* N of the room's well by rays: all that leaves it falls on a plane just below the ceiling
- * of a black room. Level glass passes the overcast sky by `passed`. */
+/* N of the room's well by rays: all light from it falls on a plane just below the
+ * ceiling of a black room. `passed`: overcast-sky illuminance transmitted by horizontal
+ * glass. */
 static double traced_N(const struct pp_world *room, double *error)
 {
     const struct pp_opening *opening = &room->openings[0];
@@ -278,7 +285,7 @@ struct results {
         traced[MOST_METHODS][MOST_ROOMS];
 };
 
-/* Bias and rms, and the bias of the sums, of the rooms of a class. */
+/* Prints the number of rooms in a class, bias, rms, and bias of the sums. */
 static void print_class(const struct results *all, int method, double low, double high)
 {
     double sum = 0.0, squares = 0.0, hand = 0.0, truth = 0.0;
@@ -317,7 +324,7 @@ static void print_results(const struct results *all, const struct family *family
     }
 }
 
-/* N of square wells under clear single glass and the overcast sky. */
+/* Prints N of square wells under clear single glass and the overcast sky. */
 static void print_N(void)
 {
     static const double indices[] = {0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};

@@ -1,18 +1,19 @@
-/* compare_causes.c - cases with known causes, and whether compare names them:
+/* compare_causes.c - tests whether compare finds known causes of deviations:
  *
  *     compare_causes listed|foreign SEED CASES ROOM.xml...
  *
- * Each case takes one of the rooms, one, two or three causes at random (no two of a
- * kind), traces their values from another seed, and puts noise on them: of 0.5 to 3 %, of
- * each point by itself (few rays) or alike at neighbours (a cache). A case is right where
- * the true set is among those that are listed; exact where it is the likeliest; a
- * cause that is called sure and is not of the true set is a false accusation. Prints a
- * line a case, and the sums. 16 points and 20 traced sets at most, each to 1.5 %, for
- * speed: compare itself does better.
+ * Each case takes one of the rooms and one, two or three random causes of different
+ * kinds, traces their values with another seed, and adds noise of 0.5 to 3 %, either
+ * independent by point (few rays) or correlated between neighbours (a cache). A case is
+ * right if the true set of causes is listed, exact if it is the likeliest. A cause that
+ * is reported as sure but is not in the true set is a false accusation. Prints one line
+ * per case, and sums. For speed it uses at most 16 points and 20 traced sets, to 1.5 %;
+ * compare itself is more accurate.
  *
- * Foreign cases have a mistake that is not on compare's list (compare_foreign.h), in half
- * of them beside one that is: there nothing is right, and any other cause that is called
- * sure is a false accusation. */
+ * Foreign cases have a mistake that compare does not list (compare_foreign.h), half of
+ * them together with one that it lists. There no set is right, and any other cause that
+ * is reported as sure is a false accusation.
+ */
 #include <math.h>
 
 #include "bench/bench.h"
@@ -22,8 +23,8 @@
 #include "studies/research/compare/variant_values.h"
 
 enum { MOST_POINTS = 16, ROOMS_MOST = 40 };
-/* A cause does at least that much by itself (root mean square of logarithms), or as much
- * as the noise: what does less is not there to be found. */
+/* Least effect of a single cause (RMS of logarithms); it must also exceed the noise. A
+ * smaller effect cannot be found. */
 static const double LEAST_EFFECT = 0.01;
 
 struct room {
@@ -39,7 +40,7 @@ struct tally {
     int of[PP_CAUSE_SEARCH_MOST + 1], right_of[PP_CAUSE_SEARCH_MOST + 1];
 };
 
-/* Even in (0, 1), by what it is for. */
+/* Uniform random number in (0, 1) from a seed, the case and its purpose. */
 static double even(uint64_t seed, int number, int what, int more)
 {
     uint64_t hash = pp_hash(pp_hash(pp_hash(seed, (uint64_t)number), (uint64_t)what),
@@ -53,7 +54,7 @@ static double normal(uint64_t seed, int number, int what, int more)
            * cos(2.0 * PP_PI * even(seed, number, what + 1, more));
 }
 
-/* The file's first room, with MOST_POINTS of its points, evenly. */
+/* Opens the file's first room with MOST_POINTS of its points, evenly selected. */
 static void open_room(struct room *room, const char *path)
 {
     char *text = pp_foreign_text_of(path);
@@ -78,7 +79,7 @@ static void open_room(struct room *room, const char *path)
     must(pp_compare_create(&room->compare, &subject, &options, &err), &err);
 }
 
-/* Values of its points do differ from ours by more than noise. */
+/* True if the values differ from ours by more than noise. */
 static bool differs(const struct room *room, const double *values, double sigma)
 {
     double sum = 0.0;
@@ -90,7 +91,7 @@ static bool differs(const struct room *room, const double *values, double sigma)
     return sqrt(sum) > fmax(sigma, LEAST_EFFECT);
 }
 
-/* Does the cause do enough by itself? */
+/* True if the cause alone has a sufficient effect. */
 static bool is_felt(const struct room *room, const struct pp_cause *cause,
                     double ground, double sigma)
 {
@@ -103,12 +104,12 @@ static bool is_felt(const struct room *room, const struct pp_cause *cause,
     must(pp_causes_set_variant(&variant, cause, ground, &err), &err);
     if (pp_variant_values(values, errors, &room->study, &variant, &tracing, &err)
         != PP_OK)
-        return false; /* such as points on a floor with a step */
+        return false; /* for example, points on a floor with a step */
     return variant.dark || differs(room, values, sigma);
 }
 
-/* One, two or three causes, no two of a kind, and nothing beside no light at all;
- * ascending. */
+/* Draws up to `wanted` causes, ascending, of different kinds; "no light at all" is not
+ * combined. Returns their number. */
 static int draw_causes(int causes[PP_CAUSE_SEARCH_MOST], const struct room *room,
                        uint64_t seed, int number, int wanted, double ground,
                        double sigma)
@@ -116,7 +117,8 @@ static int draw_causes(int causes[PP_CAUSE_SEARCH_MOST], const struct room *room
     const struct pp_cause *const *list;
     int count = pp_compare_causes(room->compare, &list), drawn = 0;
     for (int attempt = 0; drawn < wanted && attempt < 100; attempt++) {
-        /* A kind first, then one of it: a kind is as likely as the next. */
+        /* Draws a kind first, then a cause of this kind, so that all kinds are equally
+         * likely. */
         int at = (int)(count * even(seed, number, 2, attempt)), alike = 0;
         bool fits = true;
         for (int i = 0; i < count; i++)
@@ -140,7 +142,7 @@ static int draw_causes(int causes[PP_CAUSE_SEARCH_MOST], const struct room *room
     return drawn;
 }
 
-/* Noise at each point, of standard deviation 1. */
+/* Draws noise of standard deviation 1 for each point. */
 static void draw_noise(double *noise, const struct room *room, uint64_t seed,
                        int number)
 {
@@ -173,9 +175,9 @@ static const char *causes_text(char text[200], const struct room *room,
     return text;
 }
 
-/* Is what the likeliest set explains nearer to what the true causes do than noise tells:
- * by less than three standard errors of all points together, beyond what our own tracing
- * errs by? */
+/* True if noise hides the difference between the values of the likeliest set and those
+ * of the true causes: it is below three standard errors of all points together, beyond
+ * our own tracing error. */
 static bool cannot_be_told(const struct pp_compared *compared, const double *causes,
                            double sigma)
 {
@@ -192,7 +194,7 @@ static bool cannot_be_told(const struct pp_compared *compared, const double *cau
     return sum < 9.0 + expected;
 }
 
-/* Causes called sure that are no causes. */
+/* Counts causes reported as sure that are not in the true set. */
 static int accused_falsely(struct tally *tally, const struct room *room,
                            const struct pp_compared *compared, const int *causes,
                            int count)
@@ -211,7 +213,7 @@ static int accused_falsely(struct tally *tally, const struct room *room,
     return wrong;
 }
 
-/* The true set's place in those that are listed; -1: it is not there. */
+/* Position of the true set among the listed ones; -1: not listed. */
 static int place_of(const struct pp_compared *compared, const int *causes, int count)
 {
     for (int i = 0; i < compared->listed; i++)
@@ -238,8 +240,8 @@ static void print_case(const struct room *room, const struct pp_compared *compar
     fflush(stdout);
 }
 
-/* Values of the causes, those of a common factor times it; and without noise, as ours are
- * traced, for the truth. */
+/* Traces the values of the causes, including a common factor. truth: values without
+ * noise, traced like ours. */
 static void trace_causes(double *theirs, double *truth,
                          const struct pp_study_room *study, const struct room *room,
                          const int *causes, int count, double ground, double factor,
@@ -320,8 +322,8 @@ static void run_listed(struct tally *tally, struct room *room, uint64_t seed,
     pp_compare_clear(&compared);
 }
 
-/* A mistake that is not on the list, which does enough there; `changed` is the room with
- * it, its points those of the room. */
+/* Draws a mistake that is not on the list but has a sufficient effect. `changed` is the
+ * room with the mistake, at the points of the room. */
 static const char *draw_foreign(struct pp_building **building,
                                 struct pp_study_room *changed, struct room *room,
                                 uint64_t seed, int number, double sigma)

@@ -1,4 +1,4 @@
-/* compare_foreign.c - numbers of a room file's text changed before it is read. */
+/* compare_foreign.c - changes numbers in a room file's text before it is read. */
 #include "bench/compare_foreign.h"
 
 #include <stdio.h>
@@ -11,8 +11,8 @@
 
 enum { TEXT_BYTES = 1 << 20, WORD_BYTES = 64 };
 
-/* v times (1 + s share) + s amount, where s is -1 or 1 or, where it only grows, 1; share and
- * amount lie between half of these and all. */
+/* Changes v to v (1 + s share) + s amount; |s| is random between 0.5 and 1, and s is
+ * positive if grows is set. */
 struct mistake {
     const char *name, *element, *attribute;
     double share, amount;
@@ -76,7 +76,7 @@ bool pp_foreign_room(struct pp_building **building, struct pp_study_room *study,
     return false;
 }
 
-/* Changes that attribute of all such elements; false: there is none. */
+/* Changes the attribute of all such elements; false if there is none. */
 static bool change(char *to, const char *text, const struct mistake *mistake,
                    double size)
 {
@@ -90,7 +90,7 @@ static bool change(char *to, const char *text, const struct mistake *mistake,
             char *behind;
             double is = strtod(value, &behind);
             if (*behind != '"')
-                return false; /* a finish by its name */
+                return false; /* a named finish */
             sprintf(to + strlen(to), "%.*s%.9g", (int)(value - text), text,
                     is * (1.0 + mistake->share * size) + mistake->amount * size);
             text = value + strcspn(value, "\"");
@@ -103,7 +103,7 @@ static bool change(char *to, const char *text, const struct mistake *mistake,
     return changed;
 }
 
-/* A sky that is no switch of the list's. */
+/* Adds a sky that is not among the listed causes. */
 static bool change_sky(char *to, const char *text)
 {
     const char *at = strstr(text, "<plan");
@@ -113,7 +113,7 @@ static bool change_sky(char *to, const char *text)
     return true;
 }
 
-/* The room's points, so far toward its back; false: one is not good there. */
+/* Moves the room's points towards its back; false if one is then not valid. */
 static bool place_points(struct pp_study_room *study, const struct pp_receiver *points,
                          int count, double back_m)
 {

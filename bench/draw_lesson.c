@@ -1,5 +1,5 @@
 /* draw_lesson.c - the pictures of docs/theory.md: the same light sampled directly and
- * found by chance, with about the same number of rays. Writes four PNG files into a
+ * found by chance, with about the same number of rays. Writes four PNG files to a
  * folder. */
 #include <cairo.h>
 #include <math.h>
@@ -20,7 +20,7 @@ enum { WIDE = 320, HIGH = 240 };
 /* ---- a picture ---- */
 
 struct view {
-    struct pp_vec3 eye, to, right, up; /* right and up as long as half the picture */
+    struct pp_vec3 eye, to, right, up; /* right, up: half the extent of the picture */
     double exposure;
 };
 
@@ -111,7 +111,7 @@ static void add_wall(struct pp_scene_description *scene, int material,
     must(pp_scene_description_add_polygon(scene, v, 4, material, NULL, &err), &err);
 }
 
-/* A corner of a room with a brass ball on a block, under a square lamp. */
+/* A corner of a room with a brass sphere on a block, under a square lamp. */
 static struct pp_light_scene *lamp_room(struct pp_material lamp)
 {
     struct pp_scene_description from;

@@ -1,4 +1,4 @@
-/* fit_forms.c - the shipped forms, and names for print. */
+/* fit_forms.c - the shipped forms, and their printed names. */
 #include "bench/fit_forms.h"
 
 const struct pp_fit_form pp_fit_forms_shipped[] = {

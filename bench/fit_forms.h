@@ -1,18 +1,18 @@
-/* fit_forms.h - the forms of methods/fitted/ as models to be fitted, and the names of what
- * they are made of. */
+/* fit_forms.h - the forms of methods/fitted/ as models for the fit, and names of their
+ * parts. */
 #ifndef PP_BENCH_FIT_FORMS_H
 #define PP_BENCH_FIT_FORMS_H
 
 #include "bench/fit_model.h"
 
 struct pp_fit_form {
-    const char *name;                         /* of the method */
-    struct pp_fit_model model;                /* with values to begin from */
-    enum pp_fit_source printed;               /* that it is compared with */
-    const char *constants[PP_FIT_MOST_TERMS]; /* of fitted_constants.h, by term */
+    const char *name;                         /* name of the method */
+    struct pp_fit_model model;                /* with initial values */
+    enum pp_fit_source printed;               /* formula for comparison */
+    const char *constants[PP_FIT_MOST_TERMS]; /* by term; names in fitted_constants.h */
 };
 
-/* irc-atlas first: the others have its position. */
+/* irc-atlas is first, since the others use its position. */
 extern const struct pp_fit_form pp_fit_forms_shipped[];
 extern const int pp_fit_forms_count;
 

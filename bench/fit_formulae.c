@@ -1,13 +1,13 @@
-/* fit_formulae.c - finds and fits the formulae of methods/fitted/ on traced rooms.
+/* fit_formulae.c - finds and fits the formulae of methods/fitted/ to traced rooms.
  *
  *     fit_formulae FILE           fits the shipped forms, with the uncertainty of every
- *                                 constant, and their errors on rooms held out
+ *                                 constant, and their errors on held-out rooms
  *     fit_formulae FILE search    searches among sources, shapes, ranges and terms
  *
- * FILE is one of tests/lib/traced_rooms.h. Rooms of even number are fitted and searched
- * on, by four-fold cross-validation split by room; rooms of odd number are held out, and
- * enter nothing but the errors that are printed for them. Uncertainties are half the
- * distance of the 16th and the 84th percentile of refits to rooms drawn with replacement.
+ * FILE has the format of tests/lib/traced_rooms.h. Rooms with even numbers are used for
+ * fit and search, with four-fold cross-validation by room. Rooms with odd numbers are
+ * held out and only used for the printed errors. Uncertainties are half the difference
+ * between the 16th and 84th percentiles of refits to rooms drawn with replacement.
  */
 #include <math.h>
 #include <stdio.h>
@@ -21,7 +21,7 @@
 
 enum { FOLDS = 4, REFITS = 100 };
 
-/* Selects the rows of a fit that leaves a fold out. */
+/* Selects the rows of a fit that leaves out one fold. */
 static void leave_out(int fold, const struct pp_fit_rooms *rooms, int *times)
 {
     for (int i = 0; i < rooms->count; i++) {
@@ -30,7 +30,8 @@ static void leave_out(int fold, const struct pp_fit_rooms *rooms, int *times)
     }
 }
 
-/* The RMS of the logarithm that the search compares, weighted as the fit is. */
+/* RMS of the logarithm for the left-out folds, weighted as in the fit; the criterion of
+ * the search. */
 static double held_out(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                        int *times)
 {
@@ -77,7 +78,8 @@ static void print_model(const struct pp_fit_model *model)
 
 /* ---- the search ---- */
 
-/* Sources and shapes; a source alone is scaled, so that it is compared by its form. */
+/* Compares sources and shapes; a source alone is scaled, so that only its form
+ * counts. */
 static void search_shapes(const struct pp_fit_rooms *rooms, int *times)
 {
     for (int source = 0; source < PP_FIT_SOURCES; source++)
@@ -123,8 +125,9 @@ static int place_of(const struct pp_fit_row *row)
     return row->average ? AVERAGES : row->dark ? DARK : ELSEWHERE;
 }
 
-/* Fits a model, and notes its errors and those of a printed formula on the rooms left out.
- * A model of averages has its position from `first`, which is fitted before it. */
+/* Fits a model, and adds its errors and those of a printed formula on the left-out
+ * rooms. `first`: model fitted before, whose position a model of averages uses; may be
+ * NULL. */
 static void note_left_out(struct pp_fit_error ours[PLACES],
                           struct pp_fit_error theirs[PLACES],
                           struct pp_fit_model *model, struct pp_fit_model *first,
@@ -158,8 +161,8 @@ static void note_left_out(struct pp_fit_error ours[PLACES],
     }
 }
 
-/* Errors on rooms left out, over those of a printed formula: by ratio, relatively, by
- * daylight factor. */
+/* Prints errors on left-out rooms over those of a printed formula: of the ratio,
+ * relative, and of the daylight factor. */
 static void print_against(struct pp_fit_model *model, struct pp_fit_model *first,
                           enum pp_fit_source printed, const struct pp_fit_rooms *rooms,
                           int *times)
@@ -172,8 +175,8 @@ static void print_against(struct pp_fit_model *model, struct pp_fit_model *first
                sqrt(ours[i].absolute / theirs[i].absolute));
 }
 
-/* Replaces terms of `irc-atlas`: the back wall, the shade of the ground, the depth once
- * more, at six constants and one more; the breadth beside the opening. */
+/* Replaces terms of `irc-atlas`: back wall, shading of the ground, depth, width beside
+ * the opening; with six constants and with seven. */
 static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
 {
     static const struct {
@@ -210,8 +213,8 @@ static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
     }
 }
 
-/* The level of `bre` and of `split-flux`, corrected: what the light's way is, and what
- * goes with it. At points with the position of `irc-atlas`. */
+/* Corrects the level of `bre` and `split-flux`: distribution of the light in the room,
+ * and terms with it. At points with the position of `irc-atlas`. */
 static void search_levels(const struct pp_fit_rooms *rooms, int *times)
 {
     static const struct {
@@ -284,8 +287,8 @@ static bool has_term(const struct pp_fit_model *model, int term)
     return false;
 }
 
-/* Adds, one by one, the term that leaves the least error on rooms left out. `all`: prints
- * what each would do as the last one. */
+/* Repeatedly adds the term with the least error on left-out rooms. `all`: prints the
+ * error for every candidate of the last step. */
 static void search_terms(struct pp_fit_model model, const struct pp_fit_rooms *rooms,
                          int *times, int most, bool all)
 {
@@ -356,8 +359,8 @@ static int by_value(const void *a, const void *b)
     return (off > 0.0) - (off < 0.0);
 }
 
-/* Refits to rooms drawn with replacement: half the distance of the 16th and the 84th
- * percentile of each parameter. */
+/* Refits to rooms drawn with replacement: half the difference between the 16th and 84th
+ * percentiles of each parameter. */
 static void find_spread(const struct pp_fit_model *model,
                         const struct pp_fit_rooms *rooms, int *times,
                         double spread[PP_FIT_PARAMETERS])
@@ -398,7 +401,8 @@ static void print_errors(const char *name, const struct pp_fit_error errors[PLAC
     }
 }
 
-/* Errors on the rooms of odd number; the printed formula has one value for all points. */
+/* Prints errors on rooms with odd numbers; the printed formula has one value for all
+ * points. */
 static void print_held_out(const char *name, const struct pp_fit_model *model,
                            const struct pp_fit_rooms *rooms)
 {

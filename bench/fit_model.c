@@ -1,4 +1,4 @@
-/* fit_model.c - the model's figure and its derivatives, and the fit. */
+/* fit_model.c - value and derivatives of the model, and the fit. */
 #include "bench/fit_model.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ static double place_of(const struct pp_fit_model *model, const struct pp_fit_ope
     return f * q_s * exp(-2.0 * q_s * o->y / o->w_r) / (1.0 - exp(-q_s));
 }
 
-/* The source, its parts in the shade that they stand in. */
+/* The source, with its parts reduced by the obstructions. */
 static double source_of(const struct pp_fit_model *model,
                         const struct pp_fit_opening *o, const double *value)
 {
@@ -74,7 +74,7 @@ double pp_fit_model_value(const struct pp_fit_model *model,
     return sum;
 }
 
-/* ln of the figure, and its derivatives by the parameters. */
+/* Logarithm of the value, and its derivatives with respect to the parameters. */
 static double derive(const struct pp_fit_model *model, const struct pp_fit_row *row,
                      double slope[PP_FIT_PARAMETERS])
 {
@@ -121,7 +121,7 @@ static bool takes_part(const struct pp_fit_model *model, const struct pp_fit_row
     return row->average == average && isfinite(log(truth_of(model, row)));
 }
 
-/* The dark points are half as important again: formulae are asked for them. */
+/* Dark points count 1.5 times (squared), since formulae are mostly used for them. */
 static double weight_of(const struct pp_fit_row *row, int times)
 {
     return times * row->weight * row->weight * (row->dark ? 2.25 : 1.0);
@@ -142,7 +142,7 @@ static double cost_of(const struct pp_fit_model *model,
     return sum;
 }
 
-/* Solves a x = b of n equations by elimination with the largest pivot. */
+/* Solves a x = b for n equations by elimination with partial pivoting. */
 static void solve(int n, double a[PP_FIT_PARAMETERS][PP_FIT_PARAMETERS + 1])
 {
     for (int i = 0; i < n; i++) {
@@ -165,7 +165,7 @@ static void solve(int n, double a[PP_FIT_PARAMETERS][PP_FIT_PARAMETERS + 1])
         a[i][n] /= a[i][i];
 }
 
-/* The normal equations at the present parameters. */
+/* Normal equations at the present parameters. */
 static void normal(const struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                    const int *times, double a[PP_FIT_PARAMETERS][PP_FIT_PARAMETERS],
                    double b[PP_FIT_PARAMETERS])
@@ -190,7 +190,7 @@ static void normal(const struct pp_fit_model *model, const struct pp_fit_rooms *
     }
 }
 
-/* One step, damped until it helps; false: none does any more. */
+/* One step, damped until it reduces the cost; false if no step does. */
 static bool step_on(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                     const int *times, double *damping, double *cost)
 {

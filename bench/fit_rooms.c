@@ -1,4 +1,5 @@
-/* fit_rooms.c - asks the printed methods and the geometry that the fitted ones use. */
+/* fit_rooms.c - evaluates the printed methods and the geometry used by the fitted
+ * ones. */
 #include "bench/fit_rooms.h"
 
 #include <math.h>
@@ -26,7 +27,7 @@ static double printed(const struct pp_method *method, const struct pp_traced_roo
     return part.value * pp_allowance_factor(method->allowances, opening);
 }
 
-/* Fills in values common to all points. */
+/* Sets the values that do not depend on the point. */
 static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *room,
                       const struct pp_opening *opening, struct pp_fitted_light on)
 {
@@ -54,7 +55,7 @@ static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *ro
     double bre_flux = to->source[PP_FIT_BRE][0]
                       / (bre.C * bre.R_fw + PP_BRE_GROUND_REFLECTANCE / 2.0 * bre.R_cw);
     for (int k = 0; k < 3; k++) {
-        bool up = k == 2; /* where the light falls first */
+        bool up = k == 2; /* light that first falls upwards */
         to->source[PP_FIT_SPHERE_NOW][k] =
             flux * sqrt(rho_u) / (A * (1.0 - R)) * light[k] * (up ? 1.0 : rho_l);
         to->source[PP_FIT_BRE_NOW][k] =
@@ -94,7 +95,7 @@ static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *ro
     to->R = R;
 }
 
-/* Fills in values that depend on the place. */
+/* Sets the values that depend on the point. */
 static void fill_place(struct pp_fit_opening *to, const struct pp_world *world,
                        const struct pp_opening *opening,
                        const struct pp_receiver *receiver)

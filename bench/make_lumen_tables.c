@@ -1,6 +1,6 @@
-/* Makes the lumen method's tables: `make tables` writes tables/lumen_sidelight.csv and
- * tables/lumen_toplight.csv anew (a minute or two). With the argument "errors" it
- * measures what their heads claim instead. */
+/* make_lumen_tables.c - makes the tables of the lumen method: `make tables` writes
+ * tables/lumen_sidelight.csv and tables/lumen_toplight.csv (1 to 2 minutes). With the
+ * argument "errors" it measures the errors stated at their heads instead. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -135,8 +135,8 @@ static void write_top(FILE *out)
                         pp_lumen_cavity(rcr, tops[c], sides[k], PP_LUMEN_PLANE));
 }
 
-/* The largest change of any coefficient when the mesh is twice as fine, and of light
- * that is lost, over a sample of rooms. */
+/* Largest change of any coefficient with a mesh twice as fine, and largest loss of
+ * light, over a sample of rooms. */
 static void errors(const struct pp_sky *skies)
 {
     static const struct pp_lumen_finishes finishes = {0.7, 0.5};

@@ -1,5 +1,5 @@
-/* make_rooflight_tables.c - makes the simplified tables of rooflights: `make tables` writes
- * tables/brs_rooflight_0.csv, _30 and _60 anew. */
+/* make_rooflight_tables.c - makes the simplified tables of rooflights: `make tables`
+ * writes tables/brs_rooflight_0.csv, _30 and _60. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,11 +15,12 @@ static const double columns[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.
 enum {
     ROWS = sizeof rows / sizeof *rows,
     COLUMNS = sizeof columns / sizeof *columns,
-    NODES = 40, /* of Gauss's rule between two rows, and across */
+    NODES = 40, /* Gauss nodes between two rows, and across */
 };
 
-/* Altitude, in section, of an edge at s up the slope from where the plane of the glass
- * meets the point's level, or from above the point for level glass; s over the distance. */
+/* Altitude, in section, of an edge at s up the slope. s is relative to the distance,
+ * and measured from the line where the plane of the glass meets the level of the point,
+ * or for horizontal glass from above the point. */
 static double altitude(double s, double slope)
 {
     double b = slope > 0.0 ? s - 1.0 / tan(slope) : s;
@@ -28,7 +29,7 @@ static double altitude(double s, double slope)
     return atan2(b * sin(slope) + cos(slope), sin(slope) - b * cos(slope));
 }
 
-/* The light from between two altitudes, to w on one side of the section. */
+/* Light between two altitudes, up to w on one side of the section. */
 static double strip(const struct pp_protractor *glass, const double *nodes,
                     const double *weights, double from, double to, double w)
 {

@@ -1,6 +1,5 @@
-/* box_room.h - a rectangular room with upright windows, made by hand: a world and the
- * light on it without a room file, for tests of what reads worlds.
- */
+/* box_room.h - a rectangular room with vertical windows, built by hand: a world and its
+ * light without a room file, for tests of functions that read worlds. */
 #ifndef PP_TESTS_LIB_BOX_ROOM_H
 #define PP_TESTS_LIB_BOX_ROOM_H
 
@@ -10,7 +9,7 @@
 enum { BOX_SOUTH, BOX_EAST, BOX_NORTH, BOX_WEST, BOX_FLOOR, BOX_CEILING, BOX_FACES };
 enum { BOX_MOST_OPENINGS = 4 };
 
-/* Owns all that its world points to; must not be copied once built. */
+/* Owns everything its world points to; must not be copied once built. */
 struct box_room {
     struct pp_world world;
     struct pp_outside_light light;
@@ -31,7 +30,8 @@ static inline struct pp_polygon box_polygon(struct pp_vec3 *corners)
                                pp_vec_length(twice) / 2.0};
 }
 
-/* The room, x to width_m, y to depth_m, without openings, under an overcast sky. */
+/* Builds the room, x to width_m, y to depth_m, without openings, under an overcast
+ * sky. */
 static inline void box_room_build(struct box_room *box, double width_m, double depth_m,
                                   double height_m, double floor, double walls,
                                   double ceiling)
@@ -77,7 +77,8 @@ static inline void box_room_build(struct box_room *box, double width_m, double d
     };
 }
 
-/* An opening in a face: `start` its lower left corner seen from inside, clear glass. */
+/* Adds an opening of clear glass to a face; `start`: its lower left corner seen from
+ * inside. */
 static inline struct pp_opening *box_room_open(struct box_room *box, int face,
                                                struct pp_vec3 start, double width_m,
                                                double height_m)
@@ -115,17 +116,17 @@ static inline struct pp_opening *box_room_open(struct box_room *box, int face,
     return opening;
 }
 
-/* A window in the south wall, from the plan's x = left_m. */
+/* Adds a window to the south wall, from the plan's x = left_m. */
 static inline struct pp_opening *box_room_south(struct box_room *box, double left_m,
                                                 double sill_m, double width_m,
                                                 double height_m)
 {
-    /* Seen from inside, right is towards smaller x. */
+    /* Seen from inside, x decreases to the right. */
     return box_room_open(box, BOX_SOUTH, pp_vec(left_m + width_m, 0, sill_m), width_m,
                          height_m);
 }
 
-/* Moves the glass out by a reveal. */
+/* Moves the glass outwards by a reveal. */
 static inline void box_room_reveal(struct box_room *box, int index, double reveal_m)
 {
     struct pp_opening *opening = box->openings + index;
@@ -135,7 +136,7 @@ static inline void box_room_reveal(struct box_room *box, int index, double revea
             pp_vec_along(box->inner[index][i], -reveal_m, opening->inner.normal);
 }
 
-/* A skyline before the south wall; its angle is from middle_z_m. */
+/* Adds a skyline to the south wall; its angle is measured at middle_z_m. */
 static inline void box_room_skyline(struct box_room *box, double angle_rad,
                                     double middle_z_m, double distance_m)
 {

@@ -1,5 +1,6 @@
-/* counted_builds.h - how many ray structures are built. A test that includes it is linked
- * with --wrap=pp_rays_create, by which the linker has all calls of that function come here. */
+/* counted_builds.h - counts the ray structures that are built. A test that includes it
+ * must be linked with --wrap=pp_rays_create, which redirects all calls of that function
+ * here. */
 #ifndef PP_TESTS_LIB_COUNTED_BUILDS_H
 #define PP_TESTS_LIB_COUNTED_BUILDS_H
 

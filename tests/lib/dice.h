@@ -1,6 +1,5 @@
-/* dice.h - random numbers for tests that deal out their cases: one seed for each, so that
- * a single case can be repeated.
- */
+/* dice.h - random numbers for tests with random cases: one seed per case, so that a
+ * single case can be repeated. */
 #ifndef PP_TESTS_LIB_DICE_H
 #define PP_TESTS_LIB_DICE_H
 

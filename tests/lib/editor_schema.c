@@ -1,4 +1,4 @@
-/* editor_schema.c - asks libxml2's RELAX NG for the verdict of docs/room.rng. */
+/* editor_schema.c - validates with libxml2's RELAX NG. */
 #include "tests/lib/editor_schema.h"
 
 #include <libxml/parser.h>

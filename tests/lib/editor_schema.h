@@ -1,4 +1,5 @@
-/* editor_schema.h - the verdict of docs/room.rng, by which editors check room files. */
+/* editor_schema.h - validation by docs/room.rng, the schema that editors use for room
+ * files. */
 #ifndef PP_TESTS_LIB_EDITOR_SCHEMA_H
 #define PP_TESTS_LIB_EDITOR_SCHEMA_H
 
@@ -7,11 +8,11 @@
 
 struct editor_schema;
 
-/* The schema, read from the sources' folder ($srcdir); NULL where it is no schema. */
+/* Reads the schema from the source folder ($srcdir); NULL if it is invalid. */
 struct editor_schema *editor_schema_create(void);
 void editor_schema_destroy(struct editor_schema *schema); /* NULL is allowed */
 
-/* Is the XML document a room by the schema? False, too, where it is no XML. */
+/* True if the XML document is valid; false also if it is not XML. */
 bool editor_schema_takes(const struct editor_schema *schema, const char *bytes,
                          size_t length);
 

@@ -1,16 +1,16 @@
-/* equilibrium.h - rooms in thermal equilibrium, whose light is known whatever their shape.
+/* equilibrium.h - rooms in thermal equilibrium, whose light is known for any shape.
  *
- * Under a uniform sky over perfectly white ground, and with every surface giving off the
- * 1 - rho that it does not reflect, all light is isotropic: whatever the geometry, the
- * number of bounces or the way through lossless glass, every receiver gets 1. It holds
- * only if nothing is lost, counted twice or leaked, inside or out.
+ * Under a uniform sky over perfectly white ground, and with every surface emitting the
+ * 1 - rho that it does not reflect, all light is isotropic. For any geometry, number of
+ * bounces or path through lossless glass every receiver has the value 1, unless light
+ * is lost, counted twice or leaks, inside or outside.
  */
 #ifndef PP_TESTS_LIB_EQUILIBRIUM_H
 #define PP_TESTS_LIB_EQUILIBRIUM_H
 
 #include "tests/lib/room_of.h"
 
-/* The world of a room file in that state, and the light on it; the caller destroys it. */
+/* World of a room file in that state, and its light; the caller destroys the world. */
 static inline struct pp_world *pp_test_equilibrium(struct pp_outside_light *light,
                                                    const char *xml, bool lossless_glass)
 {
@@ -26,7 +26,7 @@ static inline struct pp_world *pp_test_equilibrium(struct pp_outside_light *ligh
     return world;
 }
 
-/* A box, and points in it that face all ways. */
+/* A box, and points in it that face in all directions. */
 #define PP_TEST_BOX "<plan width='3.1' depth='4.3' height='2.6'/>"
 #define PP_TEST_BOX_POINTS                                                             \
     "<point x='0.9' y='0.7'/><point x='1.7' y='3.9'/>"                                 \
@@ -48,8 +48,8 @@ static inline struct pp_world *pp_test_equilibrium(struct pp_outside_light *ligh
     "reveal='0.35'/><rooflight x='0.6' y='1.9' width='1.1' depth='1.3' "               \
     "reveal='0.5'/>" PP_TEST_BOX_POINTS "</room>"
 
-/* An L with a block and a surface outside, and its points; lossless glass. Its wing sees
- * its own outer wall and the other window from outside. */
+/* An L-shape with a block and a surface outside, and its points; lossless glass. Its
+ * wing sees its own outer wall and the other window from outside. */
 #define PP_TEST_L_SHAPED_ROOM                                                          \
     "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"                       \
     "<vertex x='5' y='0'/><vertex x='5' y='2'/><vertex x='2' y='2'/>"                  \
@@ -62,7 +62,7 @@ static inline struct pp_world *pp_test_equilibrium(struct pp_outside_light *ligh
     "<point x='0.7' y='1.1'/><point x='4.1' y='0.9'/><point x='1.2' y='5.1'/>"         \
     "</room>"
 
-/* A diffusing pane: nine tenths go through and one is thrown back. */
+/* A diffusing pane with transmittance 0.9 and reflectance 0.1. */
 #define PP_TEST_DIFFUSING_ROOM                                                         \
     "<room version='1'>" PP_TEST_BOX                                                   \
     "<window wall='south' left='0.3' sill='0.7' width='2.2' height='1.5' "             \

@@ -1,4 +1,4 @@
-/* guessed_room.h - a room with the radiosity guess of its tracer, for tests. */
+/* guessed_room.h - a room with the radiosity estimate of its tracer, for tests. */
 #ifndef PP_TESTS_LIB_GUESSED_ROOM_H
 #define PP_TESTS_LIB_GUESSED_ROOM_H
 

@@ -1,11 +1,12 @@
-/* interval_formula.c - evaluates a formula by recursive descent, in intervals:
+/* interval_formula.c - evaluates a formula in interval arithmetic, by recursive
+ * descent:
  *
  *     sum     = product { (+|-) product }
  *     product = power { [*|/] power }        from left to right; side by side: times
  *     power   = [-] primary [ ^ power ]
  *     primary = number | symbol | function ( sum {, sum} ) | ( sum )
  *
- * A minus binds looser than ^ and tighter than *.
+ * A minus binds less tightly than ^ and more tightly than *.
  */
 #include "tests/lib/interval_formula.h"
 
@@ -90,7 +91,7 @@ static struct interval over(struct parser *parser, struct interval a, struct int
     return times(a, (struct interval){1.0 / b.high, 1.0 / b.low});
 }
 
-/* a to the power b, for an a that is not negative or a whole b. */
+/* a to the power b, for a >= 0 or integer b. */
 static struct interval power_of(struct interval a, struct interval b)
 {
     double corners[5] = {pow(a.low, b.low), pow(a.low, b.high), pow(a.high, b.low),
@@ -99,7 +100,7 @@ static struct interval power_of(struct interval a, struct interval b)
     return hull(corners, through_zero ? 5 : 4);
 }
 
-/* Does a value = offset + 360 k lie in the interval (degrees)? */
+/* True if a value offset + 360 k lies in the interval (degrees). */
 static bool has_turn(struct interval a, double offset)
 {
     return ceil((a.low - offset) / 360.0) <= floor((a.high - offset) / 360.0);

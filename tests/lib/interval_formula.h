@@ -1,6 +1,6 @@
-/* interval_formula.h - recomputes the formulae of model/results/steps.h from printed figures, in
- * interval arithmetic: a printed figure stands for all that are rounded to it.
- */
+/* interval_formula.h - recomputes the formulae of model/results/steps.h from printed
+ * figures, in interval arithmetic: a printed figure represents all values that are
+ * rounded to it. */
 #ifndef PP_TESTS_LIB_INTERVAL_FORMULA_H
 #define PP_TESTS_LIB_INTERVAL_FORMULA_H
 
@@ -10,7 +10,7 @@ struct interval {
     double low, high;
 };
 
-/* Figures by symbol; the latest of a name counts. Zero it to begin with. */
+/* Figures by symbol; the latest counts if a symbol repeats. Initialise with zeros. */
 struct figures {
     int count;
     struct figure {
@@ -21,11 +21,11 @@ struct figures {
 
 void figures_add(struct figures *figures, const char *symbol, struct interval value);
 
-/* Interval of a printed number: half a unit of its last digit to either side. */
+/* Interval of a printed number: plus or minus half a unit of its last digit. */
 struct interval figure_as_printed(const char *digits);
 
-/* All values that the formula may have. False, with a message, where it makes no sense
- * or names a figure that is not there. */
+/* Interval of all values that the formula may have. False, with a message, if it is
+ * invalid or uses an unknown symbol. */
 bool formula_evaluate(struct interval *value, const char *formula,
                       const struct figures *figures, char message[128]);
 

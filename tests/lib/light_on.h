@@ -1,4 +1,4 @@
-/* light_on.h - light from outside, worked out for a scene, for tests. */
+/* light_on.h - outdoor light prepared for a scene, for tests. */
 #ifndef PP_TESTS_LIB_LIGHT_ON_H
 #define PP_TESTS_LIB_LIGHT_ON_H
 

@@ -1,11 +1,11 @@
-/* light_scenes.h - scenes of a few rectangles, domes and boxes, for tests of light. */
+/* light_scenes.h - scenes of a few rectangles, domes and boxes, for tests. */
 #ifndef PP_TESTS_LIB_LIGHT_SCENES_H
 #define PP_TESTS_LIB_LIGHT_SCENES_H
 
 #include "simulate/scene/light_scene_of_description.h"
 #include "tests/lib/near.h"
 
-/* The index of the material, which the scene now has. */
+/* Adds the material to the scene and returns its index. */
 static inline int pp_test_material(struct pp_scene_description *scene,
                                    struct pp_material material)
 {
@@ -16,7 +16,7 @@ static inline int pp_test_material(struct pp_scene_description *scene,
     return index;
 }
 
-/* A cone of directions, from infinitely far. */
+/* Adds a cone of directions at infinite distance. */
 static inline void pp_test_dome(struct pp_scene_description *scene, int material,
                                 struct pp_vec3 direction, double half_angle_rad)
 {
@@ -27,7 +27,7 @@ static inline void pp_test_dome(struct pp_scene_description *scene, int material
     assert_int_equal(pp_scene_description_add_shape(scene, &dome, NULL, NULL), PP_OK);
 }
 
-/* A rectangle whose front faces along x to y turned right-handed. */
+/* Adds a rectangle whose front is along x across. */
 static inline void pp_test_rectangle(struct pp_scene_description *scene, int material,
                                      struct pp_vec3 corner, struct pp_vec3 along,
                                      struct pp_vec3 across)
@@ -39,7 +39,7 @@ static inline void pp_test_rectangle(struct pp_scene_description *scene, int mat
         pp_scene_description_add_polygon(scene, v, 4, material, NULL, NULL), PP_OK);
 }
 
-/* Six faces that look inwards. */
+/* Adds six faces that face inwards. */
 static inline void pp_test_box(struct pp_scene_description *scene, int material,
                                double x, double y, double z)
 {
@@ -55,7 +55,7 @@ static inline void pp_test_box(struct pp_scene_description *scene, int material,
     pp_test_rectangle(scene, material, far, mx, mz);
 }
 
-/* Scene that rays meet; the description is cleared. */
+/* Builds the scene for rays; the description is cleared. */
 static inline struct pp_light_scene *pp_test_built(struct pp_scene_description *from)
 {
     struct pp_light_scene *scene = NULL;
@@ -66,15 +66,15 @@ static inline struct pp_light_scene *pp_test_built(struct pp_scene_description *
     return scene;
 }
 
-/* Configuration factor of a square of half side a at distance h, parallel and centred
- * over the point. */
+/* Configuration factor of a square of half side a at distance h, parallel to the
+ * receiver and centred over the point. */
 static inline double pp_test_square_factor(double a, double h)
 {
     double s = sqrt(a * a + h * h);
     return 4.0 * 2.0 / (2.0 * PP_PI) * (a / s) * atan(a / s);
 }
 
-/* A square of half side a at height h over the origin, whose front looks down. */
+/* Scene of a square of half side a at height h over the origin, facing down. */
 static inline struct pp_light_scene *pp_test_under_square(struct pp_material material,
                                                           double a, double h)
 {

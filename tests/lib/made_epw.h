@@ -1,4 +1,4 @@
-/* made_epw.h - weather files made up for tests, record by record. */
+/* made_epw.h - builds weather files for tests, record by record. */
 #ifndef PP_TESTS_LIB_MADE_EPW_H
 #define PP_TESTS_LIB_MADE_EPW_H
 
@@ -7,7 +7,7 @@
 
 #include "formats/epw/epw.h"
 
-/* A weather file while it is written; `end` stands behind each line. */
+/* A weather file under construction; `end` is written after each line. */
 struct made_epw {
     char *text;
     size_t length;
@@ -28,7 +28,7 @@ static inline void epw_line(struct made_epw *made, const char *line)
 
 #define EPW_LOCATION "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
 
-/* The header lines; periods as behind "DATA PERIODS,". */
+/* Writes the header lines; periods: text after "DATA PERIODS,". */
 static inline void epw_header(struct made_epw *made, const char *leap,
                               const char *periods)
 {
@@ -42,7 +42,7 @@ static inline void epw_header(struct made_epw *made, const char *leap,
     fprintf(made->out, "DATA PERIODS,%s%s", periods, made->end);
 }
 
-/* One record with 35 fields; irradiances and illuminance as they should stand. */
+/* Writes one record with 35 fields; irradiances and illuminance are texts. */
 static inline void epw_record(struct made_epw *made, int year, int month, int day,
                               int hour, int minute, const char *global,
                               const char *direct, const char *diffuse,
@@ -55,7 +55,7 @@ static inline void epw_record(struct made_epw *made, int year, int month, int da
             made->end);
 }
 
-/* A day of hours, all alike. */
+/* Writes a day of equal hours. */
 static inline void epw_day(struct made_epw *made, int year, int month, int day,
                            const char *diffuse_lx)
 {
@@ -63,7 +63,7 @@ static inline void epw_day(struct made_epw *made, int year, int month, int day,
         epw_record(made, year, month, day, hour, 0, "9999", "9999", "9999", diffuse_lx);
 }
 
-/* The file's bytes so far; epw_end frees them. */
+/* Bytes of the file so far; epw_end frees them. */
 static inline const char *epw_bytes(struct made_epw *made)
 {
     fflush(made->out);
@@ -76,7 +76,7 @@ static inline void epw_end(struct made_epw *made)
     free(made->text);
 }
 
-/* Reads the bytes as a weather file; said is the first mistake as "LINE: text", or "". */
+/* Reads the bytes as a weather file; said: the first mistake as "LINE: text", or "". */
 static inline struct pp_epw *epw_parsed(const char *bytes, size_t length, char *said,
                                         size_t room)
 {

@@ -1,5 +1,4 @@
-/* made_gbxml.h - gbXML files that are put together, and the room files that come of
- * them. */
+/* made_gbxml.h - builds gbXML files for tests, and imports them as room files. */
 #ifndef PP_TESTS_LIB_MADE_GBXML_H
 #define PP_TESTS_LIB_MADE_GBXML_H
 
@@ -10,16 +9,17 @@
 #include "formats/gbxml/gbxml_import.h"
 #include "tests/lib/near.h"
 
-/* A gbXML file that is put together: lengths are given in metres, and written in `unit`. */
+/* A gbXML file under construction; lengths are given in metres, and written in
+ * `unit`. */
 struct made_gbxml {
     char *text;
     size_t length;
     FILE *out;
-    double metre;       /* of a unit */
-    double east, north; /* where the model's origin is, in metres */
+    double metre;       /* metres per unit */
+    double east, north; /* position of the model's origin, metres */
 };
 
-/* The file stays where it is: the stream knows it. */
+/* The struct must not move, since the stream refers to it. */
 static inline void made_gbxml_begin(struct made_gbxml *file, const char *unit,
                                     double metre, const char *location)
 {
@@ -54,8 +54,8 @@ static inline void made_gbxml_geometry(struct made_gbxml *file, int count,
     fputs("</PlanarGeometry>", file->out);
 }
 
-/* inside: what stands in the surface beside its geometry; may be NULL. other: the second
- * space; NULL: none. */
+/* Writes a surface. inside: further content besides its geometry; may be NULL. other:
+ * the second space; NULL: none. */
 static inline void made_gbxml_surface(struct made_gbxml *file, const char *type,
                                       const char *space, const char *other, int count,
                                       const double *corners)
@@ -90,8 +90,8 @@ static inline void made_gbxml_end_surface(struct made_gbxml *file)
         __VA_ARGS__                                                                    \
     }
 
-/* The six sides of a box from (x, 0, 0), but for the walls that are left out; the window, 1.6 x
- * 1.2 m, is in the south wall. */
+/* Writes the six sides of a box from (x, 0, 0), except walls that are left out; the
+ * window, 1.6 x 1.2 m, is in the south wall. */
 enum { NO_EAST = 1, NO_WEST = 2, NO_ROOF = 4 };
 
 static inline void made_gbxml_box(struct made_gbxml *f, const char *space, double x,
@@ -146,8 +146,8 @@ static inline void made_gbxml_space(struct made_gbxml *file, const char *id,
             type, id);
 }
 
-/* The room file that comes of it; the notes, a line each, in `notes` if that is given.
- * Not inlined: gcc 12 then warns of a pointer that dangles, which none does. */
+/* Imports the file; `notes` (may be NULL) gets the notes, one per line. Not inlined,
+ * since gcc 12 then warns of a dangling pointer where there is none. */
 static char *__attribute__((noinline, unused))
 made_gbxml_import(struct made_gbxml *file, char *notes, size_t room)
 {

@@ -1,4 +1,4 @@
-/* meridians.c - integrates the direct component meridian by meridian (meridians.h). */
+/* meridians.c - integrates the direct component along meridians (meridians.h). */
 #include "tests/lib/meridians.h"
 
 #include <cubature.h>
@@ -10,8 +10,9 @@ enum { CORNERS = 16, SHAPES = 40, CUTS = 1000, STOPS = 40000, WEB = 400 };
 /* A polygon seen from the eye. */
 struct shape {
     int count;
-    struct pp_vec3 corners[CORNERS]; /* from the eye */
-    struct pp_vec3 nearness;         /* . u is one over the distance along u */
+    struct pp_vec3 corners[CORNERS]; /* relative to the eye */
+    struct pp_vec3 nearness;         /* nearness . u is the inverse of the distance
+                                      * along u */
     double reflectance, exitance;
 };
 
@@ -23,13 +24,13 @@ struct sight {
     struct shape inner, outer;
     struct shape shapes[SHAPES];
     int shape_count;
-    bool colours; /* do the shapes differ in what they give off? */
+    bool colours; /* true if the shapes have different luminances */
     double relative_error;
 };
 
 /* ---- one meridian ---- */
 
-/* Where a shape lies on the meridian: `starts` says whether the nadir is in it. */
+/* Interval of a shape on the meridian; `starts`: the nadir is inside. */
 struct track {
     double cuts[CORNERS];
     int count;
@@ -52,7 +53,8 @@ static struct track track_of(const struct shape *shape, struct pp_vec3 level)
         if (out > 0.0)
             track.cuts[track.count++] = atan2(at.z, out);
     }
-    /* An odd number: it holds the zenith or the nadir, whichever its plane meets. */
+    /* For an odd number of crossings the shape contains the zenith or the nadir,
+     * whichever its plane meets. */
     track.starts = track.count % 2 == 1 && shape->nearness.z < 0.0;
     return track;
 }
@@ -72,7 +74,7 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The first surface that a ray meets behind the opening, if any. */
+/* First object on a ray behind the opening. */
 enum meets { NOTHING, OPEN, HIDDEN };
 
 struct hit {
@@ -80,7 +82,8 @@ struct hit {
     double reflectance, exitance;
 };
 
-/* Does the skyline hide u? One with a distance is among the shapes. */
+/* True if the skyline hides u. Skylines with a distance are among the shapes
+ * instead. */
 static bool meets_skyline(const struct sight *sight, const struct pp_skyline *skyline,
                           struct pp_vec3 u)
 {
@@ -123,7 +126,7 @@ static struct hit cast(const struct sight *sight, const struct track *tracks,
     return hit;
 }
 
-/* The integrand along one piece of a meridian. */
+/* Integrand along one piece of a meridian. */
 struct beam {
     const struct sight *sight;
     struct pp_vec3 level;
@@ -175,20 +178,21 @@ static double beam_between(struct beam beam, double from, double to)
 
 static void add_cut(double *cuts, int *count, double rise, double run)
 {
-    /* rise sin + run cos = 0 */
+    /* solves rise sin + run cos = 0 */
     if (*count < CUTS && (rise != 0.0 || run != 0.0))
         cuts[(*count)++] = rise != 0.0 ? atan(-run / rise) : 0.0;
 }
 
-/* One meridian: where the opening and the shapes lie on it. */
+/* One meridian, with the intervals of the opening and the shapes on it. */
 struct meridian {
-    struct pp_vec3 level; /* the unit horizontal of its azimuth */
+    struct pp_vec3 level; /* horizontal unit vector of its azimuth */
     struct track inner, outer, tracks[SHAPES];
-    double cuts[CUTS]; /* altitudes between which one ray says what is seen */
+    double cuts[CUTS]; /* altitudes between which only one object is visible */
     int cut_count;
 };
 
-/* Altitudes at which shapes begin, end, or pass before each other and the opening. */
+/* Adds the altitudes at which shapes begin or end, or at which they change order with
+ * each other or with the opening. */
 static void cut_at_shapes(struct meridian *meridian, const struct sight *sight)
 {
     double *cuts = meridian->cuts;
@@ -212,7 +216,7 @@ static void cut_at_shapes(struct meridian *meridian, const struct sight *sight)
     meridian->cut_count = count;
 }
 
-/* Altitudes of the heads of skylines without a distance. */
+/* Adds the altitudes of skylines without a distance. */
 static void cut_at_skylines(struct meridian *meridian, const struct sight *sight)
 {
     const struct pp_world *world = sight->world;
@@ -230,7 +234,7 @@ static void cut_at_skylines(struct meridian *meridian, const struct sight *sight
     meridian->cut_count = count;
 }
 
-/* Adds the light between two altitudes, where one thing is seen, to value: sky, and
+/* Adds the light between two altitudes with one visible object to value: sky, and
  * external. */
 static void add_piece(double value[2], const struct sight *sight,
                       const struct meridian *meridian, double from, double to)
@@ -294,7 +298,7 @@ static int at_azimuth(unsigned dim, const double *azimuth, void *data, unsigned 
     return 0;
 }
 
-/* ---- all of them ---- */
+/* ---- all meridians ---- */
 
 static struct shape shape_of(const struct pp_polygon *outline, struct pp_vec3 eye)
 {
@@ -312,7 +316,7 @@ static double azimuth_of(struct pp_vec3 v)
     return azimuth < 0.0 ? azimuth + 2.0 * PP_PI : azimuth;
 }
 
-/* Azimuths at which two edges are seen to cross. */
+/* Adds azimuths at which two edges appear to cross. */
 static void add_crossings(double *stops, int *count, const struct shape *one,
                           const struct shape *other)
 {
@@ -340,8 +344,7 @@ static void add_corners(double *stops, int *count, const struct shape *shape)
         stops[(*count)++] = azimuth_of(shape->corners[i]);
 }
 
-/* Azimuths at which the edges are seen to cross the plane through the eye normal to
- * `square`. */
+/* Adds azimuths at which edges cross the plane through the eye normal to `square`. */
 static void add_circle(double *stops, int *count, const struct shape *shape,
                        struct pp_vec3 square)
 {
@@ -354,8 +357,8 @@ static void add_circle(double *stops, int *count, const struct shape *shape,
     }
 }
 
-/* The points at which a shape's edges pierce a plane, as a shape of their own: the seam
- * along which the two change places. */
+/* Points where a shape's edges cross a plane, as a shape: along this seam the two
+ * change order. */
 static struct shape seam_of(const struct shape *shape, struct pp_vec3 nearness)
 {
     struct shape seam = {.count = 0};
@@ -369,7 +372,7 @@ static struct shape seam_of(const struct shape *shape, struct pp_vec3 nearness)
     return seam;
 }
 
-/* The shapes of a sight, all seams, and the great circles that matter. */
+/* Shapes, all seams, and the relevant great circles. */
 struct web {
     struct shape shapes[WEB];
     int shape_count;
@@ -473,7 +476,7 @@ struct pp_meridian_sums pp_meridians(const struct pp_world *world,
     }
     free(web);
     qsort(stops, (size_t)count, sizeof *stops, by_size);
-    /* Each stretch in parts, in case it hides a narrow turn, as of an edge that passes
+    /* Divides each interval, in case it contains a narrow feature, such as an edge
      * close to the zenith. */
     for (int k = 0; k < (count - 1) * parts; k++) {
         int i = k / parts;

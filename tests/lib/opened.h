@@ -1,11 +1,11 @@
-/* opened.h - a study of a room that is a string, by the public interface alone. */
+/* opened.h - a study of a room given as a string, by the public interface only. */
 #ifndef PP_TESTS_LIB_OPENED_H
 #define PP_TESTS_LIB_OPENED_H
 
 #include "pepperpot.h"
 #include "tests/lib/near.h"
 
-/* A study of one room and what it rests on. */
+/* A study of one room, and the objects it depends on. */
 struct pp_test_opened {
     struct pp_mistakes *mistakes;
     struct pp_building *building;

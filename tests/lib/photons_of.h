@@ -1,12 +1,12 @@
-/* photons_of.h - daylight factors of a room by photons, run to their end, for tests. */
+/* photons_of.h - daylight factors of a room by photons, run to the end, for tests. */
 #ifndef PP_TESTS_LIB_PHOTONS_OF_H
 #define PP_TESTS_LIB_PHOTONS_OF_H
 
 #include "simulate/research/photons/photons.h"
 #include "tests/lib/traced.h"
 
-/* The readings of `count` receivers in a scene, all four components, and behind them
- * those of the average where options ask for it. The caller frees them. */
+/* Readings of `count` receivers in a scene, all four components, followed by the
+ * average if options request it. The caller frees them. */
 static inline struct pp_reading (*pp_test_photons_in(
     const struct pp_light_scene *scene, const struct pp_outside_light *light,
     const struct pp_receiver *receivers, int count,
@@ -32,7 +32,7 @@ static inline struct pp_reading (*pp_test_photons_in(
     return readings;
 }
 
-/* The same in a world's matt scene. */
+/* Readings in a world's matt scene. */
 static inline struct pp_reading (*pp_test_photons(
     const struct pp_world *world, const struct pp_outside_light *light,
     const struct pp_receiver *receivers, int count,

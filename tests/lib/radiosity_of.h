@@ -1,4 +1,4 @@
-/* radiosity_of.h - daylight factors of a room by finite elements, run to their end, for
+/* radiosity_of.h - daylight factors of a room by finite elements, run to the end, for
  * tests. */
 #ifndef PP_TESTS_LIB_RADIOSITY_OF_H
 #define PP_TESTS_LIB_RADIOSITY_OF_H
@@ -6,8 +6,8 @@
 #include "simulate/research/radiosity/radiosity.h"
 #include "tests/lib/traced.h"
 
-/* The readings of `count` receivers, all four components, and behind them those of the
- * average. The caller frees them. */
+/* Readings of `count` receivers, all four components, followed by the average. The
+ * caller frees them. */
 static inline struct pp_reading (*pp_test_elements(
     const struct pp_world *world, const struct pp_outside_light *light,
     const struct pp_receiver *receivers, int count,

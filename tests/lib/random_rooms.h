@@ -1,5 +1,5 @@
-/* random_rooms.h - box rooms with windows all round, and their sky components by
- * quadrature: a second, independent route, written for the tests. */
+/* random_rooms.h - box rooms with windows on all sides, and their sky components by
+ * quadrature: an independent calculation for tests. */
 #ifndef PP_TESTS_LIB_RANDOM_ROOMS_H
 #define PP_TESTS_LIB_RANDOM_ROOMS_H
 
@@ -10,16 +10,16 @@
 #include "tests/lib/room_of.h"
 #include "tests/lib/traced.h"
 
-/* The next of a series of numbers, uniform in [low, high). */
+/* Next number of a series, uniform in [low, high). */
 static inline double pp_test_random(uint64_t *series, double low, double high)
 {
     *series = pp_hash(*series, 1);
     return low + (high - low) * (double)(*series >> 11) * 0x1p-53;
 }
 
-/* A room of one to three windows, one of them perhaps a rooflight; glazed or not; under
- * an overcast, a uniform or a clear sky; `count` receivers facing up anywhere on its
- * working plane but within 0.3 m of the walls. */
+/* A room of one to three windows, one of which may be a rooflight; glazed or not; under
+ * an overcast, uniform or clear sky. `count` receivers facing up are on its working
+ * plane, at least 0.3 m from the walls. */
 static inline struct pp_world *pp_test_random_room(struct pp_outside_light *light,
                                                    uint64_t number, int count)
 {
@@ -69,7 +69,7 @@ static inline struct pp_world *pp_test_random_room(struct pp_outside_light *ligh
     return pp_test_lit_world(light, xml);
 }
 
-/* Light of one point of an opening's plane, per square metre. */
+/* Light per square metre from a point of an opening's plane. */
 static inline double pp_test_sky_from(const struct pp_outside_light *light,
                                       const struct pp_opening *opening,
                                       const struct pp_receiver *receiver,
@@ -87,9 +87,9 @@ static inline double pp_test_sky_from(const struct pp_outside_light *light,
            * opening->maintenance * opening->curtains;
 }
 
-/* The sky component of a receiver that faces up, by Gauss-Legendre quadrature of each
- * opening (a rectangle with edges along x, y or z) in 10 x 10 panels of 6 x 6 nodes:
- * 1e-7 of it from 0.3 m. */
+/* Sky component of a receiver that faces up, by Gauss-Legendre quadrature of each
+ * opening (a rectangle with edges along x, y or z) in 10 x 10 panels of 6 x 6 nodes: a
+ * relative error of 1e-7 from 0.3 m. */
 static inline double pp_test_sky_component(const struct pp_world *world,
                                            const struct pp_outside_light *light,
                                            const struct pp_receiver *receiver)
@@ -110,7 +110,8 @@ static inline double pp_test_sky_component(const struct pp_world *world,
             low = pp_vec(fmin(low.x, v.x), fmin(low.y, v.y), fmin(low.z, v.z));
             high = pp_vec(fmax(high.x, v.x), fmax(high.y, v.y), fmax(high.z, v.z));
         }
-        low.z = fmax(low.z, receiver->position.z); /* below is behind the receiver */
+        low.z = fmax(low.z, receiver->position.z); /* lower parts are behind the
+                                                    * receiver */
         if (high.z < low.z)
             continue;
         bool flat = fabs(opening->inner.normal.z) > 0.5;
@@ -130,7 +131,7 @@ static inline double pp_test_sky_component(const struct pp_world *world,
     return sum;
 }
 
-/* Share of values within so many of their standard errors of the truth. */
+/* Counts of values by their distance from the reference in standard errors. */
 struct pp_coverage {
     int count, within_1, within_2, beyond_4;
 };
@@ -145,8 +146,7 @@ static inline void pp_coverage_add(struct pp_coverage *coverage,
     coverage->beyond_4 += !(off < 4.0);
 }
 
-/* Traces `rooms` rooms of 10 points to 1 % and compares the sky components that are
- * over 0.01 %. */
+/* Traces `rooms` rooms of 10 points to 1 % and compares sky components above 0.01 %. */
 static inline struct pp_coverage pp_test_sky_coverage(int first, int rooms)
 {
     struct pp_coverage coverage = {0, 0, 0, 0};
@@ -167,8 +167,8 @@ static inline struct pp_coverage pp_test_sky_coverage(int first, int rooms)
     return coverage;
 }
 
-/* Traces a few points of `rooms` rooms to 3 % under `seeds` seeds, and compares each
- * daylight factor with the mean of all, whose own error is taken into account. */
+/* Traces a few points of `rooms` rooms to 3 % with `seeds` seeds, and compares each
+ * daylight factor with the mean of all, including the error of the mean. */
 static inline struct pp_coverage pp_test_df_coverage(int first, int rooms, int seeds)
 {
     struct pp_coverage coverage = {0, 0, 0, 0};
@@ -191,7 +191,7 @@ static inline struct pp_coverage pp_test_df_coverage(int first, int rooms, int s
             for (int seed = 0; seed < seeds; seed++)
                 mean += all[seed][i].value / seeds;
             for (int seed = 0; seed < seeds; seed++) {
-                /* The mean holds this value too, and moves with it. */
+                /* Corrects for the mean's dependence on this value. */
                 all[seed][i].std_error *= sqrt(1.0 - 1.0 / seeds);
                 pp_coverage_add(&coverage, all[seed][i], mean);
             }

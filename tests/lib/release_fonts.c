@@ -1,6 +1,6 @@
-/* release_fonts.c - of a build with sanitizers, gives back what pango, cairo and fontconfig
- * keep until a process ends: to tell these from leaks, the search for leaks would read the
- * libraries' symbols, which takes as long as a chart. */
+/* release_fonts.c - in a build with sanitizers, frees the memory that pango, cairo and
+ * fontconfig keep until a process ends. To suppress these as leaks the sanitizer would
+ * read the libraries' symbols, which takes as long as a chart. */
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
 #include <stdlib.h>

@@ -1,5 +1,4 @@
-/* room_of.h - the world of a room file that is a string, and the light on it, for
- * tests. */
+/* room_of.h - the world and light of a room file given as a string, for tests. */
 #ifndef PP_TESTS_LIB_ROOM_OF_H
 #define PP_TESTS_LIB_ROOM_OF_H
 
@@ -9,8 +8,8 @@
 #include "model/room/room_light.h"
 #include "tests/lib/near.h"
 
-/* The world of the first room in the file's text, and what is wrong with it; NULL where
- * there is none. The caller clears the mistakes and destroys the world. */
+/* World of the first room in the file's text, and its mistakes; NULL if there are any.
+ * The caller clears the mistakes and destroys the world. */
 static inline struct pp_world *pp_test_resolve(const char *xml,
                                                struct pp_mistakes *mistakes)
 {
@@ -23,8 +22,7 @@ static inline struct pp_world *pp_test_resolve(const char *xml,
     return world;
 }
 
-/* The same where nothing may be wrong: else the test fails, with the mistakes printed.
- */
+/* World of a valid room; mistakes are printed and fail the test. */
 static inline struct pp_world *pp_test_world(const char *xml)
 {
     struct pp_mistakes mistakes;
@@ -36,7 +34,7 @@ static inline struct pp_world *pp_test_world(const char *xml)
     return world;
 }
 
-/* The light from outside that the file has. */
+/* Outdoor light of the file's room. */
 static inline struct pp_outside_light pp_test_light(const char *xml)
 {
     struct pp_building *building = NULL;

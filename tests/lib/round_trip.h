@@ -1,5 +1,5 @@
-/* round_trip.h - every room of examples/ written as a Radiance scene, read back, and
- * its daylight factors there beside the tracer's of the room itself. */
+/* round_trip.h - writes every room of examples/ as a Radiance scene, reads it back, and
+ * compares its daylight factors with the tracer's for the room itself. */
 #ifndef PP_TESTS_LIB_ROUND_TRIP_H
 #define PP_TESTS_LIB_ROUND_TRIP_H
 
@@ -18,18 +18,18 @@
 
 /* Comparison over all rooms. */
 struct pp_test_beside {
-    double error; /* wanted of the tracer; the sensors get three times that */
+    double error; /* target of the tracer; sensors get three times that */
     int rooms, points;
-    double squares; /* of differences over their standard errors */
+    double squares; /* sum of squared differences over their standard errors */
 };
 
-/* Differences are in standard errors, which come from 32 randomisations each. Of all
- * 193 points at once Student's t with 31 degrees of freedom is above 5.5 once in 1000
- * times, and of the sums of 11 rooms above 4.5. */
+/* Limits in standard errors, which are from 32 randomisations each. Over 193 points
+ * Student's t with 31 degrees of freedom exceeds 5.5 once in 1000 times; over the sums
+ * of 11 rooms it exceeds 4.5 as rarely. */
 #define PP_TEST_WORST_POINT 5.5
 #define PP_TEST_WORST_ROOM 4.5
 
-/* Irradiances of the scene that the room becomes, 1 on the open level ground. */
+/* Irradiances in the room's scene; the open horizontal ground has 1. */
 static inline void pp_test_sense(const struct pp_world *world,
                                  const struct pp_outside_light *light, double error,
                                  struct pp_sensor_reading *readings)
@@ -110,7 +110,7 @@ static inline void pp_test_room_beside(struct pp_test_beside *all,
     free(sensed);
 }
 
-/* To that standard error of the tracer. */
+/* Compares all examples; `error`: target standard error of the tracer. */
 static inline void pp_test_examples_beside(double error)
 {
     struct pp_test_beside all = {.error = error};

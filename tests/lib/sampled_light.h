@@ -1,6 +1,5 @@
-/* sampled_light.h - irradiance and radiance as means over independent sequences
- * of paths, with their standard errors, for tests.
- */
+/* sampled_light.h - irradiance and radiance as means over independent sequences of
+ * paths, with standard errors, for tests. */
 #ifndef PP_TESTS_LIB_SAMPLED_LIGHT_H
 #define PP_TESTS_LIB_SAMPLED_LIGHT_H
 
@@ -16,8 +15,8 @@ enum { PP_TEST_SEEDS = 32 };
 /* A mean over independent sequences, and its standard error. */
 struct pp_test_mean {
     struct pp_rgb value;
-    double error; /* of the luminance */
-    long rays;    /* of all sequences together */
+    double error; /* standard error of the luminance */
+    long rays;    /* total of all sequences */
 };
 
 static inline struct pp_test_mean pp_test_mean_of(const struct pp_rgb *values,
@@ -40,7 +39,7 @@ static inline struct pp_rgb pp_test_all_of(struct pp_irradiance e)
     return pp_rgb_add(pp_rgb_add(e.sources, e.sky), pp_rgb_add(e.outside, e.rest));
 }
 
-/* Irradiance by `paths` paths in each of the sequences; environment: of a world. */
+/* Irradiance from `paths` paths in each sequence; environment: light of a world. */
 static inline struct pp_test_mean pp_test_irradiance(
     const struct pp_light_scene *scene, const struct pp_environment *environment,
     const struct pp_opening_store *store, struct pp_radiance_options options,
@@ -73,7 +72,7 @@ static inline struct pp_test_mean pp_test_irradiance(
     return mean;
 }
 
-/* Radiance along a ray, by `paths` paths in each of the sequences. */
+/* Radiance along a ray, from `paths` paths in each sequence. */
 static inline struct pp_test_mean pp_test_radiance(
     const struct pp_light_scene *scene, const struct pp_environment *environment,
     struct pp_radiance_options options, struct pp_vec3 from, struct pp_vec3 to,
@@ -101,8 +100,9 @@ static inline struct pp_test_mean pp_test_radiance(
     return pp_test_mean_of(values, PP_TEST_SEEDS);
 }
 
-/* The mean lies within four standard errors of what is expected (outside once in 3000 by
- * chance, and seeds are fixed), and its standard error is at most `most`. */
+/* Asserts that the mean is within four standard errors of the expected value (exceeded
+ * once in 3000 cases by chance; seeds are fixed), and that its standard error is at
+ * most `most`. */
 #define assert_lit(mean, expected, most)                                               \
     do {                                                                               \
         struct pp_test_mean mean_ = (mean);                                            \

@@ -1,7 +1,6 @@
-/* sight.h - sky visibility from a point, by rays against every polygon one after the
- * other: slow and plain, for tests of the methods' and the simulation's own ways. It
- * shares nothing with methods/ or simulate/.
- */
+/* sight.h - sky visibility from a point, with rays tested against every polygon: slow
+ * and simple, for tests of the methods and the simulation. It shares nothing with
+ * methods/ or simulate/. */
 #ifndef PP_TESTS_LIB_SIGHT_H
 #define PP_TESTS_LIB_SIGHT_H
 
@@ -9,7 +8,8 @@
 
 #include "model/room/world.h"
 
-/* Is p, in the polygon's plane, within it? By the winding of its edges' projection. */
+/* True if p, in the polygon's plane, is inside it, by the winding number in
+ * projection. */
 static inline bool sight_within(const struct pp_polygon *polygon, struct pp_vec3 p)
 {
     struct pp_vec3 n = polygon->normal;
@@ -28,7 +28,8 @@ static inline bool sight_within(const struct pp_polygon *polygon, struct pp_vec3
     return inside;
 }
 
-/* Where the ray from eye along u meets the polygon, in lengths of u; -1: nowhere. */
+/* Distance along u (in lengths of u) at which the ray from eye meets the polygon; -1:
+ * none. */
 static inline double sight_meets(const struct pp_polygon *polygon, struct pp_vec3 eye,
                                  struct pp_vec3 u)
 {
@@ -40,7 +41,7 @@ static inline double sight_meets(const struct pp_polygon *polygon, struct pp_vec
     return t > 1e-7 && sight_within(polygon, pp_vec_along(eye, t, u)) ? t : -1.0;
 }
 
-/* Is the sky hidden by a skyline of that face, for who looks from eye along u? */
+/* True if a skyline of that face hides the sky from eye along u. */
 static inline bool sight_skyline(const struct pp_world *world, int face,
                                  struct pp_vec3 eye, struct pp_vec3 u)
 {
@@ -64,8 +65,8 @@ static inline bool sight_skyline(const struct pp_world *world, int face,
     return false;
 }
 
-/* Does the ray see the sky? It may leave through openings. `own`: a face that hides
- * nothing, and through which it looks; -1 for an eye in the room. */
+/* True if the ray reaches the sky; it may pass through openings. `own`: a face that the
+ * ray may cross; -1 for an eye in the room. */
 static inline bool sight_sees_sky(const struct pp_world *world, struct pp_vec3 eye,
                                   struct pp_vec3 u, int own)
 {
@@ -90,10 +91,10 @@ static inline bool sight_sees_sky(const struct pp_world *world, struct pp_vec3 e
     return through >= 0 && !sight_skyline(world, through, eye, u);
 }
 
-/* Illuminance of a level plane at eye, straight from a uniform sky through the openings
- * without glass, over that of the open plane, by n pieces of each opening's
- * outer outline across and 4 n up: what cuts the sky off is level mostly. at_all: above
- * 0 with the first piece that shows sky, and no more. */
+/* Illuminance of a horizontal plane at eye from a uniform sky through unglazed
+ * openings, over that of the open plane. Each opening's outer outline is divided into n
+ * pieces across and 4 n up, since most obstructing edges are horizontal. at_all:
+ * returns a positive value with the first piece that shows sky. */
 static inline double sight_sky_factor(const struct pp_world *world, struct pp_vec3 eye,
                                       int n, bool at_all)
 {
@@ -127,9 +128,9 @@ static inline double sight_sky_factor(const struct pp_world *world, struct pp_ve
     return sum / PP_PI;
 }
 
-/* Vertical sky component: illuminance of a plane outside, with the unit normal `normal`
- * (level), from the overcast sky over that of the open level plane, by n x 2n pieces of
- * the quarter sphere before it. `own`: the face whose plane it is. */
+/* Vertical sky component: illuminance of a plane outside with the horizontal unit
+ * normal `normal` from the overcast sky, over that of the open horizontal plane, by n x
+ * 2n pieces of the quarter sphere. `own`: the face in that plane. */
 static inline double sight_vertical_sky(const struct pp_world *world,
                                         struct pp_vec3 eye, struct pp_vec3 normal,
                                         int own, int n)

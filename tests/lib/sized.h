@@ -1,9 +1,9 @@
-/* sized.h - the size of tests that take many cases or many paths.
+/* sized.h - the size of tests with many cases or paths.
  *
- * `make check` runs them at gate size; `make check-long` runs the test programs with --full.
- * A build with AddressSanitizer takes up to ten times as long for the same and has the
- * smallest size: a memory error shows in the first case as well as in the last. Tolerances
- * follow the size.
+ * `make check` runs them at gate size; `make check-long` runs the test programs with
+ * --full. A build with AddressSanitizer is up to ten times slower and uses the smallest
+ * size, since memory errors appear in the first cases as well. Tolerances follow the
+ * size.
  */
 #ifndef PP_TESTS_LIB_SIZED_H
 #define PP_TESTS_LIB_SIZED_H
@@ -21,7 +21,7 @@
 #define PP_WATCHED 0
 #endif
 
-/* One of three numbers, by size. */
+/* Selects one of three numbers by size. */
 #define PP_SIZED(full, gate, watched)                                                  \
     (test_file_full_size() ? (full) : PP_WATCHED ? (watched) : (gate))
 

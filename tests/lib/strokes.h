@@ -1,4 +1,4 @@
-/* strokes.h - the straight strokes of a drawing, in millimetres on paper, read back from its
+/* strokes.h - the straight strokes of a drawing, in millimetres on paper, read from its
  * SVG file. */
 #ifndef PP_TESTS_LIB_STROKES_H
 #define PP_TESTS_LIB_STROKES_H
@@ -11,7 +11,7 @@
 
 #include "tests/lib/near.h"
 
-/* A straight stroke from M to L, or to where the path began. */
+/* A straight stroke from M to L, or to the start of the path. */
 struct stroke {
     double x0, y0, x1, y1;
 };
@@ -21,8 +21,8 @@ struct strokes {
     int count;
 };
 
-/* Reads "x y" and goes on behind it; false where there is none. sscanf would take the
- * length of the whole file each time. */
+/* Reads "x y" and advances; false if there is none. sscanf would determine the length
+ * of the whole file each time. */
 static inline bool read_pair(const char **at, double *x, double *y)
 {
     char *middle, *end;
@@ -34,8 +34,8 @@ static inline bool read_pair(const char **at, double *x, double *y)
     return true;
 }
 
-/* Adds the strokes of one path whose data begin at `data`, with the scale and shift of
- * its element. */
+/* Adds the strokes of the path with these data; scale and shift of its element are
+ * applied. */
 static inline void add_strokes(struct strokes *strokes, const char *data,
                                const double m[6], double mm_per_unit)
 {
@@ -53,7 +53,7 @@ static inline void add_strokes(struct strokes *strokes, const char *data,
         if (command == 'M')
             memcpy(first, to, sizeof first);
         else {
-            if ((strokes->count & (strokes->count - 1)) == 0) { /* 0, 1, 2, 4, ... */
+            if ((strokes->count & (strokes->count - 1)) == 0) { /* at 0, 1, 2, 4, ... */
                 size_t room = strokes->count ? 2 * (size_t)strokes->count : 1;
                 strokes->list = realloc(strokes->list, room * sizeof *strokes->list);
                 assert_non_null(strokes->list);
@@ -66,7 +66,7 @@ static inline void add_strokes(struct strokes *strokes, const char *data,
     }
 }
 
-/* The list is to be freed. */
+/* The caller frees the list. */
 static inline struct strokes strokes_of(const char *svg)
 {
     struct strokes strokes = {0};

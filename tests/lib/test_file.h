@@ -1,5 +1,5 @@
-/* test_file.h - the tests of one file, which a folder's test program runs with those of its
- * other files. In place of main() a file ends with
+/* test_file.h - the tests of one file; a folder's test program runs them with those of
+ * its other files. Instead of main() a file ends with
  *
  *     TEST_FILE
  *     {
@@ -7,9 +7,9 @@
  *         add_tests(tests, NULL, NULL);
  *     }
  *
- * add_tests also takes a set-up and a tear-down for all of them. add_long_tests is the same
- * for tests that take too long for every build: they run with --full alone, in
- * `make check-long`. test_main.c has main().
+ * add_tests also takes a set-up and a tear-down for all of them. add_long_tests is for
+ * tests that take too long for every build; they run only with --full, in `make
+ * check-long`. test_main.c has main().
  */
 #ifndef PP_TESTS_LIB_TEST_FILE_H
 #define PP_TESTS_LIB_TEST_FILE_H
@@ -22,7 +22,7 @@
 
 #include <cmocka.h>
 
-/* Runs before main(), so that main() finds the tests. */
+/* Runs before main(), which finds the tests registered. */
 #define TEST_FILE                                                                      \
     static void list_tests(void) __attribute__((constructor));                         \
     static void list_tests(void)

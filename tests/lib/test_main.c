@@ -2,10 +2,11 @@
  *
  *     PROGRAM [--list] [--full] [--filter NAME]
  *
- * runs every test, or those whose name or file matches NAME, a pattern of the shell:
- * `--filter test_sobol`, `--filter '*horizon*'`. --full adds the long tests and runs the
- * others at full size (sized.h). --list prints the tests and runs none. Exit status: 0
- * all passed, 1 some failed, 2 the command line is wrong or NAME matches nothing.
+ * runs every test, or those whose name or file matches the shell pattern NAME:
+ * `--filter test_sobol`, `--filter '*horizon*'`. --full adds the long tests and runs
+ * the others at full size (sized.h). --list prints the tests and runs none. Exit
+ * status: 0 all passed, 1 some failed, 2 the command line is wrong or NAME matches
+ * nothing.
  */
 #include "tests/lib/test_file.h"
 

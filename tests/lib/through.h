@@ -1,4 +1,4 @@
-/* through.h - what another program makes of a file that the program has drawn. */
+/* through.h - output of other programs for files that the program has drawn. */
 #ifndef PP_TESTS_LIB_THROUGH_H
 #define PP_TESTS_LIB_THROUGH_H
 
@@ -9,8 +9,8 @@
 
 #include "tests/lib/near.h"
 
-/* Output of a command ("pdftotext %s -") on our file, up to a megabyte, to be freed; NULL
- * where there is no such command. */
+/* Output of a command ("pdftotext %s -") for a file, up to 1 MB, freed by the caller;
+ * NULL if there is no such command. */
 static inline char *through(const char *command, const char *file, size_t length)
 {
     char probe[256], name[] = "test_through.XXXXXX", line[512];

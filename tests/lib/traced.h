@@ -1,4 +1,5 @@
-/* traced.h - daylight factors of a room by the path tracer, run to its end, for tests. */
+/* traced.h - daylight factors of a room by the path tracer, run to the end, for
+ * tests. */
 #ifndef PP_TESTS_LIB_TRACED_H
 #define PP_TESTS_LIB_TRACED_H
 
@@ -22,8 +23,8 @@ static inline struct pp_light_scene *pp_test_matt_scene(const struct pp_world *w
     return scene;
 }
 
-/* The readings of `count` receivers, all four components, and behind them those of the
- * average where options ask for it. The caller frees them. */
+/* Readings of `count` receivers, all four components, followed by the average if
+ * options request it. The caller frees them. */
 static inline struct pp_reading (*pp_test_trace(
     const struct pp_world *world, const struct pp_outside_light *light,
     const struct pp_receiver *receivers, int count,
@@ -51,15 +52,16 @@ static inline struct pp_reading (*pp_test_trace(
     return readings;
 }
 
-/* A fixed number of paths in each of the 32 randomisations, as most tests take. */
+/* Options for a fixed number of paths in each of the 32 randomisations, as in most
+ * tests. */
 static inline struct pp_tracer_options pp_test_paths(long samples)
 {
     return (struct pp_tracer_options){.samples = samples, .seed = 20, .threads = 1};
 }
 
-/* A traced value lies within four of its standard errors of the expected one (outside
- * once in 3000 by chance, and seeds are fixed), and its standard error is at most
- * `error`. */
+/* Asserts that a traced value is within four of its standard errors of the expected one
+ * (exceeded once in 3000 cases by chance; seeds are fixed), and that its standard error
+ * is at most `error`. */
 #define assert_traced(reading, expected, error)                                        \
     do {                                                                               \
         struct pp_reading reading_ = (reading);                                        \

@@ -1,14 +1,13 @@
-/* traced_rooms.h - a file of rooms with what was traced in them, and what hand methods
- * say of them: for the fit of formulae, and for the test of it on rooms that were held
- * out.
+/* traced_rooms.h - a file of rooms with their traced values: for the fit of formulae,
+ * and for its test on held-out rooms.
  *
  *     # comment
  *     room NUMBER
- *     <room ...> ... </room>          its room file, on as many lines as it takes
+ *     <room ...> ... </room>          its room file, on one or more lines
  *     INDEX IRC ERROR DF              one of its points, by index; -1: the average
  *
- * IRC, its standard error and DF are fractions. bench/sample_atlas.sh makes such a file of
- * an atlas.
+ * IRC, its standard error and DF are fractions. bench/sample_atlas.sh makes such a file
+ * from an atlas.
  */
 #ifndef PP_TESTS_LIB_TRACED_ROOMS_H
 #define PP_TESTS_LIB_TRACED_ROOMS_H
@@ -22,16 +21,16 @@
 enum { PP_TRACED_POINTS = 64 };
 
 struct pp_traced_point {
-    int index; /* of the world's receivers; -1: the average */
+    int index; /* index into the world's receivers; -1: the average */
     double irc, std_error, df;
-    bool dark; /* among the darkest quarter of the room's points, by df */
+    bool dark; /* in the darkest quarter of the room's points, by df */
 };
 
 struct pp_traced_room {
     int number;
     struct pp_world *world;
     struct pp_outside_light light;
-    int count; /* of points, the average among them */
+    int count; /* number of points, including the average */
     struct pp_traced_point points[PP_TRACED_POINTS];
 };
 
@@ -50,7 +49,7 @@ static inline void pp_traced_rooms_mark(struct pp_traced_room *room)
     }
 }
 
-/* The next room; false at the end of the file. The caller destroys its world. */
+/* Reads the next room; false at the end of the file. The caller destroys its world. */
 static inline bool pp_traced_rooms_next(FILE *in, struct pp_traced_room *room)
 {
     static const struct pp_traced_room none;
