@@ -47,7 +47,7 @@ double pp_allowance_net_glass(struct pp_worksheet *sheet,
     double a = opening->inner.area_m2, B = opening->frame_factor;
     if (B == 1.0) {
         pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, formula->symbol,
-                         "net glass area, the whole opening");
+                         "net glass area (the whole opening, without a frame)");
         return a;
     }
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, "a", "area of the opening");
@@ -78,12 +78,13 @@ static bool correct_glass(struct correction *correction, unsigned allowances,
             "T", "glass: diffuse transmittance (clear single: 0.85)",
             pp_allowance_reflected_glass(opening)};
     else if (bare)
-        *correction = (struct correction){
-            "G", "no glass: 1 / 0.85, relative to clear single glass",
-            1.0 / PP_ALLOWANCE_CLEAR_DIFFUSE};
+        *correction = (struct correction){"G",
+                                          "factor for an opening without glass: 1 / "
+                                          "0.85, relative to clear single glass",
+                                          1.0 / PP_ALLOWANCE_CLEAR_DIFFUSE};
     else
         *correction = (struct correction){
-            "G", "glass: diffuse transmittance relative to clear single",
+            "G", "diffuse transmittance of the glass, relative to clear single glass",
             glass_type(&opening->glass)};
     return true;
 }

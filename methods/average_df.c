@@ -36,7 +36,7 @@ static const struct pp_formula glass_that_counts = {
     .symbol = "W",
     .sum = "(a_u + rho_f a_l) B",
     .unit = PP_UNIT_SQUARE_METRE,
-    .what = "net glass area; glass below the working plane counts times rho_f",
+    .what = "net glass area, with the glass below the working plane weighted by rho_f",
     .quantities = of_W,
 };
 
@@ -68,7 +68,7 @@ static const struct pp_formula glass_behind_well = {
     {"T", PP_UNIT_NUMBER, "diffuse transmittance of the glass (1 if unglazed)"},       \
         {"W", PP_UNIT_SQUARE_METRE,                                                    \
          "net glass area: opening area times frame factor"},                           \
-        {"theta_h", PP_UNIT_ANGLE, "upper limit of visible sky in section"},           \
+        {"theta_h", PP_UNIT_ANGLE, "upper limit of the visible sky in section"},       \
         {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},                          \
         {"theta", PP_UNIT_ANGLE, "angle of visible sky"}, PP_INTERIOR_QUANTITIES
 
@@ -127,11 +127,12 @@ static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *wor
     pp_worksheet_put(
         sheet, PP_UNIT_NUMBER, pp_interior_role(world, PP_FLOOR).reflectance, "rho_f",
         practice == LEFT_OUT
-            ? "reflectance of the floor; glass below the plane is left out"
-            : "reflectance of the floor, the weight of glass below the plane");
+            ? "reflectance of the floor; the formula ignores glass below the plane"
+            : "reflectance of the floor, used as the weight of the glass below the "
+              "plane");
     pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "frame factor");
     pp_worksheet_work(sheet, practice == LEFT_OUT ? &glass_above : &glass_that_counts,
-                      "net glass area that counts");
+                      "effective net glass area");
 }
 
 /* W of glass with a well. */
@@ -144,7 +145,7 @@ static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
     pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "frame factor");
     pp_well_put(sheet, world, light, opening);
     pp_worksheet_work(sheet, &glass_behind_well,
-                      "net glass area, as seen at the foot of the well");
+                      "effective net glass area at the foot of the well");
 }
 
 static enum pp_status put_terms(struct pp_worksheet *sheet,
@@ -224,7 +225,7 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
 
 const struct pp_method pp_method_average_df = {
     .name = "average-df",
-    .summary = "average daylight factor over the working plane in one formula",
+    .summary = "average daylight factor over the working plane by a single formula",
     .source = "CL84",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,
@@ -237,8 +238,8 @@ const struct pp_method pp_method_average_df = {
 
 const struct pp_method pp_method_average_df_above = {
     .name = "average-df-above",
-    .summary =
-        "average daylight factor in one formula, without glass below the working plane",
+    .summary = "average daylight factor by a single formula that ignores glass below "
+               "the working plane",
     .source = "BS8206",
     .formulae = formulae_of_above,
     .gives = PP_GIVES_WHOLE,

@@ -101,8 +101,8 @@ static enum pp_status check_meshes(const struct pp_world *world, struct pp_error
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
                    "the external meshes have %d triangles, too many for contours over "
-                   "the working plane; expected at most %.0f divided by the number of "
-                   "openings, or single points",
+                   "the working plane; expected single points, or at most %.0f "
+                   "triangles divided by the number of openings",
                    triangles, mesh_triangles_most);
 }
 

@@ -126,7 +126,7 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     }
     if (run->method->speaks_for == PP_FOR_MINIMUM && !average->why)
         *average = (struct pp_method_answer){
-            .why = "the method gives the minimum in the room, no average"};
+            .why = "the method gives the minimum in the room, not an average"};
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
@@ -146,8 +146,8 @@ static enum pp_status check_light(struct pp_method_answer *answer,
     answer->opening = NULL;
     answer->column = 0;
     answer->why = pp_report_say(report,
-                                "the result of %.4g %% exceeds the maximum possible "
-                                "from all light that enters, %.4g %%",
+                                "the result of %.4g %% is more than all the light that "
+                                "enters could give, %.4g %%",
                                 100.0 * figure, 100.0 * most);
     return answer->why ? PP_OK : pp_fail_memory(err);
 }

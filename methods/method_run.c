@@ -321,9 +321,9 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
         bool known;
         enum pp_status status = sum_averages(run, answer, &known, err);
         if (status == PP_OK && pp_beams_gave_up(run->shared.beams)) {
-            *answer =
-                (struct pp_method_answer){.why = "the obstructions have too many parts "
-                                                 "for an average within seconds"};
+            *answer = (struct pp_method_answer){
+                .why = "the obstructions have too many parts; the average would take "
+                       "too long"};
             return PP_OK;
         }
         if (status != PP_OK || known)

@@ -106,7 +106,8 @@ void pp_part_steps_end(struct pp_part_steps *terms)
                          "sky component");
     if (terms->sky < 0.0)
         pp_steps_add_worked(terms->steps, PP_UNIT_DAYLIGHT_FACTOR, 0.0, "sc",
-                            "max(sc, 0)", "sky component, negative values set to 0");
+                            "max(sc, 0)",
+                            "sky component, with negative values set to 0");
     if (terms->hidden_count > 0 && !single)
         pp_steps_add_sum(terms->steps, terms->first, terms->number, "erc",
                          "externally reflected component");

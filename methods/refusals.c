@@ -30,15 +30,15 @@ const char *pp_refusals_if_luminous(const struct pp_world *world)
 {
     for (int i = 0; i < world->surface_count; i = pp_world_next_but_blocks(world, i))
         if (world->surfaces[i].exitance > 0.0)
-            return "not valid with surfaces that emit light";
+            return "not valid if surfaces emit light";
     return NULL;
 }
 
 const char *pp_refusals_if_mesh(const struct pp_world *world)
 {
-    return world->mesh_count > 0
-               ? "not valid with external meshes; the method uses vertical rectangles"
-               : NULL;
+    return world->mesh_count > 0 ? "not valid with external meshes, because the method "
+                                   "uses vertical rectangles"
+                                 : NULL;
 }
 
 /* Most triangles times openings times points. At 9.6e6 (100,000 triangles, one opening,
@@ -50,8 +50,8 @@ const char *pp_refusals_if_fine_mesh(const struct pp_world *world)
     double triangles = world->surface_count - pp_world_before_meshes(world);
     double views = (double)world->opening_count * (world->receiver_count + 1.0);
     return triangles * views > mesh_views_most
-               ? "the external meshes have too many triangles for this method within "
-                 "seconds"
+               ? "the external meshes have too many triangles; this method would take "
+                 "too long"
                : NULL;
 }
 
@@ -74,7 +74,7 @@ const char *pp_refusals_formula_room(const struct pp_world *world,
 const char *pp_refusals_unless_vertical(const struct pp_opening *opening)
 {
     if (fabs(opening->slope_rad - PP_PI / 2.0) > angle_tolerance_rad)
-        return "is not vertical; the method covers vertical windows only";
+        return "is not vertical, but the method covers only vertical windows";
     return NULL;
 }
 

@@ -85,14 +85,14 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
 
 static const struct pp_formula_quantity of_upper[] = {
     {"h", PP_UNIT_NUMBER, "upper edge over distance"},
-    {"T_hl", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the left jamb"},
-    {"T_hr", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the right jamb"},
+    {"T_hl", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the left jamb"},
+    {"T_hr", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the right jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_lower[] = {
     {"s", PP_UNIT_NUMBER, "lower edge over distance"},
-    {"T_sl", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the left jamb"},
-    {"T_sr", PP_UNIT_DAYLIGHT_FACTOR, "table value, to the right jamb"},
+    {"T_sl", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the left jamb"},
+    {"T_sr", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the right jamb"},
     {0},
 };
 
@@ -110,9 +110,9 @@ const struct pp_formula pp_brs_edges_lower[3] = {
     BRS("S", "T_sr - T_sl", to_the_right, of_lower, true)};
 
 static const struct pp_formula_quantity of_rectangle[] = {
-    {"H", PP_UNIT_DAYLIGHT_FACTOR, "sum at the upper edge"},
+    {"H", PP_UNIT_DAYLIGHT_FACTOR, "table value at the upper edge"},
     {"S", PP_UNIT_DAYLIGHT_FACTOR,
-     "sum at the lower edge (0 at the start of the table)"},
+     "table value at the lower edge (0 at the start of the table)"},
     {0},
 };
 static const struct pp_formula_quantity of_hidden[] = {
@@ -127,20 +127,25 @@ static const char in_words[] = "sky component",
 
 const struct pp_formula pp_brs_edges_sky[2] = {
     BRS("sc", "H - S", in_words, of_rectangle, false),
-    BRS("sc", "H", "sky component, lower edge at the start of the table", of_rectangle,
-        false)};
+    BRS("sc", "H", "sky component, with the lower edge at the start of the table",
+        of_rectangle, false)};
 const struct pp_formula pp_brs_edges_equivalent[2] = {
     BRS("e", "H - S", equivalent, of_rectangle, false),
-    BRS("e", "H", "the same, lower edge where the table begins", of_rectangle, false)};
+    BRS("e", "H",
+        "equivalent sky component of the obstruction, with the lower edge at the start "
+        "of the table",
+        of_rectangle, false)};
 const struct pp_formula pp_brs_edges_reflected =
     BRS("erc", "f e", external, of_hidden, false);
 const struct pp_formula pp_brs_edges_across[4] = {
-    BRS("sc", "H + S", "sky component, point below the glass", of_rectangle, true),
-    BRS("e", "H + S", "equivalent sky component of an obstruction, same position",
+    BRS("sc", "H + S", "sky component of a point under the glass", of_rectangle, true),
+    BRS("e", "H + S",
+        "equivalent sky component of an obstruction, for a point under the glass",
         of_rectangle, true),
-    BRS("sc", "S - H", "sky component, both edges on the lower side", of_rectangle,
-        true),
-    BRS("e", "S - H", "equivalent sky component of an obstruction, same position",
+    BRS("sc", "S - H", "sky component, with both edges on the lower side of the normal",
+        of_rectangle, true),
+    BRS("e", "S - H",
+        "equivalent sky component of an obstruction, for a point under the glass",
         of_rectangle, true)};
 const struct pp_formula pp_brs_edges_less = BRS(
     "sc", "-e", "reduction of the sky component by an obstruction", of_hidden, true);
@@ -173,8 +178,8 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
                       &edge->sums[both              ? 0
                                   : at->right > 0.0 ? 2
                                                     : 1],
-                      both ? "sum of both sides of the normal"
-                           : "wider part minus narrower part");
+                      both ? "sum of the values on both sides of the normal"
+                           : "value of the wider part minus that of the narrower part");
 }
 
 /* Formula for the sum of both edges: depends on whether the rectangle extends across
@@ -194,11 +199,12 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
 {
     struct pp_worksheet *sheet = terms->sheet;
     pp_part_steps_next(terms);
-    pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->left,
-                      "%s: left jamb over distance, w/d (right positive)",
-                      at->hidden ? "obstruction" : "sky");
+    pp_worksheet_note(
+        sheet, PP_UNIT_NUMBER, at->left,
+        "%s: distance of the left jamb from the normal over d, w/d (right positive)",
+        at->hidden ? "obstruction" : "sky");
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->right,
-                      "right jamb over distance, w/d");
+                      "distance of the right jamb from the normal over d, w/d");
     work_edge(sheet, &upper, table, fabs(at->high), at, measure);
     if (at->low != 0.0)
         work_edge(sheet, &lower, table, fabs(at->low), at, measure);
@@ -214,5 +220,5 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
     sum->external += pp_part_steps_work(terms, true, &pp_brs_edges_reflected, external);
     if (at->off_sky)
         sum->sky += pp_part_steps_work(terms, false, &pp_brs_edges_less,
-                                       "subtracted from the sky component");
+                                       "reduction of the sky component");
 }

@@ -79,9 +79,9 @@ static const char *brs_rooflight_refuses(const struct pp_world *world,
     if (!pp_refusals_unless_vertical(opening))
         return pp_method_brs_table.refuses(world, light, opening, receiver);
     if (opening->glass.diffusing)
-        return "has diffusing glass; the tables cover clear glass only";
+        return "has diffusing glass, but the tables are for clear glass only";
     if (!table_at(pp_slope_rectangles_slope(opening)))
-        return "has a slope without a table; rooflight tables exist for 0, 30 and 60 "
+        return "has a slope that the tables do not cover; they cover 0, 30 and 60 "
                "degrees";
     return NULL;
 }

@@ -87,7 +87,7 @@ static const char *brs_table_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; the table covers clear glass only";
+        return "has diffusing glass, but the table is for clear glass only";
     return pp_refusals_unless_vertical(opening);
 }
 

@@ -98,21 +98,23 @@ static struct sum_text add_sky_terms(struct pp_part_steps *terms,
 {
     const struct pp_moments *moments = &figures->moments;
     pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->omega, "omega",
-                       figures->hidden ? "solid angle of the hidden sky, sr"
-                                       : "solid angle of the visible sky, sr");
+                       figures->hidden
+                           ? "solid angle of the sky that the obstruction hides, sr"
+                           : "solid angle of the visible sky, sr");
     if (!figures->closed_form)
         return (struct sum_text){""};
-    pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine, "E_0",
-                       "integral of the cosine at the receiver over this solid angle");
+    pp_part_steps_read(
+        terms, PP_UNIT_NUMBER, moments->cosine, "E_0",
+        "integral of the cosine of the angle of incidence over this solid angle");
     if (sky->gradation != 0.0)
         pp_part_steps_read(terms, PP_UNIT_NUMBER, moments->cosine_sine, "E_1",
-                           "integral of the cosine times the sine of the altitude");
+                           "integral of that cosine times the sine of the altitude");
     double bare = pp_solid_angle_sky_component(moments, sky);
     struct sum_text sum = closed_form(sky);
     if (!figures->glazed || !(bare > 0.0))
         return sum;
     pp_part_steps_figure(terms, PP_UNIT_DAYLIGHT_FACTOR, bare, "s", sum.text,
-                         "sky component without glass, closed form");
+                         "sky component without glass, in closed form");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->above / bare, "t",
                        "mean transmittance over this solid angle, by quadrature");
     return (struct sum_text){"s# t#"};
@@ -129,7 +131,7 @@ static void add_sky_steps(struct pp_part_steps *terms,
     if (figures->below == 0.0)
         return;
     pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "c",
-                       "visible ground, for a reflectance of 1");
+                       "component of the visible ground for a reflectance of 1");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "rho_g",
                        "reflectance of the ground");
     pp_part_steps_component(terms, true, figures->factor * figures->below, "rho_g# c#",
@@ -148,13 +150,14 @@ static void add_hidden_steps(struct pp_part_steps *terms,
                         : "equivalent sky component of the obstruction, by quadrature");
     bool below = figures->below != 0.0, own = figures->own != 0.0;
     if (below)
-        pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "b",
-                           "hidden part below the horizon, at the same luminance");
+        pp_part_steps_read(
+            terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "b",
+            "part of the obstruction below the horizon, at the same luminance");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "f",
                        "luminance factor of the obstruction");
     if (own)
         pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->own, "g",
-                           "light that the obstruction emits");
+                           "direct component of the light that the obstruction emits");
     pp_part_steps_component(
         terms, true, figures->factor * (figures->above + figures->below) + figures->own,
         below && own ? "f# (e# + b#) + g#"

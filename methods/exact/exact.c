@@ -106,8 +106,9 @@ static void add_even_pane_steps(struct pp_steps *steps,
                         "tau E_s c", "sky component");
     if (outside->external == 0.0)
         return;
-    pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR, outside->external, "E_e",
-                       "illuminance on the outside from ground and obstructions");
+    pp_steps_add_named(
+        steps, PP_UNIT_DAYLIGHT_FACTOR, outside->external, "E_e",
+        "illuminance on the outside of the pane from ground and obstructions");
     pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, tau * outside->external * c,
                         "erc", "tau E_e c", "externally reflected component");
 }
@@ -276,7 +277,7 @@ static const char *exact_refuses_room(const struct pp_world *world,
 
 const struct pp_method pp_method_exact = {
     .name = "exact",
-    .summary = "direct component by closed form or quadrature",
+    .summary = "direct component in closed form or by quadrature",
     .source = "ARVO95",
     .gives = PP_GIVES_DIRECT,
     .speaks_for = PP_FOR_POINT,

@@ -106,7 +106,8 @@ static enum pp_status evaluate_average_df_atlas(const struct pp_world *world,
 
 const struct pp_method pp_method_average_df_atlas = {
     .name = "average-df-atlas",
-    .summary = "average daylight factor in one formula, corrected from simulated rooms",
+    .summary = "average daylight factor by a single formula, corrected to match "
+               "simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,

@@ -39,7 +39,8 @@ static const struct pp_formula_quantity quantities[] = {
     {"IRC_av", PP_UNIT_DAYLIGHT_FACTOR,
      "average internally reflected component by the published formula"},
     {"L", PP_UNIT_NUMBER, "entering light relative to the published formula"},
-    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
+    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR,
+     "mean internally reflected component over the working plane"},
     {0},
 };
 
@@ -91,7 +92,7 @@ static const char *bre_atlas_refuses(const struct pp_world *world,
     struct pp_interior_parts parts =
         pp_interior_split_without(world, opening->middle_z_m, opening->face);
     if (!(parts.lower.reflectance > 0.0 || parts.upper.reflectance > 0.0))
-        return "is in a room whose surfaces reflect nothing";
+        return "is in a room where every surface has a reflectance of 0";
     return pp_fitted_parts_refuses(world, light, opening, receiver);
 }
 
@@ -123,7 +124,7 @@ static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
 const struct pp_method pp_method_bre_atlas = {
     .name = "bre-atlas",
     .summary =
-        "BRE inter-reflection formula by position, corrected from simulated rooms",
+        "BRE inter-reflection formula by position, corrected to match simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -12,9 +12,10 @@
 static const struct pp_formula_quantity of_shade[] = {
     {"V", PP_UNIT_DAYLIGHT_FACTOR,
      "illuminance on the outside of the opening from the sky"},
-    {"C_b", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on it from unshaded obstructions"},
+    {"C_b", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on the opening from unshaded obstructions"},
     {"C_g", PP_UNIT_DAYLIGHT_FACTOR,
-     "illuminance on it from the visible, unshaded ground"},
+     "illuminance on the opening from the visible, unshaded ground"},
     {0},
 };
 
@@ -88,12 +89,13 @@ void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.V, "V",
                      "illuminance on the outside of the opening from the sky");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_b, "C_b",
-                     "illuminance on it from unshaded obstructions");
+                     "illuminance on the opening from unshaded obstructions");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_g, "C_g",
-                     "illuminance on it from the visible, unshaded ground");
+                     "illuminance on the opening from the visible, unshaded ground");
     pp_worksheet_work(sheet, &pp_fitted_light_E_b,
-                      "illuminance on it from obstructions");
-    pp_worksheet_work(sheet, &pp_fitted_light_E_g, "illuminance on it from the ground");
+                      "illuminance on the opening from obstructions");
+    pp_worksheet_work(sheet, &pp_fitted_light_E_g,
+                      "illuminance on the opening from the ground");
 }
 
 const char *pp_fitted_light_refuses(const struct pp_world *world,
@@ -106,7 +108,7 @@ const char *pp_fitted_light_refuses(const struct pp_world *world,
     if (why)
         return why;
     if (opening->glass.diffusing)
-        return "has diffusing glass; the method covers clear glass only";
+        return "has diffusing glass, but the method is for clear glass only";
     if (!(pp_interior_all(world).reflectance < 1.0))
         return "is in a room whose mean reflectance is 1";
     return NULL;

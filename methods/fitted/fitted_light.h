@@ -38,12 +38,14 @@ extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
     {"V", PP_UNIT_DAYLIGHT_FACTOR,                                                     \
      "illuminance on the outside of the opening from the sky"},                        \
         {"C_b", PP_UNIT_DAYLIGHT_FACTOR,                                               \
-         "illuminance on it from unshaded obstructions"},                              \
+         "illuminance on the opening from unshaded obstructions"},                     \
         {"C_g", PP_UNIT_DAYLIGHT_FACTOR,                                               \
-         "illuminance on it from the visible, unshaded ground"},                       \
-        {"E_b", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on it from obstructions"},       \
+         "illuminance on the opening from the visible, unshaded ground"},              \
+        {"E_b", PP_UNIT_DAYLIGHT_FACTOR,                                               \
+         "illuminance on the opening from obstructions"},                              \
     {                                                                                  \
-        "E_g", PP_UNIT_DAYLIGHT_FACTOR, "illuminance on it from the visible ground"    \
+        "E_g", PP_UNIT_DAYLIGHT_FACTOR,                                                \
+            "illuminance on the opening from the visible ground"                       \
     }
 
 /* Prepares a method for each opening of the world, in their order; *tools is freed by

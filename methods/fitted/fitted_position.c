@@ -18,7 +18,7 @@
 #define RANGE                                                                          \
     {"R", PP_UNIT_NUMBER, "mean reflectance of all interior surfaces"},                \
     {                                                                                  \
-        "l", PP_UNIT_METRE, "decay length of the light for R = 0"                      \
+        "l", PP_UNIT_METRE, "decay length of the light in a room with R = 0"           \
     }
 #define BREADTH                                                                        \
     {                                                                                  \
@@ -42,7 +42,7 @@ static const struct pp_formula_quantity of_f_s[] = {
     SECTION,
     DEPTH,
     RANGE,
-    {"q_s", PP_UNIT_NUMBER, "half the width beside the opening, in decay lengths"},
+    {"q_s", PP_UNIT_NUMBER, "half the wall width beside the opening, in decay lengths"},
     {"y", PP_UNIT_METRE, "distance from the centre of the opening along its wall"},
     {0}};
 
@@ -50,7 +50,8 @@ const struct pp_formula pp_fitted_position_l = {
     .symbol = "l",
     .sum = "2 w_r h_r / (w_r + h_r)",
     .unit = PP_UNIT_METRE,
-    .what = "decay length for R = 0: twice the section area over half its perimeter",
+    .what =
+        "decay length for R = 0: twice the area of the section over half its perimeter",
     .quantities = of_l,
 };
 
@@ -85,7 +86,7 @@ const struct pp_formula pp_fitted_position_q_s = {
     .sum = "max(" PP_FITTED_SIDE " (w_r - w) sqrt(1 - R) / l, 0.000001)",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "half the width beside the opening in decay lengths, never 0",
+    .what = "half the wall width beside the opening, in decay lengths, never 0",
     .quantities = of_q_s,
 };
 
@@ -93,7 +94,7 @@ const struct pp_formula pp_fitted_position_f_s = {
     .symbol = "f_s",
     .sum = "q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s))",
     .unit = PP_UNIT_NUMBER,
-    .what = "factor for the lateral position of the point",
+    .what = "factor for the position of the point along the wall",
     .quantities = of_f_s,
 };
 
@@ -147,14 +148,16 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
                         const struct pp_receiver *receiver)
 {
     if (!receiver) {
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_d", "mean over the depth");
-        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_s", "mean over the width");
+        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_d",
+                         "mean of the factor over the depth");
+        pp_worksheet_put(sheet, PP_UNIT_NUMBER, 1.0, "f_s",
+                         "mean of the factor over the width");
         return;
     }
     const struct pp_fitted_place place =
         pp_fitted_position_of(world, opening, receiver);
     pp_worksheet_work(sheet, &pp_fitted_position_l,
-                      "decay length of the light for R = 0");
+                      "decay length of the light in a room with R = 0");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.x, "x",
                      "distance of the point from this wall");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.y, "y",
@@ -165,9 +168,9 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
     pp_worksheet_work(sheet, &pp_fitted_position_f_d,
                       "factor for the depth of the point");
     pp_worksheet_work(sheet, &pp_fitted_position_q_s,
-                      "half the width beside the opening, in decay lengths");
+                      "half the wall width beside the opening, in decay lengths");
     pp_worksheet_work(sheet, &pp_fitted_position_f_s,
-                      "factor for the lateral position of the point");
+                      "factor for the position of the point along the wall");
 }
 
 double pp_fitted_position_work(struct pp_worksheet *sheet,

@@ -39,7 +39,8 @@
     {"f_d", PP_UNIT_NUMBER,                                                            \
      "factor for the depth of the point, relative to the mean"},                       \
     {                                                                                  \
-        "f_s", PP_UNIT_NUMBER, "factor for the lateral position, relative to the mean" \
+        "f_s", PP_UNIT_NUMBER,                                                         \
+            "factor for the position along the wall, relative to the mean"             \
     }
 
 /* Rows of a method's list of formulae. */

@@ -44,7 +44,8 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_OPENING_REVEAL,
     PP_FITTED_POSITION_QUANTITIES,
     {"L", PP_UNIT_DAYLIGHT_FACTOR, "effective illuminance on the opening"},
-    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
+    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR,
+     "mean internally reflected component over the working plane"},
     {0},
 };
 
@@ -113,7 +114,8 @@ static enum pp_status evaluate_irc_atlas(const struct pp_world *world,
 
 const struct pp_method pp_method_irc_atlas = {
     .name = "irc-atlas",
-    .summary = "internally reflected component by position, fitted to simulated rooms",
+    .summary = "internally reflected component by position, by a formula fitted to "
+               "simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

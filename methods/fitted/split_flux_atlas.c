@@ -32,7 +32,8 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_LIGHT_QUANTITIES,
     PP_FITTED_OPENING_LOW,
     PP_FITTED_POSITION_QUANTITIES,
-    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR, "mean over the working plane"},
+    {"irc_m", PP_UNIT_DAYLIGHT_FACTOR,
+     "mean internally reflected component over the working plane"},
     {0},
 };
 
@@ -90,7 +91,7 @@ static enum pp_status evaluate_split_flux_atlas(const struct pp_world *world,
 
 const struct pp_method pp_method_split_flux_atlas = {
     .name = "split-flux-atlas",
-    .summary = "split-flux formula by position, corrected from simulated rooms",
+    .summary = "split-flux formula by position, corrected to match simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -42,7 +42,7 @@ static const double free_below_rad = 1e-3;
     {"H", PP_UNIT_METRE, "window height"},                                             \
         {"W", PP_UNIT_METRE, "width of the room, along the wall of the window"},       \
     {                                                                                  \
-        "D", PP_UNIT_METRE, "depth of the room, from this wall"                        \
+        "D", PP_UNIT_METRE, "depth of the room, from the wall of the window"           \
     }
 #define OF_ENTERING                                                                    \
     {"tau", PP_UNIT_NUMBER, "total transmittance"},                                    \
@@ -57,8 +57,8 @@ static const double free_below_rad = 1e-3;
     }
 #define OF_ROOFLIGHT                                                                   \
     {"N", PP_UNIT_NUMBER, "efficiency of the well"},                                   \
-        {"L", PP_UNIT_METRE, "first side of the plan"},                                \
-        {"W", PP_UNIT_METRE, "second side of the plan"},                               \
+        {"L", PP_UNIT_METRE, "length of the first side of the plan"},                  \
+        {"W", PP_UNIT_METRE, "length of the second side of the plan"},                 \
     {                                                                                  \
         "h", PP_UNIT_METRE, "height of the ceiling above the working plane"            \
     }
@@ -73,7 +73,9 @@ static const struct pp_formula_quantity of_ground[] = {
     {"rho_g", PP_UNIT_NUMBER, "ground reflectance"}, {0}};
 static const struct pp_formula_quantity of_two[] = {OF_ENTERING, {0}};
 static const struct pp_formula_quantity of_one[] = {
-    OF_ENTERING, {"CU", PP_UNIT_NUMBER, "single coefficient of utilization"}, {0}};
+    OF_ENTERING,
+    {"CU", PP_UNIT_NUMBER, "single coefficient of utilization for sky and ground"},
+    {0}};
 static const struct pp_formula_quantity of_well[] = {
     OF_GLASS, {"N", PP_UNIT_NUMBER, "efficiency of the well"}, {0}};
 static const struct pp_formula_quantity of_cavity[] = {OF_ROOFLIGHT, {0}};
@@ -92,10 +94,10 @@ static const struct pp_formula_quantity of_rooflight[] = {
         .quantities = quantities_of                                                    \
     }
 
-static const struct pp_formula share_of_band =
-    IES("R_a", "A B / (W H)",
-        "net glass area over the window-high band along the whole wall", PP_UNIT_NUMBER,
-        of_window);
+static const struct pp_formula share_of_band = IES(
+    "R_a", "A B / (W H)",
+    "net glass area over the area of a band as high as the window along the whole wall",
+    PP_UNIT_NUMBER, of_window);
 static const struct pp_formula side_transmittance =
     IES("tau", "T R_a M", "total transmittance of a window", PP_UNIT_NUMBER,
         of_transmittance);
@@ -173,7 +175,7 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
     if (status != PP_OK)
         return status;
     if (alpha_rad > free_below_rad) {
-        r->why = "has an external obstruction; the tables are for an open sky";
+        r->why = "has an external obstruction, but the tables are for an open sky";
         return PP_OK;
     }
     r->height_m = opening->height_m;
@@ -305,9 +307,10 @@ static void put_window(struct pp_worksheet *sheet, const struct reading *r,
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "W",
                      "width of the room, along the wall of the window");
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "D",
-                     "depth of the room, from this wall");
-    pp_worksheet_work(sheet, &share_of_band,
-                      "net glass area over the band along the wall");
+                     "depth of the room, from the wall of the window");
+    pp_worksheet_work(
+        sheet, &share_of_band,
+        "net glass area over the area of a band as high as the window along the wall");
     pp_worksheet_work(sheet, &side_transmittance, "total transmittance");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, r->E_s, "E_s",
                      "illuminance on the window from the sky");
@@ -327,7 +330,7 @@ static double window_value(const struct reading *r, const struct pp_opening *ope
                       "mean reflectance of the other walls");
     if (!isnan(share))
         pp_worksheet_note(sheet, PP_UNIT_NUMBER, share,
-                          "distance of the point from the wall over D");
+                          "distance of the point from the window wall over D");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_sky, share), "CU_s",
                      "coefficient of utilization for the sky, from the table");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_ground, share), "CU_g",
@@ -346,8 +349,10 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
     put_glass(sheet, opening);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, r->well, "N", "efficiency of the well");
     pp_worksheet_work(sheet, &top_transmittance, "total transmittance");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "L", "first side of the plan");
-    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "W", "second side of the plan");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "L",
+                     "length of the first side of the plan");
+    pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "W",
+                     "length of the second side of the plan");
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->height_m, "h",
                      "height of the ceiling above the working plane");
     pp_worksheet_work(sheet, &cavity_ratio, "room cavity ratio");
@@ -385,15 +390,15 @@ static enum pp_status evaluate_by(const struct pp_world *world,
     if (pp_lumen_scope_is_rooflight(opening)) {
         if (receiver)
             part->why = "lights the room from above; for rooflights the method gives "
-                        "averages only";
+                        "only an average";
         else
             part->value = rooflight_value(r, opening, &part->sheet);
         return PP_OK;
     }
     double share = depth_share(r, opening, receiver);
     if (share < 0.1 - 1e-9 || share > 0.9 + 1e-9)
-        part->why = "is too near to this point or too far; the tables cover 0.1 to 0.9 "
-                    "of the room depth";
+        part->why = "is too near to this point or too far from it; the tables cover "
+                    "distances of 0.1 to 0.9 of the room depth";
     else
         part->value = window_value(r, opening, share, one, &part->sheet);
     return PP_OK;

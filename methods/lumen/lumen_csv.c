@@ -174,11 +174,11 @@ static void check_columns(struct reader *reader)
                         "both or neither");
     }
     if (reader->top ? reader->widths.count > 0 : reader->widths.count == 0)
-        pp_mistakes_add(
-            reader->mistakes, reader->number,
-            reader->top ? "unexpected columns of widths in a table for light from above"
-                        : "no column for a ratio of width to window height; expected a "
-                          "number as its name");
+        pp_mistakes_add(reader->mistakes, reader->number,
+                        reader->top
+                            ? "unexpected width columns in a table for light from above"
+                            : "no column of coefficients; expected columns named by "
+                              "the ratio of room width to window height");
 }
 
 static void read_header(struct reader *reader, const struct csv_fields *fields)

@@ -55,7 +55,8 @@ const char *pp_lumen_scope_refuses_room(const struct pp_world *world)
         return "the tables apply to empty rooms; this room has objects in it";
     double floor = floor_of(world)->front;
     if (floor < 0.10 - small || floor > 0.50 + small)
-        return "the tables apply to floor reflectances of 0.1 to 0.5 (made for 0.3)";
+        return "the tables apply to floor reflectances of 0.1 to 0.5 (they were made "
+               "for 0.3)";
     return pp_refusals_if_luminous(world);
 }
 
@@ -91,14 +92,15 @@ static const char *refuses_neighbours(const struct pp_world *world,
         if (neighbour->face != opening->face) {
             if (pp_vec_dot(neighbour->inner.normal, opening->inner.normal)
                 > small - 1.0)
-                return "is not in the same wall as all other windows, nor in the "
+                return "is not in the same wall as the other windows, or in the "
                        "opposite one";
             continue;
         }
         polygon_range(other, &neighbour->inner, opening->up);
         if (fabs(own[0] - other[0]) > level_within_m
             || fabs(own[1] - other[1]) > level_within_m)
-            return "has a sill or head at another height than the windows beside it";
+            return "has a sill or head at a different height from the windows beside "
+                   "it";
     }
     return NULL;
 }
@@ -163,9 +165,9 @@ static const char *refuses_window(const struct pp_world *world,
 {
     double z[2];
     if (!opening->rectangle || fabs(opening->up.z - 1.0) > small)
-        return "is not a vertical rectangle, the shape the tables are for";
+        return "is not a vertical rectangle, the only shape that the tables cover";
     if (opening->glass.diffusing)
-        return "has diffusing glass; the tables are for clear glass";
+        return "has diffusing glass, but the tables are for clear glass";
     if (opening->reveal_m > reveal_most * opening->height_m + small)
         return "has a reveal deeper than a fifth of its height";
     polygon_range(z, &opening->inner, opening->up);
@@ -175,7 +177,7 @@ static const char *refuses_window(const struct pp_world *world,
     if (why)
         return why;
     if (leaves_wall_bare(world, opening, 1.0) || leaves_wall_bare(world, opening, -1.0))
-        return "leaves too much bare wall beside it; the tables are for evenly spread "
+        return "leaves too much wall without glass; the tables are for evenly spread "
                "windows";
     return NULL;
 }
@@ -186,9 +188,10 @@ const char *pp_lumen_scope_refuses_opening(const struct pp_world *world,
     if (pp_lumen_scope_is_rooflight(opening))
         return is_spread(world)
                    ? NULL
-                   : "is not part of rooflights spread evenly over the ceiling";
+                   : "is not one of a set of rooflights spread evenly over the ceiling";
     if (pp_refusals_unless_vertical(opening))
-        return "slopes; the tables are for vertical windows and horizontal rooflights";
+        return "slopes, but the tables are for vertical windows and horizontal "
+               "rooflights";
     return refuses_window(world, opening);
 }
 

@@ -162,10 +162,10 @@ static double interpolate(const struct pp_lumen_side_table *table, int light,
 }
 
 static const char *const axis_names[PP_LUMEN_SIDE_AXES] = {
-    [PP_LUMEN_CEILING] = "is in a room with a ceiling reflectance of",
-    [PP_LUMEN_WALLS] = "is in a room with a mean wall reflectance of",
-    [PP_LUMEN_DEPTH] = "is in a room with a depth over window height of",
-    [PP_LUMEN_WIDTH] = "is in a room with a width over window height of",
+    [PP_LUMEN_CEILING] = "is in a room whose ceiling reflectance is",
+    [PP_LUMEN_WALLS] = "is in a room whose mean wall reflectance is",
+    [PP_LUMEN_DEPTH] = "is in a room whose depth over window height is",
+    [PP_LUMEN_WIDTH] = "is in a room whose width over window height is",
 };
 
 /* Writes a message that a value is outside its axis; returns false. */
@@ -194,7 +194,7 @@ static bool find_light(struct between *light, const struct pp_lumen_side_table *
     if (query->overcast) {
         if (clear == 0) {
             snprintf(why, room,
-                     "faces an overcast sky; the table covers Ev/Eh from %.3g only",
+                     "faces an overcast sky, but the table covers only Ev/Eh from %.3g",
                      table->sky.count > 0 ? table->sky.at[0] : NAN);
             return false;
         }
@@ -202,7 +202,7 @@ static bool find_light(struct between *light, const struct pp_lumen_side_table *
         return true;
     }
     if (!find_between(light, &table->sky, clear, query->ev_over_eh, false))
-        return outside(why, room, "faces a sky with Ev/Eh", query->ev_over_eh,
+        return outside(why, room, "faces a sky whose Ev/Eh is", query->ev_over_eh,
                        &table->sky, clear);
     return true;
 }
@@ -233,7 +233,7 @@ bool pp_lumen_table_side(double cu[PP_LUMEN_POSITIONS],
         cu[PP_LUMEN_AVERAGE] = five;
     if (!isnan(five))
         return true;
-    snprintf(why, room, "needs coefficients for %s that are missing in the table",
+    snprintf(why, room, "needs coefficients for %s that are missing from the table",
              isnan(query->ev_over_eh) ? "light from the ground" : "light from the sky");
     return false;
 }
@@ -249,8 +249,8 @@ double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
                           double ceiling, double walls, char *why, size_t room)
 {
     static const char *const names[PP_LUMEN_TOP_AXES] = {
-        "is in a room with a cavity ratio of", "is in a ceiling with a reflectance of",
-        "is in a room with a mean wall reflectance of"};
+        "is in a room whose cavity ratio is", "is in a ceiling whose reflectance is",
+        "is in a room whose mean wall reflectance is"};
     const struct pp_lumen_top_table *top = &table->top;
     const double at[PP_LUMEN_TOP_AXES] = {rcr, ceiling, walls};
     struct between between[PP_LUMEN_TOP_AXES];
@@ -273,6 +273,6 @@ double pp_lumen_table_top(const struct pp_lumen_table *table, double rcr,
             sum += weight * top->cu[cell];
     }
     if (isnan(sum))
-        snprintf(why, room, "needs coefficients that are missing in the table");
+        snprintf(why, room, "needs coefficients that are missing from the table");
     return sum;
 }

@@ -111,7 +111,7 @@ enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
                        + pp_lumen_table_build_cell(table, light, at, lines[i].position);
         if (!isnan(cell[0]))
             pp_mistakes_add(mistakes, lines[i].line,
-                            "duplicate line; its coefficients are given above");
+                            "duplicate line; an earlier line gives its coefficients");
         for (int k = 0; k < widths->count; k++)
             cell[k] = lines[i].cu[k];
     }
@@ -148,7 +148,7 @@ enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
             table->cu + (r * table->axes[1].count + c) * table->axes[2].count + w;
         if (!isnan(*cell))
             pp_mistakes_add(mistakes, lines[i].line,
-                            "duplicate line; its coefficient is given above");
+                            "duplicate line; an earlier line gives its coefficient");
         *cell = lines[i].cu;
     }
     return PP_OK;

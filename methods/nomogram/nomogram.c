@@ -60,7 +60,7 @@ static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomo
         snprintf(shift, sizeof shift, " %s %.0f", reading->tens > 0 ? "times" : "over",
                  pow(10.0, abs(reading->tens)));
     pp_steps_add_named(steps, PP_UNIT_NUMBER, nomogram->k, "k",
-                       "assumption of the chart: R_cw over R_fw");
+                       "ratio of R_cw to R_fw that the chart assumes");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
                      "net glass area");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
@@ -82,9 +82,10 @@ static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomo
     snprintf(formula, sizeof formula, "%c %s %.0f", reading->used[1] ? 'E' : 'C',
              reading->tens > 0 ? "/" : "*", pow(10.0, abs(reading->tens)));
     if (reading->tens)
-        pp_steps_add_worked(
-            steps, PP_UNIT_DAYLIGHT_FACTOR, reading->component, "IRC", formula,
-            "average internally reflected component, shift of scale A reversed");
+        pp_steps_add_worked(steps, PP_UNIT_DAYLIGHT_FACTOR, reading->component, "IRC",
+                            formula,
+                            "average internally reflected component, corrected for the "
+                            "shift of scale A");
 }
 
 static const struct pp_formula *const formulae[] = {&pp_nomogram_reading_ratio, NULL};

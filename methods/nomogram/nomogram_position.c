@@ -76,7 +76,7 @@ static const char *find_off_scale(const struct pp_nomogram *nomogram, double lig
             return "is in a room whose depth or width in decay lengths is outside the "
                    "curve (-1 to 6)";
         if (!pp_nomogram_scale_contains(nomogram, PP_STEM_H, share[i]))
-            return "is farther from the point along the wall than the wall is wide";
+            return "is too far from the point along the wall for scale H";
         double factor = factor_of(q[i], share[i]);
         product *= factor;
         if (!pp_nomogram_scale_contains(nomogram, PP_STEM_F, factor))

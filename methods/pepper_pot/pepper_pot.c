@@ -70,7 +70,7 @@ static const char *pepper_pot_refuses_room(const struct pp_world *world,
         return "valid only for the overcast and the uniform sky";
     if (receiver && !pane_is_upright(receiver->normal)
         && pp_refusals_unless_up(receiver))
-        return "valid only for points that face up or are vertical";
+        return "valid only for points that face up or horizontally";
     const char *why = pp_refusals_if_fine_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
@@ -82,7 +82,7 @@ static const char *pepper_pot_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; the diagram covers clear glass only";
+        return "has diffusing glass, but the diagram is for clear glass only";
     return pp_refusals_unless_vertical(opening);
 }
 

@@ -86,7 +86,7 @@ static const char *pepper_pot_sky_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     return opening->glass.diffusing
-               ? "has diffusing glass; the diagram covers clear glass only"
+               ? "has diffusing glass, but the diagram is for clear glass only"
                : NULL;
 }
 
@@ -154,8 +154,8 @@ static enum pp_status average_pepper_pot_sky(struct pp_beams *beams,
 
 const struct pp_method pp_method_pepper_pot_sky = {
     .name = "pepper-pot-sky",
-    .summary = "direct component by dots generated for the given sky, glass slope and "
-               "receiver",
+    .summary = "direct component by counting dots generated for the given sky, glass "
+               "slope and receiver",
     .source = "PLE54",
     .formulae = pp_window_drawing_formulae,
     .gives = PP_GIVES_DIRECT,

@@ -100,10 +100,10 @@ static const char *protractor_refuses(const struct pp_world *world,
 {
     (void)world, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; protractors cover clear glass only";
+        return "has diffusing glass, but protractors are for clear glass only";
     struct pp_protractor protractor;
     if (pp_protractor_read_choose(&protractor, &light->sky, opening, NULL) != PP_OK)
-        return "has a slope without a protractor; they exist for 0, 30, 60 and 90 "
+        return "has a slope that no protractor covers; they cover 0, 30, 60 and 90 "
                "degrees";
     return NULL;
 }
@@ -129,22 +129,22 @@ static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
              "p_u",
              hidden ? "altitude of the upper edge of the obstruction"
                     : "altitude of the upper edge of the opening",
-             "primary scale at this altitude");
+             "reading of the primary scale at this altitude");
     put_pair(sheet, reading->edge_rad[0], PP_UNIT_DAYLIGHT_FACTOR, reading->share[0],
              "p_l",
              hidden ? "altitude of the lower edge of the obstruction"
                     : "altitude of the lower edge of the opening",
-             "primary scale at this altitude");
+             "reading of the primary scale at this altitude");
     pp_worksheet_work(sheet, &pp_protractor_read_initial,
                       "initial component, for an infinitely long opening");
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, reading->average_rad,
-                      "mean altitude of both edges");
+                      "mean altitude of the upper and lower edge");
     put_pair(sheet, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0], "k_l",
              "angle of the left jamb from the normal (right positive)",
-             "auxiliary scale at this angle");
+             "reading of the auxiliary scale at this angle");
     put_pair(sheet, reading->jamb_rad[1], PP_UNIT_NUMBER, reading->correction[1], "k_r",
              "angle of the right jamb from the normal",
-             "auxiliary scale at this angle");
+             "reading of the auxiliary scale at this angle");
     pp_worksheet_work(sheet,
                       reading->correction[1] < reading->correction[0]
                           ? &pp_protractor_read_no_width
@@ -163,7 +163,7 @@ static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
                                         "externally reflected component");
     if (off_sky)
         sum->sky += pp_part_steps_work(terms, false, &pp_protractor_read_less,
-                                       "subtracted from the sky component");
+                                       "reduction of the sky component");
 }
 
 static const struct pp_formula *const formulae[] = {

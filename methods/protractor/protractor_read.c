@@ -73,13 +73,16 @@ static bool slope_is_upright(double slope)
 }
 
 static const struct pp_formula_quantity of_primary[] = {
-    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale at the altitude of the upper edge"},
-    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "primary scale at the altitude of the lower edge"},
+    {"p_u", PP_UNIT_DAYLIGHT_FACTOR,
+     "reading of the primary scale at the altitude of the upper edge"},
+    {"p_l", PP_UNIT_DAYLIGHT_FACTOR,
+     "reading of the primary scale at the altitude of the lower edge"},
     {0},
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
-    {"k_r", PP_UNIT_NUMBER, "auxiliary scale at the right jamb (right positive)"},
-    {"k_l", PP_UNIT_NUMBER, "auxiliary scale at the left jamb"},
+    {"k_r", PP_UNIT_NUMBER,
+     "reading of the auxiliary scale at the right jamb (right positive)"},
+    {"k_l", PP_UNIT_NUMBER, "reading of the auxiliary scale at the left jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_component[] = {
@@ -120,7 +123,7 @@ const struct pp_formula pp_protractor_read_less = {
     .sum = "-e",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE309",
-    .what = "reduction of the sky component by an obstruction, sloping opening",
+    .what = "reduction of the sky component by an obstruction, for a sloping opening",
     .quantities = of_reflected,
     .fixed = true};
 

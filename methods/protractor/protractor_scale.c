@@ -16,7 +16,8 @@ enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
 {
     static const double slope_deg[] = {90.0, 0.0, 30.0, 60.0, 90.0};
     if (number < 1 || number > 10)
-        return pp_fail(err, PP_BAD_INPUT, "no protractor %d; expected 1 to 10", number);
+        return pp_fail(err, PP_BAD_INPUT, "there is no protractor %d; expected 1 to 10",
+                       number);
     *protractor = (struct pp_protractor){
         .sky = number % 2 ? pp_sky_uniform() : pp_sky_overcast(),
         .glass = number <= 8 ? pp_glass_clear_single() : pp_glass_none(),

@@ -148,12 +148,13 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
 {
     *sheet = (struct pp_protractor_sheet){.allowance = 1.0};
     if (protractor->glass.diffusing)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "no protractor for diffusing glass; expected clear glass");
-    if (pp_sky_has_azimuth(&protractor->sky))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "no protractor for this sky; expected one without azimuth dependence");
+            "protractors do not cover diffusing glass; expected clear glass");
+    if (pp_sky_has_azimuth(&protractor->sky))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "protractors do not cover this sky; expected one without "
+                       "azimuth dependence");
     struct pp_protractor_dial *dial = malloc(sizeof *dial);
     if (!dial)
         return pp_fail_memory(err);

@@ -38,26 +38,39 @@ struct upright_set {
 /* ---- the formulae ---- */
 
 static const struct pp_formula_quantity of_primary[] = {
-    {"p_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, ahead, at the upper edge"},
-    {"p_l", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, ahead, at the lower edge"},
-    {"q_u", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, aside, at the upper edge"},
-    {"q_l", PP_UNIT_DAYLIGHT_FACTOR, "primary scale, aside, at the lower edge"},
+    {"p_u", PP_UNIT_DAYLIGHT_FACTOR,
+     "primary scale for a receiver facing the window, at the upper edge"},
+    {"p_l", PP_UNIT_DAYLIGHT_FACTOR,
+     "primary scale for a receiver facing the window, at the lower edge"},
+    {"q_u", PP_UNIT_DAYLIGHT_FACTOR,
+     "primary scale for a receiver side-on to the window, at the upper edge"},
+    {"q_l", PP_UNIT_DAYLIGHT_FACTOR,
+     "primary scale for a receiver side-on to the window, at the lower edge"},
     {0},
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
-    {"k_r", PP_UNIT_NUMBER, "auxiliary scale, ahead, at the right jamb"},
-    {"k_l", PP_UNIT_NUMBER, "auxiliary scale, ahead, at the left jamb (left negative)"},
-    {"m_r", PP_UNIT_NUMBER, "auxiliary scale, aside, at the right jamb"},
-    {"m_l", PP_UNIT_NUMBER, "auxiliary scale, aside, at the left jamb"},
+    {"k_r", PP_UNIT_NUMBER,
+     "auxiliary scale for a receiver facing the window, at the right jamb"},
+    {"k_l", PP_UNIT_NUMBER,
+     "auxiliary scale for a receiver facing the window, at the left jamb (left "
+     "negative)"},
+    {"m_r", PP_UNIT_NUMBER,
+     "auxiliary scale for a receiver side-on to the window, at the right jamb"},
+    {"m_l", PP_UNIT_NUMBER,
+     "auxiliary scale for a receiver side-on to the window, at the left jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_component[] = {
-    {"i", PP_UNIT_DAYLIGHT_FACTOR, "initial component, ahead"},
-    {"K", PP_UNIT_NUMBER, "correction factor for the width"},
-    {"j", PP_UNIT_DAYLIGHT_FACTOR, "initial component, aside"},
-    {"J", PP_UNIT_NUMBER, "correction factor for the width"},
+    {"i", PP_UNIT_DAYLIGHT_FACTOR,
+     "initial component for a receiver facing the window"},
+    {"K", PP_UNIT_NUMBER,
+     "correction factor for the width, receiver facing the window"},
+    {"j", PP_UNIT_DAYLIGHT_FACTOR,
+     "initial component for a receiver side-on to the window"},
+    {"J", PP_UNIT_NUMBER,
+     "correction factor for the width, receiver side-on to the window"},
     {"psi", PP_UNIT_ANGLE,
-     "bearing of the receiver from straight ahead (right positive)"},
+     "horizontal angle of the receiver from the normal of the window (right positive)"},
     {0},
 };
 static const struct pp_formula_quantity of_reflected[] = {
@@ -71,15 +84,18 @@ static const struct pp_formula_quantity of_reflected[] = {
         .symbol = left, .sum = right, .unit = of, .source = "BRE309", .what = words,   \
         .quantities = list, .fixed = true                                              \
     }
-static const struct pp_formula initial_ahead = READ(
-    "i", "p_u - p_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component, ahead", of_primary);
-static const struct pp_formula initial_aside = READ(
-    "j", "q_u - q_l", PP_UNIT_DAYLIGHT_FACTOR, "initial component, aside", of_primary);
-static const struct pp_formula width_ahead = READ(
-    "K", "k_r - k_l", PP_UNIT_NUMBER, "correction factor for the width", of_auxiliary);
-static const struct pp_formula width_aside =
-    READ("J", "m_r - m_l", PP_UNIT_NUMBER, "correction factor for the width, aside",
-         of_auxiliary);
+static const struct pp_formula initial_ahead =
+    READ("i", "p_u - p_l", PP_UNIT_DAYLIGHT_FACTOR,
+         "initial component for a receiver facing the window", of_primary);
+static const struct pp_formula initial_aside =
+    READ("j", "q_u - q_l", PP_UNIT_DAYLIGHT_FACTOR,
+         "initial component for a receiver side-on to the window", of_primary);
+static const struct pp_formula width_ahead =
+    READ("K", "k_r - k_l", PP_UNIT_NUMBER,
+         "correction factor for the width, receiver facing the window", of_auxiliary);
+static const struct pp_formula width_aside = READ(
+    "J", "m_r - m_l", PP_UNIT_NUMBER,
+    "correction factor for the width, receiver side-on to the window", of_auxiliary);
 static const struct pp_formula sky_component =
     READ("sc", "max(i K cos(psi) + j J sin(psi), 0)", PP_UNIT_DAYLIGHT_FACTOR,
          "sky component", of_component);
@@ -147,7 +163,7 @@ static const char *upright_protractor_refuses_room(const struct pp_world *world,
     if (!pp_sky_is_graded(&light->sky))
         return "valid only for the overcast and the uniform sky";
     if (receiver && fabs(receiver->normal.z) > 1e-9)
-        return "valid only for vertical points";
+        return "valid only for points that face horizontally";
     const char *why = pp_refusals_if_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
 }
@@ -159,7 +175,7 @@ static const char *upright_protractor_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; protractors cover clear glass only";
+        return "has diffusing glass, but protractors are for clear glass only";
     return pp_refusals_unless_vertical(opening);
 }
 
@@ -185,22 +201,26 @@ static void put_scales(struct pp_worksheet *sheet,
     }
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
                      pp_protractor_dial_share(dial, high), symbols->upper,
-                     "primary scale, %s, at the upper edge", symbols->what);
+                     "primary scale for a receiver %s, at the upper edge",
+                     symbols->what);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
                      pp_protractor_dial_share(dial, low), symbols->lower,
-                     "same scale at the lower edge");
+                     "the same scale at the lower edge");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[0], symbols->left,
-                     "auxiliary scale, %s, at the left jamb", symbols->what);
+                     "auxiliary scale for a receiver %s, at the left jamb",
+                     symbols->what);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[1], symbols->right,
-                     "same scale at the right jamb");
+                     "the same scale at the right jamb");
 }
 
 static void work_part(struct pp_part_steps *terms, struct pp_part *sum,
                       const struct upright_dials *dials, const struct pp_sky *sky,
                       const struct pp_elevation_part *part)
 {
-    static const struct scale_symbols ahead = {"p_u", "p_l", "k_l", "k_r", "ahead"};
-    static const struct scale_symbols aside = {"q_u", "q_l", "m_l", "m_r", "aside"};
+    static const struct scale_symbols ahead = {"p_u", "p_l", "k_l", "k_r",
+                                               "facing the window"};
+    static const struct scale_symbols aside = {"q_u", "q_l", "m_l", "m_r",
+                                               "side-on to the window"};
     struct pp_worksheet *sheet = terms->sheet;
     bool hidden = !isnan(part->reflectance);
     pp_part_steps_next(terms);
@@ -215,10 +235,15 @@ static void work_part(struct pp_part_steps *terms, struct pp_part *sum,
                       "angle of the right jamb from the normal");
     put_scales(sheet, &dials->ahead, &ahead, part);
     put_scales(sheet, &dials->aside, &aside, part);
-    pp_worksheet_work(sheet, &initial_ahead, "initial component, ahead");
-    pp_worksheet_work(sheet, &width_ahead, "correction factor for the width");
-    pp_worksheet_work(sheet, &initial_aside, "initial component, aside");
-    pp_worksheet_work(sheet, &width_aside, "correction factor for the width");
+    pp_worksheet_work(sheet, &initial_ahead,
+                      "initial component for a receiver facing the window");
+    pp_worksheet_work(sheet, &width_ahead,
+                      "correction factor for the width, receiver facing the window");
+    pp_worksheet_work(sheet, &initial_aside,
+                      "initial component for a receiver side-on to the window");
+    pp_worksheet_work(
+        sheet, &width_aside,
+        "correction factor for the width, receiver side-on to the window");
     if (!hidden) {
         sum->sky += pp_part_steps_work(terms, false, &sky_component, "sky component");
         return;
@@ -265,7 +290,8 @@ static enum pp_status evaluate_upright_protractor(
         return status;
     cut_by_receiver(&elevation, psi_rad);
     pp_worksheet_put(&part->sheet, PP_UNIT_ANGLE, psi_rad, "psi",
-                     "bearing of the receiver from straight ahead (right positive)");
+                     "horizontal angle of the receiver from the normal of the window "
+                     "(right positive)");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, elevation.count);
     for (int i = 0; i < elevation.count; i++)
         work_part(&terms, part, opening->glass.panes > 0 ? set->glazed : set->bare,
@@ -277,7 +303,8 @@ static enum pp_status evaluate_upright_protractor(
 
 const struct pp_method pp_method_protractor_upright = {
     .name = "protractor-upright",
-    .summary = "direct component at vertical points, by protractors made for them",
+    .summary = "direct component at points that face horizontally, by protractors made "
+               "for them",
     .source = "BRE309",
     .formulae = formulae,
     .gives = PP_GIVES_DIRECT,

@@ -52,7 +52,7 @@ static const struct pp_formula factor_for_obstruction = {
 
 static const struct pp_formula_quantity of_minimum[] = {
     {"T", PP_UNIT_DAYLIGHT_FACTOR,
-     "minimum for glass over floor, floor and walls, from the table"},
+     "minimum for this glass area, floor and walls, from the table"},
     {"k_F", PP_UNIT_NUMBER, "factor for the floor area, from the table"},
     {"k_c", PP_UNIT_NUMBER, "factor for the ceiling, from the table"},
     {"k_o", PP_UNIT_NUMBER, "factor for the obstruction"},
@@ -70,8 +70,8 @@ static const struct pp_formula minimum = {
     .sum = "T k_F k_c k_o W / W_all",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE310",
-    .what = "minimum internally reflected component, in proportion to the glass of the "
-            "opening",
+    .what = "minimum internally reflected component: this opening's share, by its "
+            "glass area",
     .quantities = of_minimum,
 };
 

@@ -28,7 +28,7 @@
 
 #define PART(A_, rho_, where)                                                          \
     {"S", PP_UNIT_SQUARE_METRE,                                                        \
-     "area of the horizontal plane at the height of the opening's centre"},            \
+     "area of a horizontal plane at the height of the opening's centre"},              \
         {A_, PP_UNIT_SQUARE_METRE,                                                     \
          "area of all surfaces " where ", openings included"},                         \
     {                                                                                  \
@@ -128,8 +128,8 @@ static enum pp_status evaluate_dresler(const struct pp_world *world,
 
 const struct pp_method pp_method_dresler = {
     .name = "dresler",
-    .summary =
-        "internally reflected component, upper and lower part of the room as cavities",
+    .summary = "internally reflected component, with the upper and lower part of the "
+               "room as cavities",
     .source = "DRE54",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -86,7 +86,7 @@ static const struct pp_formula on_sloping =
 
 static const struct pp_formula_quantity of_sky[] = {
     {"f", PP_UNIT_DAYLIGHT_FACTOR,
-     "sky light on the glass that reaches the plane directly"},
+     "illuminance on the glass from light that goes straight to the plane"},
     {"C_hv", PP_UNIT_DAYLIGHT_FACTOR,
      "illuminance on glass of this slope from the open sky"},
     {0},
@@ -197,7 +197,7 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_world *world,
     pp_worksheet_put(
         sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2 - low_m2, "a",
         low_m2 > 0.0
-            ? "area of the opening above the working plane (the rest is left out)"
+            ? "area of the opening above the working plane (the rest is ignored)"
             : "area of the opening");
     pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B", "frame factor");
     if (pp_well_is(opening))
@@ -284,8 +284,8 @@ static void put_direct(struct pp_worksheet *sheet, const struct pp_world *world,
         pp_worksheet_put(
             sheet, PP_UNIT_DAYLIGHT_FACTOR,
             pp_point_factor_sky(middle, normal, &world->plane, z, &light->sky), "f",
-            "open-sky light on the centre of the opening that reaches the plane "
-            "directly");
+            "illuminance on the centre of the opening from open-sky light that goes "
+            "straight to the plane");
     pp_worksheet_work(sheet, opening->glass.diffusing ? &on_plane_diffuse : &on_plane,
                       "fraction of the sky light on the plane");
 }
@@ -344,8 +344,8 @@ static const char *efficiency_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing && !is_level(opening))
-        return "has sloping diffusing glass; the method covers clear glass and "
-               "horizontal diffusing panes";
+        return "has sloping diffusing glass, but the method covers only clear glass "
+               "and horizontal diffusing panes";
     return NULL;
 }
 

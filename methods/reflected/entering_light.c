@@ -34,7 +34,7 @@ const struct pp_formula pp_entering_light_C_of_well = {
     .symbol = "C",
     .sum = "C_hv (1 - alpha / 90) N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "light through the foot of a well from above the horizon",
+    .what = "light from above the horizon that passes the foot of a well",
     .quantities = of_C_of_well,
     .fixed = true,
 };
@@ -65,7 +65,7 @@ const struct pp_formula pp_entering_light_C_g_of_well = {
     .symbol = "C_g",
     .sum = "100 rho_g (1 - cos(beta)) / 2 N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "light through the foot of a well from the ground",
+    .what = "light from the ground that passes the foot of a well",
     .quantities = of_C_g_of_well,
     .fixed = true,
 };
@@ -74,7 +74,7 @@ static const struct pp_formula_quantity of_E_w[] = {
     PP_ENTERING_LIGHT_QUANTITIES,
     PP_WELL_QUANTITIES,
     {"f", PP_UNIT_NUMBER,
-     "fraction of the light from the foot that falls on the plane"},
+     "fraction of the light from the foot of the well that falls on the plane"},
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
     {0},
 };
@@ -83,13 +83,15 @@ const struct pp_formula pp_entering_light_E_w = {
     .symbol = "E_w",
     .sum = "tau Ag (C + C_g) (1 - N_d / N) f / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "illuminance of the working plane by light reflected in the well",
+    .what = "illuminance on the working plane from light reflected in the well",
     .quantities = of_E_w,
 };
 
 static const struct pp_formula_quantity of_with_well[] = {
-    {"irc", PP_UNIT_DAYLIGHT_FACTOR, "component from the formula for the room"},
-    {"E_w", PP_UNIT_DAYLIGHT_FACTOR, "illuminance from the sides of the well"},
+    {"irc", PP_UNIT_DAYLIGHT_FACTOR,
+     "internally reflected component from the formula for the room"},
+    {"E_w", PP_UNIT_DAYLIGHT_FACTOR,
+     "illuminance on the working plane from the sides of the well"},
     {0},
 };
 
@@ -106,7 +108,7 @@ const struct pp_formula pp_entering_light_u = {
     .symbol = "u",
     .sum = "(1 - cos(beta)) / 2",
     .unit = PP_UNIT_NUMBER,
-    .what = "fraction of the diffusing pane's light that goes upwards",
+    .what = "fraction of the light from the diffusing pane that goes upwards",
     .quantities = of_C_g,
 };
 
@@ -126,8 +128,9 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *lig
                      pp_sky_on_plane(&light->sky, outward), "C_hv",
                      "illuminance on glass of this slope from the open sky");
     if (pp_well_is(opening))
-        pp_worksheet_work(sheet, &pp_entering_light_C_of_well,
-                          "light through the foot of the well from above the horizon");
+        pp_worksheet_work(
+            sheet, &pp_entering_light_C_of_well,
+            "light from above the horizon that passes the foot of the well");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C,
                           "illuminance on the glass from above the horizon");
@@ -158,13 +161,14 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                      "slope of the glass");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_g_of_well,
-                          "light through the foot of the well from the ground");
+                          "light from the ground that passes the foot of the well");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C_g,
                           "illuminance on the glass from the ground");
     if (opening->glass.diffusing)
-        pp_worksheet_work(sheet, &pp_entering_light_u,
-                          "fraction of the diffusing pane's light that goes upwards");
+        pp_worksheet_work(
+            sheet, &pp_entering_light_u,
+            "fraction of the light from the diffusing pane that goes upwards");
     return PP_OK;
 }
 
@@ -177,7 +181,7 @@ double pp_entering_light_of_well(struct pp_worksheet *sheet,
         return irc;
     pp_well_put_foot(sheet, world, opening);
     pp_worksheet_work(sheet, E_w,
-                      "illuminance of the working plane from the sides of the well");
+                      "illuminance on the working plane from the sides of the well");
     return pp_worksheet_work(
         sheet, &pp_entering_light_with_well,
         "internally reflected component, with light from the sides of the well");

@@ -45,7 +45,7 @@
 #define PP_ENTERING_LIGHT_SHARE_UP                                                     \
     {                                                                                  \
         "u", PP_UNIT_NUMBER,                                                           \
-            "fraction of the diffusing pane's light that goes upwards"                 \
+            "fraction of the light from the diffusing pane that goes upwards"          \
     }
 
 /* Rows of a method's list of formulae. */

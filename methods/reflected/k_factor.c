@@ -58,7 +58,7 @@ static const struct pp_formula_quantity of_E_w[] = {
     {"K", PP_UNIT_DAYLIGHT_FACTOR, "mean daylight factor at the foot of the well"},
     PP_WELL_QUANTITIES,
     {"f", PP_UNIT_NUMBER,
-     "fraction of the light from the foot that falls on the plane"},
+     "fraction of the light from the foot of the well that falls on the plane"},
     {"S", PP_UNIT_SQUARE_METRE, "area of the working plane"},
     {0},
 };
@@ -67,7 +67,7 @@ static const struct pp_formula well = {
     .symbol = "E_w",
     .sum = "W K (1 - N_d / N) f / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "illuminance of the working plane by light reflected in the well",
+    .what = "illuminance on the working plane from light reflected in the well",
     .quantities = of_E_w,
 };
 
@@ -93,7 +93,8 @@ static const char *k_factor_refuses(const struct pp_world *world,
     (void)world, (void)light, (void)receiver;
     if (is_level(opening) || !pp_refusals_unless_vertical(opening))
         return NULL;
-    return "slopes; the method covers vertical windows and horizontal rooflights only";
+    return "slopes, but the method covers only vertical windows and horizontal "
+           "rooflights";
 }
 
 /* Records K and its quantities. */
@@ -152,8 +153,8 @@ static enum pp_status evaluate_k_factor(const struct pp_world *world,
 
 const struct pp_method pp_method_k_factor = {
     .name = "k-factor",
-    .summary = "average internally reflected component, with rooflights and wells by "
-               "the K factor",
+    .summary = "average internally reflected component, with the K factor for "
+               "rooflights and wells",
     .source = "BRE310",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

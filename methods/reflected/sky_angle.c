@@ -31,12 +31,12 @@ static const struct pp_formula_quantity of_limits[] = {
         .quantities = of_limits                                                        \
     }
 const struct pp_formula pp_sky_angle_upper[2] = {
-    UPPER("180 - beta", "upper limit of visible sky, sloping glass"),
-    UPPER("180 - alpha", "upper limit of visible sky, horizontal glass"),
+    UPPER("180 - beta", "upper limit of the visible sky, sloping glass"),
+    UPPER("180 - alpha", "upper limit of the visible sky, horizontal glass"),
 };
 
 static const struct pp_formula_quantity of_theta[] = {
-    {"theta_h", PP_UNIT_ANGLE, "upper limit of visible sky in section"},
+    {"theta_h", PP_UNIT_ANGLE, "upper limit of the visible sky in section"},
     {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},
     {0},
 };
@@ -71,7 +71,7 @@ static void put_sloping(struct pp_worksheet *sheet, const struct pp_opening *ope
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, opening->slope_rad, "beta",
                      "slope of the glass");
     pp_worksheet_work(sheet, &pp_sky_angle_upper[level],
-                      "upper limit of visible sky in section");
+                      "upper limit of the visible sky in section");
     pp_worksheet_work(sheet, &pp_sky_angle_theta, "angle of visible sky");
 }
 
@@ -91,7 +91,7 @@ enum pp_status pp_sky_angle(struct pp_worksheet *sheet, const struct pp_world *w
                           "altitude of the head of the reveal");
     } else if (vertical) {
         pp_worksheet_put(sheet, PP_UNIT_ANGLE, PP_PI / 2.0, "theta_h",
-                         "upper limit of visible sky: the zenith");
+                         "upper limit of the visible sky: the zenith");
     }
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, alpha_rad, "alpha",
                      "angle of the obstruction");

@@ -80,8 +80,8 @@ static enum pp_status evaluate_sphere(const struct pp_world *world,
 
 const struct pp_method pp_method_sphere = {
     .name = "sphere",
-    .summary = "average internally reflected component, the room as an integrating "
-               "sphere",
+    .summary = "average internally reflected component, with the room as an "
+               "integrating sphere",
     .source = "GEEBELEN",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

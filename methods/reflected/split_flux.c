@@ -25,7 +25,7 @@ static const char *split_flux_refuses(const struct pp_world *world,
     (void)light, (void)receiver;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     if (!(parts.upper.reflectance * parts.lower.reflectance < 1.0))
-        return "is in a room with parts whose mean reflectance is 1";
+        return "is in a room whose upper and lower part have a mean reflectance of 1";
     return NULL;
 }
 
@@ -68,8 +68,8 @@ static const struct pp_formula one_part = {
     .symbol = "irc",
     .sum = "0",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "average internally reflected component, all of the room on one side of "
-            "the centre",
+    .what = "average internally reflected component in a room entirely above or below "
+            "the centre of the opening",
     .quantities = of_clear,
     .fixed = true,
 };
@@ -113,8 +113,8 @@ static enum pp_status evaluate_split_flux(const struct pp_world *world,
 
 const struct pp_method pp_method_split_flux = {
     .name = "split-flux",
-    .summary = "average internally reflected component, light split into upward and "
-               "downward parts",
+    .summary = "average internally reflected component, with the light split into an "
+               "upward and a downward part",
     .source = "GEEBELEN",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

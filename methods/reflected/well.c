@@ -182,9 +182,9 @@ void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, shape.sides, "rho_w",
                      "reflectance of the sides of the well");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.whole, "N",
-                     "fraction of the light that leaves the well");
+                     "fraction of the entering light that leaves the well");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.direct, "N_d",
-                     "fraction that leaves without reflection in the well");
+                     "fraction that leaves the well without reflection in it");
 }
 
 double pp_well_foot_to_plane(const struct pp_world *world,

@@ -69,9 +69,10 @@ void pp_well_put_foot(struct pp_worksheet *sheet, const struct pp_world *world,
 #define PP_WELL_QUANTITIES                                                             \
     {"w", PP_UNIT_NUMBER, "index of the well"},                                        \
         {"rho_w", PP_UNIT_NUMBER, "reflectance of the sides of the well"},             \
-        {"N", PP_UNIT_NUMBER, "fraction of the light that leaves the well"},           \
+        {"N", PP_UNIT_NUMBER, "fraction of the entering light that leaves the well"},  \
     {                                                                                  \
-        "N_d", PP_UNIT_NUMBER, "fraction that leaves without reflection in the well"   \
+        "N_d", PP_UNIT_NUMBER,                                                         \
+            "fraction that leaves the well without reflection in it"                   \
     }
 
 #endif

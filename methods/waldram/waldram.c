@@ -65,9 +65,9 @@ static const char *waldram_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     if (opening->glass.diffusing)
-        return "has diffusing glass; the diagram covers clear glass only";
+        return "has diffusing glass, but the diagram is for clear glass only";
     if (opening->glass.panes > 0 && pp_refusals_unless_vertical(opening))
-        return "has sloping glass; the diagram with glass covers vertical openings "
+        return "has sloping glass, but the diagram with glass is for vertical openings "
                "only";
     return NULL;
 }

@@ -97,7 +97,7 @@ static const char *waldram_overlay_refuses(const struct pp_world *world,
 {
     (void)world, (void)light, (void)receiver;
     return opening->glass.diffusing
-               ? "has diffusing glass; the overlay covers clear glass only"
+               ? "has diffusing glass, but the overlay is for clear glass only"
                : NULL;
 }
 
@@ -214,7 +214,7 @@ static const char *waldram_overlay_refuses_room(const struct pp_world *world,
 
 const struct pp_method pp_method_waldram_overlay = {
     .name = "waldram-overlay",
-    .summary = "direct component by counting squares on a Waldram diagram, with an "
+    .summary = "direct component by counting squares on a Waldram diagram with an "
                "overlay for the glass",
     .source = "WW23",
     .formulae = formulae,

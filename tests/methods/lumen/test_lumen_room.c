@@ -264,9 +264,8 @@ static void top_table_is_what_the_cavity_gives(void **state)
         assert_near(pp_lumen_table_top(table, rcr, 0.5, 0.3, why, sizeof why),
                     pp_lumen_cavity(rcr, 0.5, 0.3, 0.2), 5.1e-5);
     assert_true(isnan(pp_lumen_table_top(table, 10.2, 0.5, 0.3, why, sizeof why)));
-    assert_string_equal(why,
-                        "is in a room with a cavity ratio of 10.2; the table covers "
-                        "0 to 10");
+    assert_string_equal(
+        why, "is in a room whose cavity ratio is 10.2; the table covers 0 to 10");
     pp_lumen_table_destroy(table);
 }
 

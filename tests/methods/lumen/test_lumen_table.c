@@ -85,7 +85,7 @@ static void nothing_is_read_outside_it(void **state)
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     assert_string_equal(
         why,
-        "is in a room with a width over window height of 2.2; the table covers 1 to 2");
+        "is in a room whose width over window height is 2.2; the table covers 1 to 2");
     query.at[PP_LUMEN_WIDTH] = 1.5;
     query.at[PP_LUMEN_DEPTH] = 4.1;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
@@ -93,7 +93,8 @@ static void nothing_is_read_outside_it(void **state)
     query.overcast = false;
     query.ev_over_eh = 0.9;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
-    assert_string_equal(why, "faces a sky with Ev/Eh 0.9; the table has no such value");
+    assert_string_equal(why,
+                        "faces a sky whose Ev/Eh is 0.9; the table has no such value");
     done();
 }
 
@@ -111,7 +112,7 @@ static void cells_left_out_are_no_numbers(void **state)
     assert_true(pp_lumen_table_side(cu, table, &query, why, sizeof why));
     query.at[PP_LUMEN_DEPTH] = 1.5;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
-    assert_non_null(strstr(why, "missing in the table"));
+    assert_non_null(strstr(why, "missing from the table"));
     query.overcast = true;
     query.ev_over_eh = 0.396;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
