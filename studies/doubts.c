@@ -48,18 +48,18 @@ static void doubt_openings(struct pp_mistakes *doubts, const struct pp_world *wo
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
         if (opening->frame_factor < PP_DOUBTS_FACTOR_LEAST)
-            pp_mistakes_add(doubts, opening->line,
-                            "%s: frame-factor is the share of glass in the opening; "
-                            "%.3g looks like the share of the frame (then %.3g)",
-                            opening->label, opening->frame_factor,
-                            1.0 - opening->frame_factor);
+            pp_mistakes_add(
+                doubts, opening->line,
+                "%s: frame-factor is the share of glass in the opening; %.3g looks "
+                "like the share of the frame (frame-factor would be %.3g)",
+                opening->label, opening->frame_factor, 1.0 - opening->frame_factor);
         if (!opening->maintenance_is_auto
             && opening->maintenance < PP_DOUBTS_FACTOR_LEAST)
-            pp_mistakes_add(doubts, opening->line,
-                            "%s: maintenance is the share of light that dirt leaves; "
-                            "%.3g looks like the loss (then %.3g)",
-                            opening->label, opening->maintenance,
-                            1.0 - opening->maintenance);
+            pp_mistakes_add(
+                doubts, opening->line,
+                "%s: maintenance is the share of light that passes the dirt; %.3g "
+                "looks like the loss (maintenance would be %.3g)",
+                opening->label, opening->maintenance, 1.0 - opening->maintenance);
     }
 }
 
@@ -135,8 +135,7 @@ static void doubt_outside(struct pp_mistakes *doubts, const struct pp_world *wor
         if (alone && world->opening_count > 0 && world->garden_count == 0
             && !faces_an_opening(world, block) && !touches_room(world, block))
             pp_mistakes_add(doubts, block->line,
-                            "the block \"%s\" stands behind every window; it hides no "
-                            "sky",
+                            "the block \"%s\" is behind every window and hides no sky",
                             name);
     }
     for (int i = 0; i < world->mesh_count; i++) {
@@ -156,10 +155,10 @@ static void doubt_skylines(struct pp_mistakes *doubts, const struct pp_world *wo
         for (int k = 0; k < world->opening_count; k++)
             has_opening |= world->openings[k].face == skyline->face;
         if (!has_opening && isinf(skyline->distance_m) && world->opening_count > 0)
-            pp_mistakes_add(doubts, skyline->line,
-                            "the skyline is before the wall \"%s\", which has no "
-                            "window",
-                            world->surfaces[skyline->face].name);
+            pp_mistakes_add(
+                doubts, skyline->line,
+                "the skyline is in front of the wall \"%s\", which has no window",
+                world->surfaces[skyline->face].name);
     }
 }
 

@@ -109,8 +109,8 @@ const char *pp_lit_line_refuses(const struct pp_world *world,
                                 const struct pp_world *before)
 {
     return is_too_fine(world) || (before && is_too_fine(before))
-               ? "the meshes outside have more than 10,000 triangles for each opening; "
-                 "that is too many for the no-sky line"
+               ? "the external meshes have more than 10,000 triangles per opening, too "
+                 "many for the no-sky line"
                : NULL;
 }
 

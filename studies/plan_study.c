@@ -23,14 +23,14 @@ static const char *has_no_contours(const struct pp_choice *choice)
 {
     const struct pp_method *method = choice->method;
     if (method->gives == PP_GIVES_INTERNAL)
-        return "gives one internally reflected component for the whole room, which has "
-               "no contours; expected a pair, such as exact+bre";
+        return "gives one internally reflected component for the whole room and so no "
+               "contours; expected a pair, such as exact+bre";
     if (method->gives == PP_GIVES_WHOLE)
-        return "does not give a value at every place of the plane; expected a pair, "
+        return "does not give a value at every point of the plane; expected a pair, "
                "such as exact+bre";
     if (method->counts)
-        return "counts dots, so its values go in steps and have no contours; df prints "
-               "them at points";
+        return "counts dots, so its values change in steps and have no contours; df "
+               "prints them at points";
     return NULL;
 }
 
@@ -45,12 +45,12 @@ enum pp_status pp_plan_study_check(const char *methods, bool simulate,
         return status;
     if (simulate && !selection.usual)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "a plan shows one result, by %.100s or simulated; expected "
-                         "--methods or --simulate, not both",
+                         "a plan shows one result, either by %.100s or simulated; "
+                         "expected --methods or --simulate, not both",
                          methods);
     else if (!selection.usual && selection.count != 1)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "a plan shows one result, and \"%.100s\" gives %d; expected "
+                         "a plan shows one result, but \"%.100s\" gives %d; expected "
                          "one method or pair, such as exact+bre",
                          methods, selection.count);
     else if (!selection.usual && has_no_contours(&selection.choices[0]))
@@ -173,7 +173,7 @@ static enum pp_status by_hand(struct pp_plan_study *study,
             pp_default_methods(room->world, &room->light, NULL, 0);
         if (pair.instead)
             snprintf(study->note, sizeof study->note,
-                     "%s in place of %s, which does not cover this room (%s).",
+                     "%s is used in place of %s, which does not cover this room (%s).",
                      pair.name, pair.instead, pair.why);
         one.methods = pair.name;
         pp_selection_clear(&selection);
@@ -295,8 +295,7 @@ static enum pp_status note_by_hand(struct pp_plan_study *study,
         status == PP_OK ? pp_report_find(&report, PP_DF, one.methods) : NULL;
     if (column && column->has_plane)
         snprintf(study->note, sizeof study->note,
-                 "For comparison, by hand (%s): median %.2f\u00a0%%, mean "
-                 "%.2f\u00a0%%.",
+                 "Comparison by hand (%s): median %.2f\u00a0%%, mean %.2f\u00a0%%.",
                  one.methods, 100.0 * column->plane.median.value,
                  100.0 * column->plane.average.value);
     pp_report_clear(&report);

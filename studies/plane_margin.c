@@ -54,7 +54,7 @@ enum pp_status pp_plane_margin_take(struct pp_report *report,
         column->has_margin_average = true;
         if (is_of_the_whole_plane(column)) {
             column->margin_average =
-                pp_reading_none("it is a value for the whole plane");
+                pp_reading_none("the value is for the whole plane only");
             continue;
         }
         if (!of) {

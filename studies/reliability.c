@@ -145,7 +145,7 @@ static double compare_grounds(struct pp_reliability *found,
     }
     if (names[0])
         snprintf(found->grounds, sizeof found->grounds,
-                 "%s: assumes ground reflectance %g; the room's %g is not used", names,
+                 "%s: assumes a ground reflectance of %g, not the room's %g", names,
                  own, ground);
     return most;
 }
@@ -173,12 +173,13 @@ void pp_reliability_sentence(const struct pp_reliability *reliability, char *tex
                              size_t size)
 {
     static const char *const reasons[PP_RELIABILITY_KINDS] = {
-        [PP_RELIABILITY_OUTSIDE] = "%.0f %% of the average is light reflected outside",
+        [PP_RELIABILITY_OUTSIDE] = "%.0f %% of the average daylight factor is light "
+                                   "reflected by obstructions and ground",
         [PP_RELIABILITY_INSIDE] = ("%.0f %% of the light at the darkest point is the "
                                    "room's average internally reflected component"),
         [PP_RELIABILITY_PROPORTIONS] =
-            "the room is %.3g times as deep as wide, outside the table of bre-min",
-        [PP_RELIABILITY_GROUND] = "the ground reflects %.3g",
+            "the room's depth is %.3g times its width, outside the table of bre-min",
+        [PP_RELIABILITY_GROUND] = "the ground reflectance is %.3g",
     };
     bool all_points = reliability->is[PP_RELIABILITY_OUTSIDE]
                       || reliability->is[PP_RELIABILITY_PROPORTIONS]

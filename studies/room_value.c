@@ -16,9 +16,9 @@ static struct pp_reading method_reading(const struct pp_report *report,
     for (int i = 0; i < 3 && !column; i++)
         column = pp_report_find(report, order[i], method);
     if (!column)
-        return pp_reading_none("the method gives no figure");
+        return pp_reading_none("the method gives no value");
     if (point >= 0 && !column->points)
-        return pp_reading_none("it gives the average of the room only");
+        return pp_reading_none("the method gives only the average of the room");
     struct pp_reading reading =
         point < 0 || !column->points ? column->average : column->points[point];
     const struct pp_column *external =

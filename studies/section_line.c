@@ -98,10 +98,11 @@ enum pp_status pp_section_line(struct pp_study_room *room, struct pp_error *err)
     }
     if (good < 2) {
         free(receivers);
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s: the room file has no line of points, and a line square to "
-                       "its largest window does not fit; expected --points on a line",
-                       room->file);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: the room file has no line of points, and the largest window leaves no "
+            "room for a line in front of it; expected --points on a line",
+            room->file);
     }
     if (room->receivers != room->world->receivers)
         free(room->receivers);

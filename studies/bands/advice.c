@@ -241,7 +241,7 @@ enum pp_status pp_advice_of(struct pp_advice *advice, struct pp_report *report,
         status = advise(advice, report, features, &ranking, err);
     if (status == PP_OK && advice->count == 0 && !why)
         snprintf(advice->why_not, sizeof advice->why_not,
-                 "no method of the atlas gives a value here");
+                 "none of the methods in the atlas gives a value here");
     free(ranking.list);
     free(ranking.columns);
     return status;

@@ -49,12 +49,12 @@ static const char *why_not(const struct pp_world *world,
 {
     return !pp_band_table_under(&light->sky)
                ? "the sky is neither overcast nor one of ISO 15469"
-           : world->opening_count == 0       ? "there is no opening"
-           : !world->is_empty                ? "there are surfaces inside the room"
+           : world->opening_count == 0       ? "the room has no opening"
+           : !world->is_empty                ? "the room has surfaces inside it"
            : has_contrasting_dado(world)     ? "the walls have a dado"
            : !plane_is_convex(&world->plane) ? "the plan is not convex"
-           : world->ground_is_open           ? "the ground outside is taken as unshaded"
-                                             : NULL;
+           : world->ground_is_open ? "the ground outside is treated as unshaded"
+                                   : NULL;
 }
 
 /* Compares printed values; the ends of a span are rounded. */
@@ -101,7 +101,7 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
         return PP_OK;
     *why = pp_report_say(report,
                          "no likely ranges, because the atlas has no similar rooms: %s "
-                         "is %.3g, in the atlas %.3g to %.3g",
+                         "is %.3g; the atlas covers %.3g to %.3g",
                          pp_band_words_feature(unlike), features[unlike], from, to);
     return *why ? PP_OK : pp_fail_memory(err);
 }

@@ -120,11 +120,11 @@ enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
     }
     bool dark = light->origin == PP_LIGHT_IRRADIANCE && sun_was_up && !(most > 0.0);
     if (status == PP_OK && (light->missing == light->count || dark))
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "%s: diffuse illuminance (field 19) and diffuse irradiance "
-                         "(field 16) are 0 or missing in all %d records; expected one "
-                         "of them",
-                         file, epw->record_count);
+        status = pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: diffuse illuminance (field 19) and diffuse irradiance (field 16) are "
+            "0 or missing in all %d records; expected values for one of them",
+            file, epw->record_count);
     if (status != PP_OK)
         pp_diffuse_light_clear(light);
     return status;

@@ -34,19 +34,19 @@ static enum pp_status light_of_file(struct pp_year_light *outside,
     const char *slash = strrchr(file, '/');
     char gaps[160] = "";
     if (light->filled)
-        snprintf(gaps, sizeof gaps, ", %d records of them by luminous efficacy",
+        snprintf(gaps, sizeof gaps, ", calculated from irradiance in %d records",
                  light->filled);
     if (light->missing)
-        pp_text_append(gaps, sizeof gaps, "; %d records without it are left out",
+        pp_text_append(gaps, sizeof gaps, "; %d records without values are ignored",
                        light->missing);
     outside->latitude_deg = epw->latitude_rad / PP_RAD;
     snprintf(outside->words, sizeof outside->words,
              "%.120s (%.120s): %s%s; %d records of %g h", epw->place,
              slash ? slash + 1 : file,
              light->origin == PP_LIGHT_ILLUMINANCE
-                 ? "diffuse horizontal illuminance of the file"
-                 : "diffuse horizontal irradiance of the file times Perez's luminous "
-                   "efficacy, because it has no illuminance",
+                 ? "diffuse horizontal illuminance from the file"
+                 : "diffuse horizontal irradiance from the file times Perez's luminous "
+                   "efficacy, because the file has no illuminance",
              gaps, epw->record_count, epw->record_h);
     return PP_OK;
 }
@@ -87,8 +87,8 @@ static enum pp_status light_of_sky(struct pp_year_light *outside,
     }
     outside->latitude_deg = latitude;
     snprintf(outside->words, sizeof outside->words,
-             "overcast skies all year at %s (%s), E = 300 + 21000 sin(altitude of the "
-             "sun) lx; real skies give more",
+             "overcast sky all year at %s (%s), E = 300 + 21000 sin(altitude of the "
+             "sun) lx; real skies give more light",
              say_degrees(north, sizeof north, latitude, "NS"), clock);
     return pp_diffuse_light_overcast(&outside->light, latitude * PP_RAD,
                                      fmax(-180.0, fmin(180.0, longitude)) * PP_RAD,
@@ -135,8 +135,8 @@ static void say_calendar(struct pp_year_light *outside,
     say_days(days, sizeof days, options->days);
     if (summer.from.month)
         snprintf(outside->calendar, sizeof outside->calendar,
-                 "%s; standard time, an hour ahead from %s to %s", days,
-                 pp_month_day_words(from, sizeof from, summer.from),
+                 "%s; standard time, and summer time (one hour ahead) from %s to %s",
+                 days, pp_month_day_words(from, sizeof from, summer.from),
                  pp_month_day_words(to, sizeof to, summer.to));
     else
         snprintf(outside->calendar, sizeof outside->calendar,
@@ -158,8 +158,8 @@ enum pp_status pp_year_light_of_room(struct pp_year_light *outside,
     if (options->days != PP_ALL_DAYS
         && options->epw->records[0].weekday == PP_WEEKDAY_UNKNOWN)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: DATA PERIODS has no day of the week, so --days cannot be "
-                       "used; expected --days all",
+                       "%s: DATA PERIODS does not give a day of the week, so --days "
+                       "cannot be used; expected --days all",
                        pp_read_file_title(options->weather));
     return light_of_file(outside, options, err);
 }

@@ -47,7 +47,7 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
     if (options->median_lux > 0.0) {
         median->lux = options->median_lux;
         snprintf(median->how, sizeof median->how, "%s",
-                 options->of_weather ? "of the weather file" : "as given");
+                 options->of_weather ? "from the weather file" : "as given");
     } else if (options->place) {
         const struct pp_capital *capital = pp_capitals_find(options->place);
         median->lux = capital->median_lux;

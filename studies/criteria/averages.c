@@ -62,8 +62,9 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                                                average->std_error,
                                                                minima[i].least));
         if (average && is_low_by_formula(&finding, findings))
-            pp_finding_note(&finding, "average-df is up to 43 %% too low in the rooms "
-                                      "of the manual: do not rely on this verdict");
+            pp_finding_note(&finding,
+                            "average-df can be up to 43 %% too low, as in some rooms "
+                            "of the manual: do not rely on this verdict");
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;
@@ -111,7 +112,7 @@ static enum pp_status evaluate_uniformity(const struct pp_inquiry *inquiry,
     struct pp_finding finding =
         pp_finding_of(PP_FIGURE_RATIO, share.level / mean, wanted, false, what);
     pp_factors_judge_share(&finding, &share, &error, 1.0 / mean);
-    pp_finding_note(&finding, "minimum %.4g %%, average %.4g %% on %d points",
+    pp_finding_note(&finding, "minimum %.4g %% and average %.4g %% of %d points",
                     100.0 * share.level, 100.0 * mean, count);
     return pp_finding_list_add(findings, &finding, err);
 }
@@ -121,7 +122,7 @@ const struct pp_criterion pp_criterion_average = {
     .alias = "adf",
     .title = "Average daylight factor in dwellings",
     .source = "BS8206",
-    .summary = "1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens",
+    .summary = "at least 1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens",
     .of_factors = true,
     .bears_on_use = pp_bearing_is_dwelling,
     .countries = "GB IE",
@@ -132,7 +133,7 @@ const struct pp_criterion pp_criterion_uniformity = {
     .name = "uniformity",
     .title = "Uniformity",
     .source = "BREEAM14",
-    .summary = "minimum over average is 0.3, under glazed roofs 0.7",
+    .summary = "minimum over average is at least 0.3, or 0.7 under glazed roofs",
     .of_factors = true,
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_uniformity,

@@ -71,15 +71,17 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
     if (own) {
         median.lux = own->median_lux;
         snprintf(median.how, sizeof median.how, "%s, the capital of %s%s", own->name,
-                 own->country, own->recalled_only ? " (from memory, not checked)" : "");
+                 own->country,
+                 own->recalled_only ? " (value from memory, not checked)" : "");
         return median;
     }
-    const char *warning = country[0] ? "the table has no capital for its country"
-                                     : "the site has no country, which would decide";
+    const char *warning =
+        country[0] ? "the table of the standard has no capital for the site's country"
+                   : "the site has no country, which would determine the capital";
     if (isnan(latitude_rad)) {
         snprintf(median.how, sizeof median.how,
-                 "the room file has no latitude; expected a site with one, --place "
-                 "NAME or --median-diffuse LUX");
+                 "the room file has no latitude; expected a site with a latitude, "
+                 "--place NAME or --median-diffuse LUX");
         return median;
     }
     bool known = !isnan(longitude_rad);
@@ -98,7 +100,7 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
         snprintf(off, sizeof off, known ? "%.0f km" : "%.1f degrees of latitude",
                  least);
         snprintf(median.how, sizeof median.how,
-                 "the nearest capital of the standard's table, %s, is %s away; "
+                 "the nearest capital in the standard's table, %s, is %s away; "
                  "expected --median-diffuse LUX",
                  nearest->name, off);
         return median;
@@ -110,6 +112,6 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                  warning);
     else
         snprintf(median.how, sizeof median.how,
-                 "%s, the capital of nearest latitude; %s", nearest->name, warning);
+                 "%s, the capital at the nearest latitude; %s", nearest->name, warning);
     return median;
 }

@@ -102,8 +102,9 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
     else
         snprintf(grid, sizeof grid, "%d points", inquiry->factors->receiver_count);
     if (column)
-        pp_finding_list_add_basis(findings, ", on %s; median outside %.0f lx: %s", grid,
-                                  inquiry->median.lux, inquiry->median.how);
+        pp_finding_list_add_basis(
+            findings, ", on %s; median diffuse illuminance outside %.0f lx: %s", grid,
+            inquiry->median.lux, inquiry->median.how);
     return column;
 }
 
@@ -176,7 +177,7 @@ const struct pp_criterion pp_criterion_en17037 = {
     .name = "en17037",
     .title = "EN 17037 daylight provision",
     .source = "EN17037",
-    .summary = "300, 500, 750 lx over half the plane, 100, 300, 500 lx over 95 %",
+    .summary = "300, 500, 750 lx over half of the plane and 100, 300, 500 lx over 95 %",
     .of_factors = true,
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = assess_en17037,
@@ -186,7 +187,8 @@ const struct pp_criterion pp_criterion_uk_annex = {
     .name = "uk-annex",
     .title = "EN 17037, UK annex for dwellings",
     .source = "BSEN17037",
-    .summary = "100, 150, 200 lx over half the plane of bedroom, living room, kitchen",
+    .summary =
+        "100, 150, 200 lx over half of the plane in bedrooms, living rooms, kitchens",
     .of_factors = true,
     .bears_on_use = pp_bearing_is_dwelling,
     .countries = "GB",

@@ -11,7 +11,7 @@
 
 static const char traced[] = "traced", formula[] = "average-df";
 static const char no_method[] =
-    "no hand method gives its daylight factors; use --simulate";
+    "no hand method gives the daylight factors of this room; use --simulate";
 
 static bool gives_average(const struct pp_report *report, const char *name)
 {
@@ -34,7 +34,8 @@ const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
     bool overcast =
         sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);
     return overcast ? NULL
-                    : "the criterion is for an overcast sky, and the room has another";
+                    : "the criterion is for an overcast sky, but the room has a "
+                      "different sky";
 }
 
 /* Names the method on which the findings are based. */

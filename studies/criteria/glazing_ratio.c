@@ -31,11 +31,11 @@ static enum pp_status assess_glazing_ratio(const struct pp_inquiry *inquiry,
     }
     struct pp_finding glass =
         pp_finding_of(PP_FIGURE_SHARE, glass_m2 / floor_m2, GLASS_WANTED, false,
-                      "glass over floor [IBC21]");
+                      "glass over floor area [IBC21]");
     pp_finding_note(&glass, "%.2f m2 of glass, %.2f m2 of floor", glass_m2, floor_m2);
     struct pp_finding opening =
         pp_finding_of(PP_FIGURE_SHARE, opening_m2 / floor_m2, OPENING_WANTED, false,
-                      "openings over floor [MBO02]");
+                      "openings over floor area [MBO02]");
     enum pp_status status = PP_OK;
     if (strcmp(inquiry->country, "DE") != 0)
         status = pp_finding_list_add(findings, &glass, err);
@@ -46,9 +46,10 @@ static enum pp_status assess_glazing_ratio(const struct pp_inquiry *inquiry,
 
 const struct pp_criterion pp_criterion_glazing_ratio = {
     .name = "glazing-ratio",
-    .title = "Glazing over floor",
+    .title = "Ratio of glazing to floor area",
     .source = "IBC21, MBO02",
-    .summary = "glazing is 8 % of the floor area, openings are one eighth of it",
+    .summary = "glass is at least 8 % of the floor area, or openings are at least one "
+               "eighth of it",
     .bears_on_use = pp_bearing_needs_daylight,
     .countries = "US DE",
     .evaluate = assess_glazing_ratio,

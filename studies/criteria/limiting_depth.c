@@ -155,8 +155,8 @@ static enum pp_status assess_limiting_depth(const struct pp_inquiry *inquiry,
     struct pp_finding finding =
         pp_finding_of(PP_FIGURE_RATIO, d / w + d / h, most, true, title_of_ratio);
     pp_finding_note(&finding,
-                    "d %.2f m, w %.2f m, h %.2f m, R_b %.2f; at most %.2f m deep", d, w,
-                    h, R_b, most / (1.0 / w + 1.0 / h));
+                    "d %.2f m, w %.2f m, h %.2f m, R_b %.2f; the depth limit is %.2f m",
+                    d, w, h, R_b, most / (1.0 / w + 1.0 / h));
     return pp_finding_list_add(findings, &finding, err);
 }
 
@@ -164,7 +164,7 @@ const struct pp_criterion pp_criterion_limiting_depth = {
     .name = "limiting-depth",
     .title = "Limiting depth",
     .source = "BS8206, BREEAM14",
-    .summary = "d/w + d/h is at most 2/(1 - R_b), of rooms lit from one side",
+    .summary = "d/w + d/h is at most 2/(1 - R_b) in rooms lit from one side",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = assess_limiting_depth,
 };

@@ -52,13 +52,13 @@ static enum pp_status add_former(const struct sky_view_area *now,
                                  const struct pp_world *before,
                                  struct pp_finding_list *findings, struct pp_error *err)
 {
-    static const char what[] = "area with a view of the sky, now over before";
+    static const char what[] = "area with a view of the sky, ratio of now to before";
     struct sky_view_area then;
     enum pp_status status = find_view(&then, before, err);
     if (status != PP_OK)
         return status;
-    struct pp_finding share =
-        pp_finding_not_judged("no part of it had a view of the sky before", what);
+    struct pp_finding share = pp_finding_not_judged(
+        "no part of the plane had a view of the sky before", what);
     if (then.sky_m2 > 0.0) {
         share = pp_finding_of(PP_FIGURE_RATIO, now->sky_m2 / then.sky_m2,
                               FORMER_SHARE_WANTED, false, what);
@@ -86,13 +86,13 @@ static enum pp_status evaluate_line(const struct pp_inquiry *inquiry,
 {
     struct sky_view_area view;
     if (pp_lit_line_refuses(inquiry->world, inquiry->before))
-        return add_refused(inquiry, "area beyond it", findings, err);
+        return add_refused(inquiry, "area without a view of the sky", findings, err);
     enum pp_status status = find_view(&view, inquiry->world, err);
     if (status != PP_OK)
         return status;
     double no_sky_m2 = view.plane_m2 - view.sky_m2;
-    struct pp_finding area =
-        pp_finding_of(PP_FIGURE_AREA, no_sky_m2, NAN, true, "area beyond it");
+    struct pp_finding area = pp_finding_of(PP_FIGURE_AREA, no_sky_m2, NAN, true,
+                                           "area without a view of the sky");
     pp_finding_compares(&area, PP_FIGURE_AREA, view.sky_m2, NAN);
     if (view.plane_m2 > 0.0)
         pp_finding_note(&area, "%.1f %% of the working plane",
@@ -126,8 +126,8 @@ const struct pp_criterion pp_criterion_no_sky_line = {
     .alias = "nsl",
     .title = "No-sky line",
     .source = "BR209",
-    .summary = "the area beyond it; at least 0.8 of the area with a view of the sky "
-               "before keeps it (--before)",
+    .summary = "area without a view of the sky; with --before, at least 0.8 of the "
+               "former area with a view of the sky remains",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_line,
 };
@@ -136,7 +136,7 @@ const struct pp_criterion pp_criterion_sky_line = {
     .name = "sky-line",
     .title = "Sky-line rule",
     .source = "BS8206, BREEAM14",
-    .summary = "80 % of the working plane has a view of the sky",
+    .summary = "at least 80 % of the working plane has a view of the sky",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_rule,
 };

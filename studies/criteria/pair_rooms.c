@@ -30,8 +30,8 @@ static enum pp_status check_faces(const struct pp_world *world,
 {
     if (world->face_count != before->face_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "its room has %d faces, and this room %d; expected the same "
-                       "room with other surroundings",
+                       "its room has %d faces, but this room has %d; expected the same "
+                       "room with different surroundings",
                        before->face_count, world->face_count);
     for (int i = 0; i < world->face_count; i++) {
         bool found = false;
@@ -40,18 +40,19 @@ static enum pp_status check_faces(const struct pp_world *world,
                 same_outline(&world->surfaces[i].outline, &before->surfaces[k].outline);
         const char *name = world->surfaces[i].name;
         if (!found)
-            return pp_fail(err, PP_BAD_INPUT,
-                           "its room has another shape: the %.60s has no counterpart; "
-                           "expected the same room with other surroundings",
-                           name                                    ? name
-                           : world->surfaces[i].role == PP_FLOOR   ? "floor"
-                           : world->surfaces[i].role == PP_CEILING ? "ceiling"
-                                                                   : "wall");
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "its room has a different shape: the %.60s has no counterpart; "
+                "expected the same room with different surroundings",
+                name                                    ? name
+                : world->surfaces[i].role == PP_FLOOR   ? "floor"
+                : world->surfaces[i].role == PP_CEILING ? "ceiling"
+                                                        : "wall");
     }
     if (fabs(world->working_plane_m - before->working_plane_m) > same_m)
         return pp_fail(err, PP_BAD_INPUT,
                        "its working plane is at %g m instead of %g m; expected the "
-                       "same room with other surroundings",
+                       "same room with different surroundings",
                        before->working_plane_m, world->working_plane_m);
     return PP_OK;
 }
@@ -61,8 +62,8 @@ static enum pp_status pair_openings(int *pairs, const struct pp_world *world,
 {
     if (world->opening_count != before->opening_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "its room has %d opening%s, and there %s %d; expected the same "
-                       "room with other surroundings",
+                       "its room has %d opening%s, but in this room there %s %d; "
+                       "expected the same room with different surroundings",
                        before->opening_count, before->opening_count == 1 ? "" : "s",
                        world->opening_count == 1 ? "is" : "are", world->opening_count);
     for (int i = 0; i < world->opening_count; i++) {
@@ -72,10 +73,11 @@ static enum pp_status pair_openings(int *pairs, const struct pp_world *world,
                 && same_outline(&world->openings[i].inner, &before->openings[k].inner))
                 pairs[i] = k;
         if (pairs[i] < 0)
-            return pp_fail(err, PP_BAD_INPUT,
-                           "none of its openings is where the one on line %d is; "
-                           "expected the same room with other surroundings",
-                           world->openings[i].line);
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "its room has no opening in the place of the opening on line %d; "
+                "expected the same room with different surroundings",
+                world->openings[i].line);
     }
     return PP_OK;
 }

@@ -17,9 +17,9 @@ static const struct pp_profile profiles[] = {
      "GB"},
     {"breeam", "average, uniformity and view of the sky, by BREEAM",
      "average,uniformity,sky-line", ""},
-    {"rights-of-light", "the area adequately lit in the English law of easements",
+    {"rights-of-light", "adequately lit area for rights of light (English law)",
      "rights-of-light", "GB"},
-    {"de-dwelling", "windows by German building codes, and EN 17037",
+    {"de-dwelling", "window sizes by German building codes, and EN 17037",
      "glazing-ratio,en17037", "DE"},
 };
 

@@ -19,16 +19,16 @@ static enum pp_status add_zones(const struct pp_lit_loss *loss,
     for (int i = 0; i < PP_ZONE_COUNT && status == PP_OK; i++) {
         if (!(loss->zones_m2[i] > 0.0))
             continue;
-        struct pp_finding zone =
-            pp_finding_of(PP_FIGURE_AREA, loss->zones_m2[i], NAN, true,
-                          "lost in the %s", pp_lit_area_zone_name((enum pp_lit_zone)i));
+        struct pp_finding zone = pp_finding_of(
+            PP_FIGURE_AREA, loss->zones_m2[i], NAN, true, "area lost in the %s",
+            pp_lit_area_zone_name((enum pp_lit_zone)i));
         status = pp_finding_list_add(findings, &zone, err);
     }
     if (status != PP_OK || !(loss->equivalent_m2 > 0.0))
         return status;
     struct pp_finding equivalent =
         pp_finding_of(PP_FIGURE_AREA, loss->equivalent_m2, NAN, true,
-                      "lost, as equivalent first zone");
+                      "area lost, as equivalent first zone");
     return pp_finding_list_add(findings, &equivalent, err);
 }
 
@@ -37,11 +37,11 @@ static enum pp_status add_loss(struct pp_finding_list *findings, struct pp_error
 {
     const struct pp_lit_change *lit = &findings->lit;
     struct pp_finding former = pp_finding_of(PP_FIGURE_AREA, lit->before_m2, NAN, false,
-                                             "area enclosed before");
+                                             "adequately lit area before");
     struct pp_finding lost =
         pp_finding_of(PP_FIGURE_AREA, lit->lost_m2, NAN, true, "area lost");
     if (lit->before_m2 > 0.0)
-        pp_finding_note(&lost, "%.1f %% of the area enclosed before",
+        pp_finding_note(&lost, "%.1f %% of the adequately lit area before",
                         100.0 * lit->lost_m2 / lit->before_m2);
     enum pp_status status = pp_finding_list_add(findings, &former, err);
     if (status == PP_OK)
@@ -70,15 +70,17 @@ static enum pp_status add_findings(const struct pp_lit_area *now,
                                    struct pp_error *err)
 {
     if (!(now->plane_m2 > 0.0)) {
-        struct pp_finding finding = pp_finding_not_judged(
-            "the room does not reach 0.85 m above its floor", "room within 0.2 %%");
+        struct pp_finding finding =
+            pp_finding_not_judged("the room does not reach 0.85 m above its floor",
+                                  "share of the room inside the 0.2 %% contour");
         return pp_finding_list_add(findings, &finding, err);
     }
-    struct pp_finding area = pp_finding_of(PP_FIGURE_AREA, now->lit_m2, NAN, false,
-                                           "area the 0.2 %% contour encloses");
+    struct pp_finding area =
+        pp_finding_of(PP_FIGURE_AREA, now->lit_m2, NAN, false,
+                      "adequately lit area (inside the 0.2 %% contour)");
     struct pp_finding share =
         pp_finding_of(PP_FIGURE_SHARE, now->lit_m2 / now->plane_m2, SHARE_WANTED, false,
-                      "share of the room");
+                      "share of the room that is adequately lit");
     pp_finding_within(&share, now->error_m2 / now->plane_m2);
     double before_m2;
     enum pp_status status = find_before(&before_m2, inquiry, err);
@@ -98,7 +100,8 @@ static enum pp_status assess_rights_of_light(const struct pp_inquiry *inquiry,
     struct pp_lit_area now;
     const char *why = pp_lit_line_refuses(inquiry->world, inquiry->before);
     if (why) {
-        struct pp_finding finding = pp_finding_not_judged(why, "share of the room");
+        struct pp_finding finding =
+            pp_finding_not_judged(why, "share of the room that is adequately lit");
         return pp_finding_list_add(findings, &finding, err);
     }
     enum pp_status status =
@@ -114,7 +117,7 @@ const struct pp_criterion pp_criterion_rights_of_light = {
     .name = "rights-of-light",
     .title = "Rights of light",
     .source = "WW23",
-    .summary = "a sky factor of 0.2 % at 0.85 m over half of the room",
+    .summary = "sky factor of 0.2 % or more at 0.85 m over half of the room",
     .countries = "GB IE",
     .evaluate = assess_rights_of_light,
 };

@@ -85,9 +85,9 @@ static struct pp_finding distance_finding(const struct pp_view_out *views,
         values[i] = fmin(views[i].distance_m, endless_m);
     double distance_m = value_reached(values, count);
     struct pp_finding finding = pp_finding_of(PP_FIGURE_LENGTH, distance_m, NAN, false,
-                                              "distance of the outside view");
+                                              "distance of the view outside");
     if (distance_m >= endless_m)
-        pp_finding_note(&finding, "1 km or more: sky or open ground");
+        pp_finding_note(&finding, "1 km or more: the view reaches sky or open ground");
     return finding;
 }
 
@@ -97,7 +97,7 @@ static struct pp_finding layer_finding(const struct pp_view_out *views, double *
     for (int i = 0; i < count; i++)
         values[i] = views[i].layers_together;
     return pp_finding_of(PP_FIGURE_COUNT, value_reached(values, count), NAN, false,
-                         "layers through one opening");
+                         "layers visible through one opening");
 }
 
 /* Finding on the share of points that reach a level; its bound is `part`. */
@@ -172,10 +172,10 @@ static enum pp_status assess_view(const struct pp_inquiry *inquiry,
         struct pp_view_out *views = NULL;
         char words[PP_PLANE_GRID_WORDS];
         pp_plane_grid_words(words, &grid);
-        pp_finding_list_add_basis(
-            findings,
-            "values that 75 %% of the points reach, 1.2 m above the floor, on %s; ",
-            words);
+        pp_finding_list_add_basis(findings,
+                                  "figures are values that 75 %% of the points reach, "
+                                  "1.2 m above the floor, on %s; ",
+                                  words);
         status = find_views(&views, inquiry->world, &grid, err);
         if (status == PP_OK)
             status = add_views(findings, views, grid.count, err);
@@ -189,7 +189,7 @@ const struct pp_criterion pp_criterion_view_out = {
     .name = "view-out",
     .title = "EN 17037 view out",
     .source = "EN17037",
-    .summary = "sight angle, distance and layers of the view over 75 % of the plane",
+    .summary = "sight angle, distance and layers of the view from 75 % of the plane",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = assess_view,
 };

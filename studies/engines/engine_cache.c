@@ -122,7 +122,7 @@ static enum pp_status keep_cache_records(const void *data, char **bytes, size_t 
 const struct pp_engine pp_engine_cache = {
     .name = "cache",
     .column = "cached",
-    .summary = "through an irradiance cache",
+    .summary = "irradiance cache, for reflected light",
     .said = "through the irradiance cache",
     .deviation = "the standard error of the sampling",
     .is_sampled = true,

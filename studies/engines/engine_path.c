@@ -69,7 +69,7 @@ static void destroy_path_engine(void *run)
 const struct pp_engine pp_engine_path = {
     .name = "path",
     .column = "traced",
-    .summary = "light paths from the points, without bias",
+    .summary = "light paths from the points, unbiased",
     .said = "by simulation",
     .deviation = "one standard error",
     .from = "from traced, %",

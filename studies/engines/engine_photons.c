@@ -69,7 +69,7 @@ static void destroy_photon_engine(void *run)
 const struct pp_engine pp_engine_photons = {
     .name = "photons",
     .column = "photons",
-    .summary = "light followed forwards from the openings, without bias",
+    .summary = "light paths from the openings, unbiased",
     .said = "by photons from the openings",
     .deviation = "one standard error",
     .from = "from photons, %",

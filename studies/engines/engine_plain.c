@@ -59,7 +59,7 @@ static void destroy_plain_engine(void *run)
 const struct pp_engine pp_engine_plain = {
     .name = "plain",
     .column = "plain",
-    .summary = "plain path tracing as in textbooks: slow, to check the others",
+    .summary = "textbook path tracing: slow, for checking the other engines",
     .said = "by plain path tracing",
     .deviation = "one standard error",
     .from = "from plain, %",

@@ -275,8 +275,8 @@ enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
         int triangles = world->surface_count - pp_world_before_meshes(world);
         if (triangles > MESH_TRIANGLES_MOST)
             return pp_fail(err, PP_BAD_INPUT,
-                           "the meshes outside have %d triangles, too many for the "
-                           "view of every place on the walls; expected at most %d",
+                           "the external meshes have %d triangles, too many for the "
+                           "view of the sky along the walls; expected at most %d",
                            triangles, MESH_TRIANGLES_MOST);
     }
     enum pp_status status = make_elevation_sheet(sheet, rooms, err);

@@ -36,7 +36,7 @@ enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err
     char name[NAME_BYTES];
     if (strchr(words, ','))
         return pp_fail(err, PP_BAD_INPUT,
-                       "\"%.100s\" has a comma; expected one criterion", words);
+                       "\"%.100s\" contains a comma; expected one criterion", words);
     requirement_name(name, words);
     return pp_assessment_choose(chosen, name, err);
 }
@@ -69,7 +69,7 @@ static void say_none(char *why, size_t why_bytes,
                      const struct pp_finding_list *findings, const char *beginning)
 {
     snprintf(why, why_bytes, "no requirement%s%.40s%s; available:",
-             beginning[0] ? " begins with \"" : " with a bound", beginning,
+             beginning[0] ? " begins with \"" : " has a limit", beginning,
              beginning[0] ? "\"" : "");
     for (int i = 0; i < findings->count; i++)
         if (isfinite(findings->list[i].wanted))
@@ -137,7 +137,8 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
         take_least(reading, why, why_bytes, &assessment.answers[0].findings,
                    beginning_of(words));
     else if (status == PP_OK && !traced)
-        snprintf(why, why_bytes, "it needs the state before, or gardens");
+        snprintf(why, why_bytes,
+                 "the criterion needs an earlier state (--before) or gardens");
     pp_assessment_clear(&assessment);
     return status;
 }

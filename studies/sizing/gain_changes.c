@@ -36,8 +36,8 @@ static enum pp_status lighten(struct pp_room **changed, struct pp_gain *gain,
         }
     if (darkest >= wanted)
         return PP_OK;
-    DESCRIBE(gain, "%s of reflectance %g instead of %g%s", name, wanted, darkest,
-             lightest > darkest ? " and more" : "");
+    DESCRIBE(gain, "%s with a reflectance of %g instead of %g%s", name, wanted, darkest,
+             lightest > darkest ? " or more" : "");
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         pp_room_lighten(*changed, role, wanted);
@@ -262,7 +262,7 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
     enum pp_status status = enlarge(changed, room, PP_CHANGE_WIDTH,
                                     (int)round(widest / 4.0 / PP_SIZE_GRID_M), err);
     if (*changed)
-        DESCRIBE(gain, "windows %.2g m wider in all (%.3g m instead of %.3g m)",
+        DESCRIBE(gain, "windows %.2g m wider in total (%.3g m instead of %.3g m)",
                  width_of(*changed) - width_of(room), width_of(*changed),
                  width_of(room));
     return status;
@@ -354,10 +354,10 @@ static enum pp_status opposite_window(struct pp_room **changed, struct pp_gain *
         return PP_OK;
     const char *wall = world->surfaces[face].name;
     struct pp_opening_place place = pp_room_opening_at(room, like).place;
-    DESCRIBE(
-        gain,
-        "a window as large in the opposite wall, %.40s, if that is an outside wall",
-        wall);
+    DESCRIBE(gain,
+             "a window of the same size in the opposite wall, %.40s, if that is an "
+             "external wall",
+             wall);
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         status = pp_room_repeat_opening(*changed, like, place, err);
@@ -399,6 +399,6 @@ const struct pp_gain_kind pp_gain_kinds[] = {
     {lighter_ceiling, "a dark ceiling", true},
     {lighter_walls, "dark walls", true},
     {lighter_floor, "a dark floor", true},
-    {nothing_outside, "what stands outside", false},
+    {nothing_outside, "obstructions outside", false},
     {NULL, NULL, false},
 };

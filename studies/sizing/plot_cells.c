@@ -141,7 +141,7 @@ enum pp_status pp_plot_cells_lay(struct pp_plot_cells *cells,
     free(plot.corners);
     if (status == PP_OK && cells->count == 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "the plot of \"%.60s\" is too narrow for a cell of %.2f m",
+                         "the plot of \"%.60s\" is too narrow for cells of %.2f m",
                          block, cell_m);
     return status;
 }

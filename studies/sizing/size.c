@@ -48,7 +48,8 @@ static enum pp_status world_of(struct pp_world **world, const struct pp_room *ro
     pp_mistakes_init(&mistakes, "the changed room");
     enum pp_status status = pp_world_create(world, room, &mistakes, err);
     if (status == PP_BAD_INPUT && mistakes.count > 0)
-        pp_fail(err, status, "with another size of window: %s", mistakes.list[0].text);
+        pp_fail(err, status, "the room with the changed window is not valid: %s",
+                mistakes.list[0].text);
     pp_mistakes_clear(&mistakes);
     return status;
 }

@@ -145,11 +145,11 @@ static enum pp_status choose_sized_openings(int *openings, int *count,
     if (request->wall)
         return pp_fail(err, PP_BAD_INPUT, "there is no window in a wall \"%.200s\"",
                        request->wall);
-    return pp_fail(err, PP_BAD_INPUT,
-                   "there is no window or rooflight to change%s; expected one of any "
-                   "size to start from",
-                   all > 0 ? ", and openings given by their corners keep their shape"
-                           : "");
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "there is no window or rooflight to change%s; expected one of any "
+        "size to start from",
+        all > 0 ? ", because openings given by their corners keep their shape" : "");
 }
 
 static bool is_by_counts(const char *by)

@@ -378,14 +378,14 @@ static enum pp_status check_opening(const struct pp_room *room, int index,
     struct pp_room_opening opening = pp_room_opening_at(room, index);
     if (opening.kind == PP_OPENING)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the opening on line %d is given by its vertices and cannot be "
+                       "the opening on line %d is given by its corners and cannot be "
                        "resized; expected a window or a rooflight",
                        opening.line);
     if (opening.kind == PP_ROOFLIGHT && change != PP_CHANGE_WIDTH
         && change != PP_CHANGE_HEIGHT)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the rooflight on line %d can only change its width and its depth (height)",
+            "the rooflight on line %d can change only its width and its depth (height)",
             opening.line);
     return PP_OK;
 }

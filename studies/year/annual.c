@@ -155,7 +155,7 @@ static enum pp_status keep_coefficients(struct pp_annual_work *work,
     double ground = pp_outside_light_ground(work->light) / PP_PI;
     if (columns > patches + 1)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a skyline without a distance cannot be used with coefficients; "
+                       "a skyline without a distance cannot be used for coefficients; "
                        "expected one with a distance, or a block");
     float *row = malloc((size_t)columns * sizeof *row);
     sheet->patch_count = patches;
@@ -263,10 +263,10 @@ enum pp_status pp_annual_of_room(
                                       .receiver_count = receiver_count,
                                       .is_grid = is_grid};
     if (world->face_count == 0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "%s: has no room, only its surroundings; expected a plan or an envelope",
-            world->name ? world->name : "the room");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: there is no room, only its surroundings; expected a plan "
+                       "or an envelope",
+                       world->name ? world->name : "the room");
     struct pp_annual_work work = {.sheet = sheet,
                                   .world = world,
                                   .light = light,

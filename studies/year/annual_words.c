@@ -63,14 +63,14 @@ static void say_weather(struct pp_annual_sheet *sheet,
         snprintf(sheet->weather, sizeof sheet->weather, "%s", year->words);
         return;
     }
-    snprintf(
-        sheet->weather, sizeof sheet->weather,
-        "%.160s; latitude %.4g, longitude %.4g, clock %g h ahead of universal time; "
-        "sun at the middle of each record%s, in the year %d; "
-        "illuminances by Perez's luminous efficacy of the file's irradiances",
-        epw->place, epw->latitude_rad / PP_RAD, epw->longitude_rad / PP_RAD,
-        epw->time_zone_h, year->sun_shift_h != 0.0 ? " moved by the sun shift" : "",
-        year->sun_year);
+    snprintf(sheet->weather, sizeof sheet->weather,
+             "%.160s; latitude %.4g, longitude %.4g, clock %g h ahead of universal "
+             "time; sun position for the middle of each record%s, in the year %d; "
+             "illuminances from irradiances by Perez's luminous efficacy",
+             epw->place, epw->latitude_rad / PP_RAD, epw->longitude_rad / PP_RAD,
+             epw->time_zone_h,
+             year->sun_shift_h != 0.0 ? ", moved by the sun shift" : "",
+             year->sun_year);
     if (year->count > 1)
         pp_text_append(sheet->weather, sizeof sheet->weather, "; %d records of %g h",
                        year->count, epw->record_h);
@@ -86,20 +86,19 @@ static void say_period(struct pp_annual_sheet *sheet,
     char from[32], to[32];
     const struct pp_summer_time *summer = &options->summer;
     snprintf(sheet->period, sizeof sheet->period,
-             "%g to %g h%s, %g hours including dark ones; ", options->hours.from_h,
-             options->hours.to_h,
+             "%g to %g h%s, %g hours including hours of darkness; ",
+             options->hours.from_h, options->hours.to_h,
              options->hours.days == PP_ALL_DAYS ? " on all days"
                                                 : " on the chosen days",
              clock->all_occupied_h);
     if (summer->from.month)
         pp_text_append(sheet->period, sizeof sheet->period,
-                       "clock an hour ahead of standard time from %s to %s",
+                       "summer time (clock one hour ahead) from %s to %s",
                        pp_month_day_words(from, sizeof from, summer->from),
                        pp_month_day_words(to, sizeof to, summer->to));
     else
-        pp_text_append(
-            sheet->period, sizeof sheet->period,
-            "standard time all year (LM-83 means clock time: --summer-time)");
+        pp_text_append(sheet->period, sizeof sheet->period,
+                       "standard time all year (LM-83 uses clock time: --summer-time)");
 }
 
 static void say_blinds(struct pp_annual_sheet *sheet,
@@ -107,15 +106,15 @@ static void say_blinds(struct pp_annual_sheet *sheet,
 {
     if (!options->blinds)
         snprintf(sheet->blinds, sizeof sheet->blinds,
-                 "none: without blinds the share of the plane with 300 lx in half of "
-                 "the hours is not sDA");
+                 "none, so the share of the plane with 300 lx in half of the hours is "
+                 "not sDA");
     else
         snprintf(sheet->blinds, sizeof sheet->blinds,
                  "LM-83-12, open loop: the blinds of a window group (one wall, one "
-                 "glass) close if it gives more than 2 %% of the points 1000 lx or "
-                 "more of direct sun. Closed, its panes are even diffuse emitters of "
-                 "%g of the light on them, times their diffuse transmittance. All "
-                 "other figures are with open blinds",
+                 "glass) close when more than 2 %% of the points get 1000 lx or more "
+                 "of direct sun through it. Closed blinds are diffuse emitters of %g "
+                 "of the light on them, times the diffuse transmittance of the panes. "
+                 "All other figures are for open blinds",
                  PP_BLIND_GROUPS_TRANSMITTANCE);
 }
 
@@ -151,8 +150,8 @@ static void compare_places(struct pp_annual_sheet *sheet, const struct pp_world 
         || !(fabs(world->latitude_rad - epw->latitude_rad) > 1.0 * PP_RAD))
         return;
     snprintf(text, sizeof text,
-             "the room is at latitude %.4g, the weather file at %.4g; sun and sky are "
-             "those of the file",
+             "the room is at latitude %.4g, but the weather file is for %.4g; sun and "
+             "sky are those of the file",
              world->latitude_rad / PP_RAD, epw->latitude_rad / PP_RAD);
     warn(sheet, text);
 }
@@ -184,8 +183,8 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
         warn(sheet, text);
     compare_places(sheet, world, year->epw);
     if (clock->diffuse_median_lx <= 0.0 && year->count > 1)
-        warn(sheet, "a quarter of the year or less has daylight: no room can reach the "
-                    "levels of EN 17037 here");
+        warn(sheet, "only a quarter of the year or less has daylight, so no room can "
+                    "reach the levels of EN 17037 here");
     say_period(sheet, options, clock);
     say_blinds(sheet, options);
     name_groups(sheet, world, groups);
@@ -197,16 +196,15 @@ void pp_annual_words_method(struct pp_annual_sheet *sheet,
                             int cells)
 {
     if (options->exact_sky)
-        snprintf(
-            sheet->method, sizeof sheet->method,
-            "light paths, 16 x %d a point; Perez sky of each hour at the end of each "
-            "path, sun at its true place at every surface",
-            samples);
+        snprintf(sheet->method, sizeof sheet->method,
+                 "light paths, 16 x %d per point; at the end of each path the Perez "
+                 "sky of each hour, and at every surface the sun in its true position",
+                 samples);
     else
         snprintf(sheet->method, sizeof sheet->method,
-                 "direct sun in closed form at its true place; direct sky in closed "
-                 "form, %d patches. Reflected light by paths, 16 x %d a point, through "
-                 "%d cells with the sun at its true place; sunlight reflected "
-                 "regularly by glass is left out",
+                 "direct sun in closed form, in its true position; direct sky in "
+                 "closed form, %d patches. Reflected light by paths, 16 x %d per "
+                 "point, through %d cells with the sun in its true position. Sunlight "
+                 "that glass reflects regularly is ignored",
                  options->patches, samples, cells);
 }

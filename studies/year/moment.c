@@ -25,12 +25,13 @@ static enum pp_status sun_of_time(const struct pp_moment_irradiances *of,
 {
     if (of->date.month == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the sky has no position of the sun; expected "
+                       "the sky gives no position of the sun; expected "
                        "perez,DNI,DHI,ALTITUDE,BEARING, or --when 'YYYY-MM-DD HH:MM'");
     if (isnan(of->latitude_rad) || isnan(of->longitude_rad))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the room has no location for --when; expected a site with "
-                       "latitude and longitude, or perez,DNI,DHI,ALTITUDE,BEARING");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the room has no location, which --when needs; expected a site with "
+            "latitude and longitude, or perez,DNI,DHI,ALTITUDE,BEARING");
     *zone_h = of->zone_h;
     if (isnan(*zone_h)) /* 0.0 avoids -0 */
         *zone_h = 0.0 + round(of->longitude_rad / (15.0 * PP_RAD));
@@ -44,10 +45,12 @@ static const struct {
     unsigned limit;
     const char *words;
 } limits[] = {
-    {PP_PEREZ_NO_DIFFUSE, "there is direct light and no diffuse light: a black sky"},
-    {PP_PEREZ_B_POSITIVE, "Perez's b is above 0 and counts as 0"},
-    {PP_PEREZ_BRIGHTNESS, "the brightness is beyond Perez's limits and is limited"},
-    {PP_PEREZ_CLEARNESS, "the clearness is beyond Perez's limits and is limited"},
+    {PP_PEREZ_NO_DIFFUSE, "there is direct but no diffuse light, so the sky is black"},
+    {PP_PEREZ_B_POSITIVE, "Perez's coefficient b is above 0 and was set to 0"},
+    {PP_PEREZ_BRIGHTNESS,
+     "the brightness is beyond Perez's limit and was set to the limit"},
+    {PP_PEREZ_CLEARNESS,
+     "the clearness is beyond Perez's limit and was set to the limit"},
 };
 
 enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
@@ -81,15 +84,15 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
                        "the sky gives no light; expected an irradiance above 0");
     snprintf(
         moment->words, sizeof moment->words,
-        "Perez sky of %g W/m2 direct normal and %g W/m2 diffuse horizontal "
+        "Perez sky for %g W/m2 direct normal and %g W/m2 diffuse horizontal "
         "irradiance, with Perez's luminous efficacy at 2 cm of precipitable water; ",
         of->direct_w_m2, of->diffuse_w_m2);
     if (by_time)
         pp_text_append(moment->words, sizeof moment->words,
-                       "sun of that time at latitude %.4g, longitude %.4g, clock %g h "
-                       "ahead of universal time%s",
+                       "sun at that time at latitude %.4g, longitude %.4g, with the "
+                       "clock %g h ahead of universal time%s",
                        of->latitude_rad / PP_RAD, of->longitude_rad / PP_RAD, zone_h,
-                       isnan(of->zone_h) ? " by the longitude" : "");
+                       isnan(of->zone_h) ? ", from the longitude" : "");
     else
         pp_text_append(moment->words, sizeof moment->words, "sun as given");
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
@@ -108,8 +111,8 @@ enum pp_status pp_moment_light(struct pp_outside_light *light,
     struct pp_perez_sky sky = pp_weather_year_turned(&moment->sky, north_rad);
     if (!(sky.diffuse_lx > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "there is direct light without diffuse light; expected a sky "
-                       "that is not black");
+                       "there is direct light without diffuse light, which gives a "
+                       "black sky; expected diffuse light");
     light->sky = pp_perez_sky_relative(&sky);
     light->sun = (struct pp_outside_sun){
         sky.sun, sky.sun.z > 0.0 ? sky.direct_lx / sky.diffuse_lx : 0.0};

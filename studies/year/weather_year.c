@@ -126,7 +126,8 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
     double hours = epw->record_count * epw->record_h;
     if (hours < 8760.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: has %g hours; expected the 8760 of a year", file, hours);
+                       "%s: the file has %g hours; expected the 8760 hours of a year",
+                       file, hours);
     year->hours = calloc((size_t)epw->record_count, sizeof *year->hours);
     year->skies = calloc((size_t)epw->record_count, sizeof *year->skies);
     if (!year->hours || !year->skies) {
@@ -138,9 +139,10 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
     if (year->sky_count > 0)
         return PP_OK;
     pp_weather_year_clear(year);
-    return pp_fail(err, PP_BAD_INPUT,
-                   "%s: has neither direct nor diffuse irradiance (fields 15 and 16)",
-                   file);
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "%s: the file has neither direct nor diffuse irradiance (fields 15 and 16)",
+        file);
 }
 
 void pp_weather_year_clear(struct pp_weather_year *year)
@@ -198,20 +200,20 @@ const char *pp_weather_year_notes(char *text, size_t room,
                                   const struct pp_weather_year *year)
 {
     text[0] = '\0';
-    append_count(text, room, year->leap_records, "records of 29 February left out");
-    append_count(text, room, year->missing, "records without irradiance, not counted");
+    append_count(text, room, year->leap_records, "records of 29 February ignored");
+    append_count(text, room, year->missing, "records without irradiance ignored");
     append_count(text, room, year->moved_suns,
                  "records at sunrise or sunset, with the mean position of the sun "
                  "above the horizon");
     append_count(
         text, room, year->sunless_beams,
-        "records with direct light while the sun is down: direct light left out");
+        "records with direct light while the sun is down (direct light ignored)");
     append_count(text, room, year->no_diffuse,
-                 "records with direct light but no diffuse light: black sky");
+                 "records with direct light but no diffuse light (black sky)");
     append_count(text, room, year->no_dew_point,
-                 "records without a dew point: 10.97 degrees C");
+                 "records without a dew point (10.97 degrees C used)");
     append_count(text, room, year->positive_b,
-                 "skies with Perez's b above 0, taken as 0");
+                 "skies with a Perez coefficient b above 0 (0 used)");
     append_count(text, room, year->brightness,
                  "skies beyond Perez's limits of brightness");
     append_count(text, room, year->clearness,
@@ -227,31 +229,33 @@ const char *pp_weather_year_warning(char *text, size_t room,
     switch (c->finding) {
     case PP_CLOSURE_SHIFTED:
         snprintf(text, room,
-                 "the radiation in the weather file fits a sun %g minutes %s than the "
-                 "middle of its records (rms %.1f instead of %.1f W/m2); sun shift in "
-                 "use: %g minutes",
+                 "the radiation in the weather file fits a sun position %g minutes %s "
+                 "than the middle of its records (rms error %.1f instead of %.1f "
+                 "W/m2); sun shift in use: %g minutes",
                  fabs(minutes), minutes > 0.0 ? "later" : "earlier", c->rms_best,
                  c->rms_0, 60.0 * year->sun_shift_h);
         return text;
     case PP_CLOSURE_SEASONAL:
         snprintf(text, room,
                  "the radiation in the weather file fits a sun shift of %g minutes "
-                 "from April to September and of %g in the other months. The file may "
-                 "use summer time; sun shift in use: %g minutes",
+                 "from April to September and of %g minutes in the other months. The "
+                 "file may use summer time; sun shift in use: %g minutes",
                  60.0 * c->summer_h, 60.0 * c->winter_h, 60.0 * year->sun_shift_h);
         return text;
     case PP_CLOSURE_SWAPPED:
-        snprintf(text, room,
-                 "the radiation in the weather file adds up only if direct normal and "
-                 "diffuse horizontal irradiance (fields 15 and 16) are swapped");
+        snprintf(
+            text, room,
+            "the radiation in the weather file is consistent only if direct normal and "
+            "diffuse horizontal irradiance (fields 15 and 16) are swapped");
         return text;
     case PP_CLOSURE_NONE:
-        snprintf(text, room,
-                 "the radiation in the weather file does not add up for any sun shift "
-                 "within an hour (rms %.0f W/m2). Possible causes: measured or damaged "
-                 "data, a wrong time zone or longitude, or direct horizontal instead "
-                 "of direct normal irradiance. Sun shift in use: %g minutes",
-                 c->rms_best, 60.0 * year->sun_shift_h);
+        snprintf(
+            text, room,
+            "the radiation in the weather file is not consistent for any sun shift "
+            "within an hour (rms error %.0f W/m2). Possible causes: measured or "
+            "damaged data, a wrong time zone or longitude, or direct horizontal "
+            "instead of direct normal irradiance. Sun shift in use: %g minutes",
+            c->rms_best, 60.0 * year->sun_shift_h);
         return text;
     case PP_CLOSURE_AT_MIDDLE:
     case PP_CLOSURE_UNKNOWN:

@@ -163,7 +163,7 @@ static void a_plan_of_a_method_without_contours_is_refused(void **state)
         pp_study_plan(drawn.study, "average-df", 0.01, &bytes, &length, &err),
         PP_BAD_INPUT);
     assert_null(bytes);
-    assert_non_null(strstr(err.message, "does not give a value at every place"));
+    assert_non_null(strstr(err.message, "does not give a value at every point"));
     close_drawn(&drawn);
 }
 

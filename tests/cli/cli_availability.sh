@@ -18,9 +18,9 @@ run availability -w "$scratch/west.epw" "$deep"
 check "a longitude against its time zone is a warning" \
     grep -q "west.epw:1: the longitude of 122.4 degrees is 8.2 h ahead of UT, but the time zone is -8 h" \
     "$scratch/err"
-check "a latitude" shows "overcast skies all year at 51 N" availability --latitude 51 "$deep"
+check "a latitude" shows "overcast sky all year at 51 N" availability --latitude 51 "$deep"
 check "the room's own latitude" \
-    shows "overcast skies" availability "$examples/office.xml"
+    shows "overcast sky all year" availability "$examples/office.xml"
 sed '/<site/d' "$deep" >"$scratch/nowhere.xml"
 check "a room that has none" refuses 1 "--latitude DEG" availability "$scratch/nowhere.xml"
 check "a median of a year" shows "4380 hours" availability --latitude 51 "$deep"

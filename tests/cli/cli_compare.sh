@@ -32,7 +32,7 @@ check "the presets are in the help" shows "rtrace-defaults" compare --help
 
 values bounces=1 >"$other"
 check "a difference is explained" \
-    shows "bounces=1: light is followed over one reflection" compare --error 5% "$room" "$other"
+    shows "bounces=1: calculation limited to one reflection" compare --error 5% "$room" "$other"
 check "and what to set right is said" grep -q "allow more bounces" "$scratch/out"
 check "six points do not tell noise from a mistake" grep -q "points are too few" "$scratch/out"
 check "in a tidy way" nothing "$(untidy)"
@@ -92,7 +92,7 @@ VALUES
 }
 yard 3 >"$scratch/bounces.csv"
 yard 4 >"$scratch/ground.csv"
-check "four reflections, the ground's among them" shows "ab=5: light is followed over four" \
+check "four reflections, the ground's among them" shows "ab=5: calculation limited to four" \
     compare --error 3% "$scratch/yard.xml" "$scratch/bounces.csv"
 check "the reflectance of the ground" shows '"switch": "ground=0.' \
     compare --error 3% --format json "$scratch/yard.xml" "$scratch/ground.csv"
@@ -219,13 +219,13 @@ awk 'BEGIN {
     }
 }' >"$scratch/scene.csv"
 check "a scene, in lux of its own sky" \
-    shows "colour=green: green alone" compare --error 2% "$scratch/scene.rad" "$scratch/scene.csv"
+    shows "colour=green: the green channel alone" compare --error 2% "$scratch/scene.rad" "$scratch/scene.csv"
 check "in a tidy way, too" nothing "$(untidy)"
 check "a scene without values" \
     refuses 2 "expected scene files, then" compare "$scratch/scene.rad"
 check "a scene has its own sky" \
     refuses 2 "--sky is for room files" compare --sky uniform "$scratch/scene.rad" "$scratch/scene.csv"
-check "and its own ground" refuses 1 "among the shapes, and stays" \
+check "and its own ground" refuses 1 "in a scene, where it is part of the geometry" \
     compare --as-if ground=0.3 "$scratch/scene.rad" "$scratch/scene.csv"
 check "a room has no colours" \
     refuses 1 "a room file has no colours" compare --as-if colour=green "$room"

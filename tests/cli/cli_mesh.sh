@@ -143,7 +143,7 @@ awk 'BEGIN { srand(1)
         print "f", 3 * i + 1, 3 * i + 2, 3 * i + 3
     } }' >"$scratch/leaves.obj"
 room '<mesh file="leaves.obj"/>' >"$scratch/leaves.xml"
-check "before leaves there is no average of exact" shows "too many parts for an average" \
+check "before leaves there is no average of exact" shows "too many parts; the average" \
     df --methods exact,average-df --explain -p 1.5,2 "$scratch/leaves.xml"
 
 room '<mesh file="none.obj"/>' >"$scratch/wrong.xml"

@@ -82,10 +82,10 @@ static void a_factor_that_is_a_loss_names_what_it_would_be(void **state)
     (void)state;
     assert_doubt(LONE(PLAN "<window wall='south' left='1' sill='0.9' width='2' "
                            "height='1.5' frame-factor='0.2' maintenance='0.08'/>"),
-                 "0.2 looks like the share of the frame (then 0.8)");
+                 "0.2 looks like the share of the frame (frame-factor would be 0.8)");
     assert_doubt(LONE(PLAN "<window wall='south' left='1' sill='0.9' width='2' "
                            "height='1.5' maintenance='0.08'/>"),
-                 "0.08 looks like the loss (then 0.92)");
+                 "0.08 looks like the loss (maintenance would be 0.92)");
 }
 
 static void swapped_coordinates_are_far_from_the_country(void **state)
@@ -108,7 +108,7 @@ static void a_block_behind_every_window_hides_no_sky(void **state)
     static const char behind[] =
         LONE(PLAN WINDOW "<block name='Opposite' x='0' y='20' width='9' depth='8' "
                          "height='12'/>");
-    assert_doubt(behind, "the block \"Opposite\" stands behind every window");
+    assert_doubt(behind, "the block \"Opposite\" is behind every window");
     assert_string_equal(doubts_of(behind, false), "");
     /* One that the room leans on is its own building. */
     assert_string_equal(

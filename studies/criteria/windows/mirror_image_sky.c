@@ -77,8 +77,8 @@ static enum pp_status assess_mirror_image_sky(const struct pp_inquiry *inquiry,
     enum pp_status status = PP_OK;
     pp_finding_list_add_basis(
         findings,
-        "target: the value with a mirror image of the building's own rooms at the "
-        "boundary, as high and on the same ground, in place of the proposal");
+        "target: the value with a mirror image of the building's own rooms in place of "
+        "the proposal, mirrored at the boundary with the same height and ground level");
     if (!world->placement.given) {
         struct pp_finding finding = pp_finding_not_judged(no_place, "windows");
         return pp_finding_list_add(findings, &finding, err);
@@ -91,10 +91,10 @@ static enum pp_status assess_mirror_image_sky(const struct pp_inquiry *inquiry,
 
 const struct pp_criterion pp_criterion_mirror_image = {
     .name = "mirror-image",
-    .title = "Sky with the building's mirror image",
+    .title = "View of the sky compared with the building's mirror image",
     .source = "BR209",
-    .summary =
-        "at least as much sky as with the mirror image opposite (--mirror-image)",
+    .summary = "at least as much sky as if the building's mirror image stood opposite "
+               "(--mirror-image)",
     .needs_mirror_image = true,
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = assess_mirror_image_sky,

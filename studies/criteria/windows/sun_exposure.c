@@ -136,21 +136,23 @@ static enum pp_status judge_level(struct pp_finding *finding, const char *name,
     *finding = pp_finding_of(PP_FIGURE_HOURS, met ? hours->least : hours->most, wanted,
                              false, "%s: %g h on 21 March", name, wanted);
     if (hours->altitude_rad > 0.0) {
-        pp_finding_note(finding, "the sun counts above %.4g degrees",
+        pp_finding_note(finding, "hours with the sun above %.4g degrees",
                         hours->altitude_rad / PP_RAD);
         return PP_OK;
     }
     if (decided) {
-        pp_finding_note(finding, "with the sun above %g degrees", met ? 20.0 : 5.0);
+        pp_finding_note(finding, "hours with the sun above %g degrees",
+                        met ? 20.0 : 5.0);
         return PP_OK;
     }
     double turn_rad;
     enum pp_status status = find_turn(&turn_rad, world, wanted, err);
     finding->verdict = PP_UNDECIDED;
-    pp_finding_note(finding,
-                    "with the sun above 5 degrees; met if the standard counts the sun "
-                    "from %.1f degrees or lower at this place (--least-altitude)",
-                    turn_rad / PP_RAD);
+    pp_finding_note(
+        finding,
+        "hours with the sun above 5 degrees; met if the standard counts the sun from "
+        "%.1f degrees or lower at this place (--least-altitude)",
+        turn_rad / PP_RAD);
     return status;
 }
 
@@ -184,7 +186,7 @@ const struct pp_criterion pp_criterion_sun_exposure = {
     .name = "sun-exposure",
     .title = "EN 17037 exposure to sunlight",
     .source = "EN17037",
-    .summary = "1.5, 3, 4 h of sun on 21 March at the inside of a window",
+    .summary = "at least 1.5, 3, 4 h of sun on 21 March at the inside of a window",
     .bears_on_use = pp_bearing_is_dwelling,
     .evaluate = assess_sun_exposure,
 };

@@ -28,15 +28,16 @@
 #define SMALL_LOSS 0.04
 
 static const char possible[] =
-    "share of possible hours, with the sun above the horizon; BR 209 assesses probable "
-    "hours, which need --weather FILE.epw";
-static const char probable[] = "share of probable hours: for each month and hour, the "
-                               "share of records with direct sun above 120 W/m2";
+    "share of possible hours, when the sun is above the horizon; BR 209 assesses "
+    "probable hours, which need --weather FILE.epw";
+static const char probable[] =
+    "share of probable hours: each month and hour is weighted by the share of records "
+    "with direct sun above 120 W/m2";
 static const char no_place[] = "the room file has no latitude (site)";
 static const char other_side[] =
-    "it faces more than 90 degrees from due south: not required";
+    "the window faces more than 90 degrees from due south: not required";
 static const char equator_side[] =
-    "it faces more than 90 degrees from due north: not required";
+    "the window faces more than 90 degrees from due north: not required";
 
 /* True if the opening faces within 90 degrees of the direction of the noon sun; level
  * glass faces all sides. */
@@ -98,7 +99,7 @@ static enum pp_status add_finding(struct pp_finding_list *findings, double now,
     if (finding.verdict == PP_NOT_MET && kept) {
         finding.verdict = PP_MET;
         pp_finding_note(&finding, "; at least 0.8 of the former sunlight remains, or "
-                                  "at most 4 %% of the year's hours are lost");
+                                  "no more than 4 %% of the year's hours are lost");
     }
     return pp_finding_list_add(findings, &finding, err);
 }
@@ -160,8 +161,8 @@ const struct pp_criterion pp_criterion_sunlight = {
     .alias = "apsh",
     .title = "Sunlight hours",
     .source = "BR209",
-    .summary = "25 % of annual probable sunlight hours, 5 % in winter, at windows "
-               "facing south",
+    .summary = "25 % of annual probable sunlight hours, 5 % in winter, at windows that "
+               "face south",
     .bears_on_use = pp_bearing_is_lived_in,
     .evaluate = assess_sunlight,
 };

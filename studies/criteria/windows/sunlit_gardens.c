@@ -65,7 +65,7 @@ static enum pp_status judge_garden(const struct pp_inquiry *inquiry,
     pp_finding_within(&finding, error);
     finding.line = garden->line;
     pp_finding_compares(&finding, PP_FIGURE_SHARE, now, then);
-    pp_finding_note(&finding, "of %.1f m2", garden->outline.area_m2);
+    pp_finding_note(&finding, "garden area %.1f m2", garden->outline.area_m2);
     if (former)
         pp_finding_note(&finding, "; %.1f %% now, %.1f %% before", 100.0 * now,
                         100.0 * then);
@@ -101,7 +101,7 @@ const struct pp_criterion pp_criterion_gardens = {
     .name = "gardens",
     .title = "Sun on gardens",
     .source = "BR209",
-    .summary = "two hours of sun on 21 March on half of each garden",
+    .summary = "at least two hours of sun on 21 March on half of each garden",
     .of_gardens = true,
     .evaluate = assess_sunlit_gardens,
 };

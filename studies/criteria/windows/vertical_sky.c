@@ -30,7 +30,8 @@
 #define ANGLE_WANTED (25.0 * PP_RAD)
 
 static const char none[] = "the room has no openings";
-static const char slopes[] = "it is not vertical; the rule is for windows in walls";
+static const char slopes[] =
+    "the opening is not vertical; the rule is for windows in walls";
 
 bool pp_vertical_sky_is_upright(const struct pp_opening *opening)
 {
@@ -110,7 +111,7 @@ static enum pp_status find_unshaded(double *share, const struct pp_world *world,
 }
 
 static const char unshaded[] =
-    "without the overhangs and balconies of its own building";
+    "without the overhangs and balconies of the window's own building";
 
 /* Adds a finding for each opening: made by `find` for upright ones, not judged for all
  * others. */
@@ -190,8 +191,8 @@ static enum pp_status find_loss(struct pp_finding *finding,
     if (status != PP_OK)
         return status;
     if (!(then > NO_SKY)) {
-        *finding =
-            pp_finding_not_judged("it had no view of the sky before", "%s", what);
+        *finding = pp_finding_not_judged("the window had no view of the sky before",
+                                         "%s", what);
         pp_finding_compares(finding, PP_FIGURE_FACTOR, now, then);
         return PP_OK;
     }
@@ -201,10 +202,11 @@ static enum pp_status find_loss(struct pp_finding *finding,
     pp_finding_note(finding, "%.1f %% now, %.1f %% before", 100.0 * now, 100.0 * then);
     if (finding->verdict == PP_NOT_MET && now >= VSC_WANTED) {
         finding->verdict = PP_MET;
-        pp_finding_note(finding, "; the remaining value is at least 27 %%");
+        pp_finding_note(finding,
+                        "; the vertical sky component is still at least 27 %%");
     }
     if (bare_now / bare_then > 0.0)
-        pp_finding_note(finding, "; %.3f %s (%.1f %% and %.1f %%)",
+        pp_finding_note(finding, "; ratio %.3f %s (%.1f %% now, %.1f %% before)",
                         bare_now / bare_then, unshaded, 100.0 * bare_now,
                         100.0 * bare_then);
     return PP_OK;
@@ -228,7 +230,7 @@ static enum pp_status find_angle(struct pp_finding *finding,
         finding->verdict = PP_STATED;
         finding->decided_by = pp_criterion_vertical_sky.name;
         pp_finding_note(finding,
-                        "a first check only; the vertical sky component decides");
+                        "only a first check; the vertical sky component decides");
     }
     return PP_OK;
 }
@@ -245,7 +247,7 @@ const struct pp_criterion pp_criterion_vertical_sky = {
     .alias = "vsc",
     .title = "Vertical sky component",
     .source = "BR209",
-    .summary = "27 % at the centre of each window, outer face",
+    .summary = "at least 27 % at the centre of the outer face of each window",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_component,
 };
@@ -254,7 +256,7 @@ const struct pp_criterion pp_criterion_former_sky = {
     .name = "former-sky",
     .title = "0.8 of the former vertical sky component",
     .source = "BR209",
-    .summary = "27 % or 0.8 of the former value, at each window (--before)",
+    .summary = "at least 27 %, or 0.8 of the former value, at each window (--before)",
     .needs_before = true,
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_loss,
@@ -264,8 +266,8 @@ const struct pp_criterion pp_criterion_obstruction = {
     .name = "obstruction",
     .title = "25 degree rule",
     .source = "BR209",
-    .summary =
-        "no obstruction above 25 degrees in section, from the centre of each window",
+    .summary = "no obstruction above 25 degrees in section, seen from the centre of "
+               "each window",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_angle,
 };

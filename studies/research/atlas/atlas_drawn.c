@@ -10,7 +10,7 @@
 static enum pp_status fail_room(struct pp_error *err, int index,
                                 const struct pp_mistakes *mistakes)
 {
-    return pp_fail(err, PP_BAD_INPUT, "room %d of the atlas makes no sense: %s", index,
+    return pp_fail(err, PP_BAD_INPUT, "room %d of the atlas is not valid: %s", index,
                    mistakes->count > 0 ? mistakes->list[0].text : err->message);
 }
 

@@ -25,19 +25,19 @@ static const struct mapping_side {
     struct pp_atlas_scale scale;
 } sides[PP_MAP_KINDS] = {
     [PP_MAP_DEPTH] = {"depth",
-                      {"Distance from the opening over the height of its head",
+                      {"Distance from the opening over its head height",
                        10,
                        {0, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 7, INFINITY}}},
     [PP_MAP_ERC] = {"",
-                    {"Share of the externally reflected in the direct light",
+                    {"Share of the externally reflected in the direct component",
                      10,
                      {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1}}},
     [PP_MAP_GROUND] = {"ground",
-                       {"Reflectance of the ground",
+                       {"Ground reflectance",
                         8,
                         {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 1}}},
     [PP_MAP_REFLECTANCE] = {"reflectance",
-                            {"Mean reflectance inside",
+                            {"Mean interior reflectance",
                              9,
                              {0, 0.2, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 1}}},
     [PP_MAP_OBSTRUCTION] = {"obstruction",
@@ -48,9 +48,7 @@ static const struct mapping_side {
 
 static const struct mapping_side proportion = {
     "depth-width",
-    {"Depth of the room over its width",
-     8,
-     {0, 0.5, 0.75, 1, 1.33, 1.67, 2, 3, INFINITY}}};
+    {"Room depth over room width", 8, {0, 0.5, 0.75, 1, 1.33, 1.67, 2, 3, INFINITY}}};
 
 /* ---- which columns ---- */
 
@@ -97,11 +95,10 @@ static enum pp_status find_columns(struct mapping_columns *at,
     const struct mapping_side *side = &sides[kind];
     at->said = find_method(table, method);
     if (at->said < 0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "the atlas has no method \"%.60s\"; expected one of its columns, "
-            "as exact+bre, average-df or erc.exact",
-            method);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the atlas has no method \"%.60s\"; expected one of its "
+                       "columns, such as exact+bre, average-df or erc.exact",
+                       method);
     char name[128];
     snprintf(name, sizeof name, "own.%.100s", table->names[at->said]);
     at->own = pp_atlas_table_find(table, name);
@@ -115,9 +112,10 @@ static enum pp_status find_columns(struct mapping_columns *at,
     if (at->truth < 0 || at->error < 0
         || (by_share ? at->sky < 0 || at->outside < 0 : at->across < 0)
         || (kind == PP_MAP_DEPTH && at->up < 0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the atlas lacks columns that a map of %.60s by %s is made of",
-                       method, pp_atlas_mapping_names[kind]);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the atlas lacks columns that are needed for a map of %.60s by %s", method,
+            pp_atlas_mapping_names[kind]);
     return PP_OK;
 }
 
@@ -306,9 +304,9 @@ enum pp_status pp_atlas_mapping_of(struct pp_atlas_map *map,
         at.own < 0 ? 0 : gather_mapped_ratios(list, &blind, map, table, &at, at.own);
     fill_quantiles(map->own, list, count);
     free(list);
-    return none ? pp_fail(err, PP_BAD_INPUT,
-                          "the atlas has no value of %.60s to map by %s%s", method,
-                          pp_atlas_mapping_names[kind],
-                          map->averages ? ", as it gives averages only" : "")
+    return none ? pp_fail(
+               err, PP_BAD_INPUT, "the atlas has no value of %.60s to map by %s%s",
+               method, pp_atlas_mapping_names[kind],
+               map->averages ? ", because the method gives only an average" : "")
                 : PP_OK;
 }

@@ -109,10 +109,10 @@ static enum pp_status check_points(const struct kept *kept, int index,
         struct pp_vec3 place = kept->report->receivers[i].position;
         double x = 100.0 * value_at(kept, i, "x"), y = 100.0 * value_at(kept, i, "y");
         if (!(fabs(x - place.x) < 1e-3 && fabs(y - place.y) < 1e-3))
-            return pp_fail(
-                err, PP_BAD_INPUT,
-                "point %d of room %d is not this sweep's: expected %.3f, %.3f", i,
-                index, place.x, place.y);
+            return pp_fail(err, PP_BAD_INPUT,
+                           "point %d of room %d does not belong to this sweep: "
+                           "expected %.3f, %.3f",
+                           i, index, place.x, place.y);
     }
     return PP_OK;
 }

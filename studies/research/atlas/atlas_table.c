@@ -45,8 +45,8 @@ static enum pp_status read_names(struct table_reading *reading, char *line,
     return table->room >= 0 && table->point >= 0
                ? PP_OK
                : pp_fail(err, PP_BAD_INPUT,
-                         "%s:%d: no columns \"room\" and \"point\"; expected the names "
-                         "of an atlas's columns",
+                         "%s:%d: no columns \"room\" and \"point\"; expected the "
+                         "column names of an atlas",
                          reading->path, reading->line);
 }
 
@@ -116,8 +116,8 @@ enum pp_status pp_atlas_table_read(struct pp_atlas_table *table, const char *pat
         line = end + 1;
     }
     if (status == PP_OK && !table->names)
-        status =
-            pp_fail(err, PP_BAD_INPUT, "%s: empty; expected an atlas", reading.path);
+        status = pp_fail(err, PP_BAD_INPUT, "%s: the file is empty; expected an atlas",
+                         reading.path);
     if (status == PP_OK)
         keep_whole_rooms(table);
     return status;

@@ -164,20 +164,20 @@ static bool has_outside(const struct pp_compare_subject *subject)
 #define CUT(number, times)                                                             \
     {                                                                                  \
         "bounces=" #number, "bounces",                                                 \
-            "light is followed over " times " between surfaces only", MORE_BOUNCES,    \
-            false, false, NULL                                                         \
+            "calculation limited to " times " between surfaces", MORE_BOUNCES, false,  \
+            false, NULL                                                                \
     }
 #define CUT_WITH_GROUND(number, times)                                                 \
     {                                                                                  \
         "ab=" #number, "bounces",                                                      \
-            "light is followed over " times ", the ground's included, only",           \
+            "calculation limited to " times ", including that of the ground",          \
             MORE_BOUNCES, false, false, ground_is_shaded                               \
     }
 
 static const struct pp_cause causes[] = {
-    {"ab=0", "bounces", "light of the sky is not followed at all",
-     "turn the ambient calculation on (rtrace -ab 7 or more)", false, true, NULL},
-    CUT(0, "no reflection"),
+    {"ab=0", "bounces", "the program ignores light from the sky",
+     "turn on the ambient calculation (rtrace -ab 7 or more)", false, true, NULL},
+    CUT(0, "light without reflections"),
     CUT(1, "one reflection"),
     CUT(2, "two reflections"),
     CUT(3, "three reflections"),
@@ -190,50 +190,49 @@ static const struct pp_cause causes[] = {
     CUT_WITH_GROUND(5, "four reflections"),
     CUT_WITH_GROUND(6, "five reflections"),
     {"glass=normal", "glass",
-     "glass lets light of all angles through as it does at normal incidence",
-     "give it a glass whose transmittance falls with the angle", false, false,
+     "glass has its normal transmittance at all angles of incidence",
+     "use a glass whose transmittance falls with the angle of incidence", false, false,
      has_clear_glass},
     {"glass=transmissivity", "glass",
-     "the transmittance of the glass was written as a transmissivity",
-     "turn the transmittance into a transmissivity (0.90 is 0.98)", false, false,
+     "the transmittance of the glass was entered as a transmissivity",
+     "convert the transmittance to a transmissivity (0.90 is 0.98)", false, false,
      has_clear_glass},
-    {"glass=none", "glass", "openings have no glass", "put the glass in", false, false,
+    {"glass=none", "glass", "openings have no glass", "add the glass", false, false,
      has_glass},
-    {"panes=1", "panes", "one pane stands where there are two",
-     "give the glazing all of its panes", false, false, has_several_panes},
-    {"frame=none", "frame", "frames take no light", "take the frames off the glass",
-     false, false, has_frames},
-    {"dirt=none", "dirt", "the glass is clean", "take the maintenance factor in", false,
-     false, has_dirt},
+    {"panes=1", "panes", "glazing has one pane instead of two or more",
+     "model all panes of the glazing", false, false, has_several_panes},
+    {"frame=none", "frame", "frames do not reduce the light",
+     "subtract the frames from the glass area", false, false, has_frames},
+    {"dirt=none", "dirt", "the glass has no dirt", "apply the maintenance factor",
+     false, false, has_dirt},
     {"plane=0", "plane", "the points lie on the floor",
-     "put the points on the working plane", false, false, is_off_floor},
+     "move the points to the working plane", false, false, is_off_floor},
     {"plane=0.85", "plane", "the points lie 0.85 m above the floor",
-     "put the points where they belong", false, false, is_off_desk},
-    {"sky=uniform", "sky", "the sky is uniform", "take the CIE overcast sky", false,
+     "move the points to their correct height", false, false, is_off_desk},
+    {"sky=uniform", "sky", "the sky is uniform", "use the CIE overcast sky", false,
      false, is_not_uniform},
     {"sky=gensky", "sky",
      "the sky fades into the ground at the horizon, as gensky's does",
-     "take a sky function without the blend at the horizon", false, false, is_overcast},
+     "use a sky function without the blend at the horizon", false, false, is_overcast},
     {"ground", "ground", "the ground has this reflectance",
-     "give the ground its reflectance (gensky -g)", false, false, is_room},
+     "correct the ground reflectance (gensky -g)", false, false, is_room},
     {"ground=open", "ground",
-     "the ground glows as under the whole sky, in no shadow (Radiance's ground)",
+     "the whole sky lights the ground, without shadows (Radiance's ground)",
      "model the ground as a surface", false, false, ground_is_shaded},
-    {"outside=none", "outside", "nothing stands outside", "model what stands outside",
-     false, false, has_outside},
-    {"colour=grey", "colour", "materials have no colours, but the luminance of theirs",
-     "give materials their colours", false, false, has_colours},
+    {"outside=none", "outside", "there are no obstructions outside",
+     "model the obstructions outside", false, false, has_outside},
+    {"colour=grey", "colour", "materials are grey, with the luminance of their colours",
+     "use the colours of the materials", false, false, has_colours},
     {"colour=mean", "colour",
-     "red, green and blue count alike, where luminance has 0.265, 0.670 and 0.065",
+     "red, green and blue have equal weight instead of 0.265, 0.670 and 0.065",
      "weight the channels (179 lm/W times 0.265 R + 0.670 G + 0.065 B)", false, false,
      has_colours},
-    {"colour=green", "colour", "green alone stands for the luminance",
+    {"colour=green", "colour", "the green channel alone is used for luminance",
      "weight the channels (179 lm/W times 0.265 R + 0.670 G + 0.065 B)", false, false,
      has_colours},
-    {"factor", "factor", "all values have a factor in common",
-     "look at the illuminance that daylight factors are taken over (such as 10,000 "
-     "lx), "
-     "at units, and at other factors of the whole",
+    {"factor", "factor", "all values differ by a common factor",
+     "check the horizontal illuminance that daylight factors refer to (such as 10,000 "
+     "lx), units, and other factors that apply to all values",
      true, false, NULL},
 };
 enum { CAUSE_COUNT = sizeof causes / sizeof causes[0] };
@@ -242,7 +241,7 @@ const char *pp_causes_missing_at(int index)
 {
     static const char *const missing[] = {
         "reflectances of surfaces", "dimensions of room, windows and obstructions",
-        "points shifted sideways", "other skies than the uniform one and gensky's"};
+        "points shifted sideways", "skies other than the uniform sky and gensky's"};
     enum { MISSING_COUNT = sizeof missing / sizeof missing[0] };
     return index < MISSING_COUNT ? missing[index] : NULL;
 }

@@ -68,7 +68,7 @@ static enum pp_status set_of(struct pp_compare *compare, const int *causes, int 
             && memcmp((*set)->causes, causes, (size_t)count * sizeof *causes) == 0)
             return (*set)->status == PP_OK
                        ? PP_OK
-                       : pp_fail(err, (*set)->status, "it makes no sense here");
+                       : pp_fail(err, (*set)->status, "the switch does not apply here");
     }
     if (pp_array_append(&compare->sets, compare->set_count, sizeof *compare->sets, err)
         != PP_OK)

@@ -12,9 +12,9 @@ enum { MOST_BOUNCES = 1000, WORD_BYTES = 64 };
 
 static const struct pp_room_variant_preset presets[] = {
     {"rtrace-defaults", "ab=0", "rtrace without options: no ambient calculation"},
-    {"low", "ab=2", "front ends' low quality: two ambient bounces"},
-    {"medium", "ab=3", "front ends' medium quality: three ambient bounces"},
-    {"high", "ab=6", "front ends' high quality: six ambient bounces"},
+    {"low", "ab=2", "low quality in front ends: two ambient bounces"},
+    {"medium", "ab=3", "medium quality in front ends: three ambient bounces"},
+    {"high", "ab=6", "high quality in front ends: six ambient bounces"},
 };
 enum { PRESET_COUNT = sizeof presets / sizeof presets[0] };
 
@@ -155,7 +155,7 @@ static enum pp_status add_word(struct pp_room_variant *variant, const char *word
 {
     char name[WORD_BYTES];
     if (length >= sizeof name)
-        return pp_fail(err, PP_BAD_INPUT, "\"%.40s...\" is no switch", word);
+        return pp_fail(err, PP_BAD_INPUT, "\"%.40s...\" is not a switch", word);
     memcpy(name, word, length);
     name[length] = '\0';
     for (int i = 0; i < PRESET_COUNT; i++)
@@ -163,11 +163,10 @@ static enum pp_status add_word(struct pp_room_variant *variant, const char *word
             return pp_room_variant_add(variant, presets[i].words, err);
     char *value = strchr(name, '=');
     if (!value)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "\"%s\" is neither a switch nor a preset; expected such as "
-            "bounces=2,glass=normal, or rtrace-defaults, low, medium or high",
-            name);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "\"%s\" is neither a switch nor a preset; expected a switch "
+                       "such as bounces=2, or rtrace-defaults, low, medium or high",
+                       name);
     *value++ = '\0';
     return read_switch(variant, name, value, err);
 }

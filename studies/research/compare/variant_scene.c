@@ -108,12 +108,13 @@ enum pp_status pp_variant_scene_values(double *values, double *errors,
     for (int i = 0; i < count; i++)
         values[i] = errors[i] = 0.0;
     if (stays)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s=: in a scene it is among the shapes, and stays", stays);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s= cannot be changed in a scene, where it is part of the geometry",
+            stays);
     if (!(sum_up(horizontal, variant->colour) > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the scene has no sky that daylight factors could be taken "
-                       "over");
+                       "the scene has no sky, which daylight factors need");
     if (variant->dark)
         return PP_OK;
     changed.materials =

@@ -70,7 +70,8 @@ static enum pp_status resolve_varied_room(struct varied_room *varied,
     if (status == PP_OK)
         status = pp_world_create(&varied->world, copy, &mistakes, err);
     if (status == PP_BAD_INPUT && mistakes.count > 0)
-        pp_fail(err, PP_BAD_INPUT, "as if: %.300s", mistakes.list[0].text);
+        pp_fail(err, PP_BAD_INPUT, "the room with the switches is not valid: %.300s",
+                mistakes.list[0].text);
     if (status == PP_OK)
         status = pp_room_light(&varied->light, copy, err);
     if (status == PP_OK && strcmp(variant->sky, "gensky") == 0)
@@ -186,7 +187,8 @@ enum pp_status pp_variant_values(double *values, double *errors,
     for (int i = 0; i < count; i++)
         values[i] = errors[i] = 0.0;
     if (variant->colour != PP_ROOM_VARIANT_COLOUR_IS)
-        return pp_fail(err, PP_BAD_INPUT, "colour=: a room file has no colours");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "colour= does not apply: a room file has no colours");
     if (variant->dark)
         return PP_OK;
     enum pp_status status = make_varied_room(&varied, room, variant, err);

@@ -60,7 +60,7 @@ static enum pp_status check_glass(struct pp_known_cases *cases, struct pp_error 
         pp_known_room_evaluate(&room, PP_KNOWN_HALL "</room>", "exact", err);
     if (status != PP_OK)
         return status;
-    pp_known_case_add_per_cent(cases, "window 3 x 1.8 m, 3 m off, clear single glass",
+    pp_known_case_add_per_cent(cases, "window 3 x 1.8 m at 3 m, clear single glass",
                                "exact", pp_known_room_at_point(&room, PP_SC, "exact"),
                                3.424, 3);
     pp_known_room_clear(&room);
@@ -71,20 +71,20 @@ static void check_skies(struct pp_known_cases *cases)
 {
     struct pp_sky overcast = pp_sky_overcast(), uniform = pp_sky_uniform();
     struct pp_vec3 up = {0.0, 0.0, 1.0}, south = {0.0, -1.0, 0.0};
-    pp_known_case_add(cases, "open sky on a level plane, overcast", "sky",
+    pp_known_case_add(cases, "horizontal plane under an open overcast sky", "sky",
                       pp_sky_on_plane(&overcast, up), 1.0, 1e-9);
-    pp_known_case_add(cases, "open sky on a level plane, uniform", "sky",
+    pp_known_case_add(cases, "horizontal plane under an open uniform sky", "sky",
                       pp_sky_on_plane(&uniform, up), 1.0, 1e-9);
-    pp_known_case_add_per_cent(cases, "open sky on an upright plane, overcast", "sky",
-                               pp_sky_on_plane(&overcast, south), 39.6177, 4);
+    pp_known_case_add_per_cent(cases, "vertical plane under an open overcast sky",
+                               "sky", pp_sky_on_plane(&overcast, south), 39.6177, 4);
     pp_known_case_add_per_cent(
-        cases, "above an endless skyline of 25 degrees, overcast", "sky",
+        cases, "sky above an endless skyline of 25 degrees, overcast", "sky",
         pp_graded_sky_over_skyline(PP_GRADED_SKY_OVERCAST, 25.0 * PP_RAD), 27.31, 2);
     pp_known_case_add_per_cent(
-        cases, "above an endless skyline of 25 degrees, uniform", "sky",
+        cases, "sky above an endless skyline of 25 degrees, uniform", "sky",
         pp_graded_sky_over_skyline(PP_GRADED_SKY_UNIFORM, 25.0 * PP_RAD), 28.87, 2);
     struct pp_glass glass = pp_glass_clear_single();
-    pp_known_case_add(cases, "clear single glass, normal incidence", "glass",
+    pp_known_case_add(cases, "clear single glass, light at normal incidence", "glass",
                       glass.normal, 0.900, 5.001e-4);
     pp_known_case_add(cases, "clear single glass, diffuse light", "glass",
                       glass.diffuse, 0.827, 5.001e-4);
@@ -122,11 +122,11 @@ static enum pp_status check_open_sky(struct pp_known_cases *cases,
     struct pp_receiver upright = facing_up;
     upright.normal = pp_vec(0.0, -1.0, 0.0);
     enum pp_status status =
-        check_traced(cases, "open sky on a level plane, overcast", &world, &light,
-                     &facing_up, PP_SC, 1.0, how, err);
+        check_traced(cases, "horizontal plane under an open overcast sky", &world,
+                     &light, &facing_up, PP_SC, 1.0, how, err);
     if (status == PP_OK)
-        status = check_traced(cases, "open sky on an upright plane, overcast", &world,
-                              &light, &upright, PP_SC, 0.39617706, how, err);
+        status = check_traced(cases, "vertical plane under an open overcast sky",
+                              &world, &light, &upright, PP_SC, 0.39617706, how, err);
     return status;
 }
 
@@ -154,7 +154,8 @@ static enum pp_status check_closed_cube(struct pp_known_cases *cases,
             world->surfaces[k].exitance = 1.0;
             world->surfaces[k].front = reflectances[i];
         }
-        snprintf(what, sizeof what, "closed glowing cube, 1/(1 - rho), rho %g",
+        snprintf(what, sizeof what,
+                 "closed room with luminous surfaces, 1/(1 - rho), rho %g",
                  reflectances[i]);
         status = check_traced(cases, what, world, &light, &oblique, PP_IRC,
                               1.0 / (1.0 - reflectances[i]), how, err);
@@ -191,11 +192,11 @@ static enum pp_status check_configuration_factors(struct pp_known_cases *cases,
         struct pp_vec3 inward;
         double factor;
     } list[] = {
-        {"configuration factor of a glowing ceiling",
+        {"configuration factor of a luminous ceiling",
          {0.0, 0.0, -1.0},
          parallel_factor(1.0 / h, 1.0 / h) + parallel_factor(3.0 / h, 1.0 / h)
              + parallel_factor(1.0 / h, 2.0 / h) + parallel_factor(3.0 / h, 2.0 / h)},
-        {"configuration factor of a glowing wall",
+        {"configuration factor of a luminous wall",
          {0.0, 1.0, 0.0},
          upright_factor(1.0, h) + upright_factor(3.0, h)},
     };
@@ -229,17 +230,17 @@ static enum pp_status check_windows(struct pp_known_cases *cases,
         double per_cent;
         enum pp_component component;
     } list[] = {
-        {"upright 1 x 1 m, 1 m off, overcast sky",
+        {"vertical opening 1 x 1 m at 1 m, overcast sky",
          "<room version='1'><plan width='4' depth='4' height='4'/><window wall='south' "
          "left='1' sill='1' height='1' width='1' glazing='none'/>"
          "<working-plane height='1'/><point x='1' y='1'/></room>",
          4.52508, PP_SC},
-        {"level 1 x 1 m, 1 m off, overcast sky",
+        {"horizontal opening 1 x 1 m at 1 m, overcast sky",
          "<room version='1'><plan width='4' depth='4' height='2'/><rooflight x='1' "
          "y='1' width='1' depth='1' glazing='none'/><working-plane height='1'/>"
          "<point x='1' y='1'/></room>",
          15.94970, PP_SC},
-        {"a closed dark room",
+        {"closed room without light",
          "<room version='1'><plan width='4' depth='4' height='4'/><point x='1' y='1'/>"
          "</room>",
          0.0, PP_DF},
@@ -269,7 +270,7 @@ static enum pp_status check_traced_and_exact(struct pp_known_cases *cases,
         pp_known_room_evaluate(&room, PP_KNOWN_HALL "</room>", "exact", err);
     if (status != PP_OK)
         return status;
-    status = check_traced(cases, "window 3 x 1.8 m, 3 m off, glazed, against exact",
+    status = check_traced(cases, "window 3 x 1.8 m at 3 m, glazed, compared with exact",
                           room.world, &room.light, room.world->receivers, PP_SC,
                           pp_known_room_at_point(&room, PP_SC, "exact"), how, err);
     pp_known_room_clear(&room);

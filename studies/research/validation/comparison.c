@@ -175,9 +175,10 @@ static struct pp_comparison compare_column(const struct pp_report *report,
         take_mean(&result.of_average, 1);
     }
     if (result.points == 0 && !isfinite(result.average))
-        result.why = column->of_all_surfaces
-                         ? "it averages all surfaces of the room, not its working plane"
-                         : reason(report, column);
+        result.why =
+            column->of_all_surfaces
+                ? "the method averages all surfaces of the room, not the working plane"
+                : reason(report, column);
     return result;
 }
 

@@ -17,7 +17,7 @@ enum pp_status pp_known_room_world(struct pp_world **world,
     struct pp_building *building = NULL;
     struct pp_mistakes mistakes;
     *world = NULL;
-    pp_mistakes_init(&mistakes, "a room of known answer");
+    pp_mistakes_init(&mistakes, "a room with a known answer");
     enum pp_status status =
         pp_building_parse(&building, xml, strlen(xml), &mistakes, err);
     if (status == PP_OK)
@@ -25,7 +25,7 @@ enum pp_status pp_known_room_world(struct pp_world **world,
     if (status == PP_OK)
         status = pp_room_light(light, pp_building_room(building, 0), err);
     if (status == PP_BAD_INPUT && mistakes.count > 0)
-        pp_fail(err, status, "a room of known answer: %s", mistakes.list[0].text);
+        pp_fail(err, status, "a room with a known answer: %s", mistakes.list[0].text);
     pp_building_destroy(building);
     pp_mistakes_clear(&mistakes);
     return status;

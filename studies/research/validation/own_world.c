@@ -111,7 +111,8 @@ static enum pp_status make_world(struct pp_world **world, const struct pp_room *
     pp_mistakes_init(&mistakes, "room");
     enum pp_status status = pp_world_create(world, room, &mistakes, err);
     if (status == PP_BAD_INPUT)
-        status = pp_fail(err, PP_BAD_INPUT, "a method's own world makes no sense: %s",
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "the room that a method assumes is not valid: %s",
                          mistakes.count > 0 ? mistakes.list[0].text : "");
     pp_mistakes_clear(&mistakes);
     return status;

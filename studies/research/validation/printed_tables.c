@@ -93,7 +93,7 @@ static enum pp_status check_brs_table(struct pp_known_cases *cases,
             write_ratio(height, h);
             write_ratio(width, w);
             snprintf(what, sizeof what, "h/d %s, w/d %s%s", height, width,
-                     is_odd(h, w) ? ", an odd cell" : "");
+                     is_odd(h, w) ? ", an irregular cell" : "");
             status = sky_component(&value, bounded(h), bounded(w), err);
             if (status == PP_OK)
                 pp_known_case_add(cases, what, "exact", value, 0.01 * cell,
@@ -198,7 +198,7 @@ static enum pp_status check_iso_skies(struct pp_known_cases *cases,
     } list[] = {{1, 0.8325846}, {12, 0.4544524}};
     const struct pp_vec3 sun = {0.5, 0.0, sqrt(0.75)}, u = {-sqrt(0.5), 0.0, sqrt(0.5)},
                          zenith = {0.0, 0.0, 1.0};
-    cases->group = "ISO 15469, over the zenith";
+    cases->group = "ISO 15469 luminance over that of the zenith";
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         struct pp_sky sky;
         char what[80];

@@ -32,10 +32,9 @@ static enum pp_status run_cie171(struct pp_known_cases *cases,
 
 const struct pp_suite pp_suite_quick = {
     .name = "quick",
-    .summary = "answers known on paper",
-    .limits =
-        "to the digits that the expected answers are known to, traced ones within "
-        "four of their standard errors",
+    .summary = "answers that can be worked out by hand",
+    .limits = "to the digits known of the expected answers; simulated answers: within "
+              "four standard errors",
     .samples = 512,
     .run = run_quick,
 };
@@ -44,8 +43,8 @@ const struct pp_suite pp_suite_rooms = {
     .name = "rooms",
     .summary = "Each method against the simulation",
     .limits =
-        "within the band of the atlas for rooms of that kind, wider by three standard "
-        "errors of what is traced; as the band holds 95 %, 1 in 20 may be outside",
+        "within the atlas band for similar rooms, widened by three standard errors of "
+        "the simulation; 1 in 20 may be outside, because the band holds 95 %",
     .chance = 0.05,
     .of_rooms = true,
 };
@@ -53,8 +52,8 @@ const struct pp_suite pp_suite_rooms = {
 const struct pp_suite pp_suite_radiance = {
     .name = "radiance",
     .summary = "The simulation against Radiance's rtrace",
-    .limits = "within three standard errors of the difference, or 1 % of what rtrace "
-              "finds; 1 in 100 may be outside",
+    .limits = "within three standard errors of the difference, or 1 % of the result of "
+              "rtrace; 1 in 100 may be outside",
     .chance = 0.01,
     .of_rooms = true,
 };
@@ -62,9 +61,8 @@ const struct pp_suite pp_suite_radiance = {
 const struct pp_suite pp_suite_engines = {
     .name = "engines",
     .summary = "simulation engines, compared with the path tracer",
-    .limits =
-        "within three standard errors of the difference; of the irradiance cache, "
-        "which is not without bias, and 2 %; 1 in 100 may be outside",
+    .limits = "within three standard errors of the difference, plus 2 % for the "
+              "irradiance cache, which has a bias; 1 in 100 may be outside",
     .chance = 0.01,
     .of_rooms = true,
 };
@@ -72,18 +70,16 @@ const struct pp_suite pp_suite_engines = {
 static const struct pp_suite analytic = {
     .name = "analytic",
     .summary = "closed forms, limits and configuration factors",
-    .limits =
-        "to the digits that the expected answers are known to, traced ones within "
-        "four of their standard errors",
+    .limits = "to the digits known of the expected answers; simulated answers: within "
+              "four standard errors",
     .samples = 512,
     .run = pp_closed_forms};
 
 static const struct pp_suite published = {
     .name = "published",
     .summary = "worked examples, and printed tables cell by cell",
-    .limits =
-        "to the last printed digit, and to what the makers of a table are known to "
-        "have been off by; traced ones within four of their standard errors more",
+    .limits = "to the last printed digit and the known errors of a table; simulated "
+              "answers: within four standard errors in addition",
     .samples = 512,
     .run = run_published};
 
@@ -92,8 +88,8 @@ static const struct pp_suite cie171 = {
     .summary = "the daylight cases of CIE 171:2006, 2592 values",
     .limits = "exact: within 0.1 % (0.25 % where a mask cuts the opening) or 0.001 % "
               "daylight factor of an independent integration. It is also within 1 % or "
-              "0.02 % of soundly printed values. Traced: within three standard errors "
-              "of exact, except 1 in 100",
+              "0.02 % of the printed values that are sound. Traced: within three "
+              "standard errors of exact, except 1 in 100",
     .samples = 64,
     .chance = 0.01,
     .run = run_cie171};

@@ -61,14 +61,14 @@ static enum pp_status check_rooms(struct pp_known_cases *cases, struct pp_error 
     if (status != PP_OK)
         return status;
     pp_known_case_add_per_cent(
-        cases, "the same room, T 0.68, M 0.9, theta 65 degrees", "average-df",
+        cases, "the same room, with T 0.68, M 0.9, theta 65 degrees", "average-df",
         pp_known_room_average(&room, PP_DF, "average-df"), 2.5163, 4);
     pp_known_room_clear(&room);
 
     status = pp_known_room_evaluate(&room, PP_KNOWN_HALL "</room>", "brs-table", err);
     if (status != PP_OK)
         return status;
-    pp_known_case_add_per_cent(cases, "window 3 x 1.8 m, 3 m off", "brs-table",
+    pp_known_case_add_per_cent(cases, "window 3 x 1.8 m at 3 m", "brs-table",
                                pp_known_room_at_point(&room, PP_SC, "brs-table"), 3.35,
                                2);
     pp_known_room_clear(&room);
@@ -79,10 +79,10 @@ static enum pp_status check_rooms(struct pp_known_cases *cases, struct pp_error 
     if (status != PP_OK)
         return status;
     pp_known_case_add_per_cent(
-        cases, "the same, a skyline to h/d 0.5: sky", "brs-table",
+        cases, "the same, sky component above a skyline of h/d 0.5", "brs-table",
         pp_known_room_at_point(&room, PP_SC, "brs-table"), 2.08, 2);
     pp_known_case_add_per_cent(
-        cases, "the same: what the skyline reflects", "brs-table",
+        cases, "the same, externally reflected component of the skyline", "brs-table",
         pp_known_room_at_point(&room, PP_ERC, "brs-table"), 0.254, 3);
     pp_known_room_clear(&room);
     return PP_OK;

@@ -360,13 +360,14 @@ static void areas_that_see_sky_agree(void **state)
             lit += sight_sky_factor(world, eye, 8, false) > 0.002;
         }
         double area = facts[i].floor_m2; /* all walls are upright */
-        struct json_object *beyond = finding(&rooms[i], "no-sky-line", "area beyond");
+        struct json_object *beyond = finding(&rooms[i], "no-sky-line", "area without");
         assert_near(json_object_get_double(field(beyond, "figure")),
                     (1.0 - (double)see / points) * area, 0.015 * area);
         assert_null(field(beyond, "verdict"));
         assert_finding(&rooms[i], "sky-line", "working plane", 100.0 * see / points,
                        1.5, 80.0, false);
-        struct json_object *enclosed = finding(&rooms[i], "rights-of-light", "area");
+        struct json_object *enclosed =
+            finding(&rooms[i], "rights-of-light", "adequately lit area");
         assert_near(json_object_get_double(field(enclosed, "figure")),
                     (double)lit / points * area, 0.015 * area);
         assert_finding(&rooms[i], "rights-of-light", "share", 100.0 * lit / points, 1.5,

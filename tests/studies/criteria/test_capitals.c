@@ -38,7 +38,8 @@ static void nearness_goes_by_the_great_circle(void **state)
     (void)state;
     assert_non_null(strstr(at(52.2, 0.1).how, "London, the nearest capital, 78 km"));
     struct pp_median by_latitude = at(52.2, NAN);
-    assert_non_null(strstr(by_latitude.how, "Warsaw, the capital of nearest latitude"));
+    assert_non_null(
+        strstr(by_latitude.how, "Warsaw, the capital at the nearest latitude"));
     assert_near(by_latitude.lux, 14700.0, 0.0);
 
     assert_true(isnan(at(64.13, 179.0).lux));
@@ -59,8 +60,8 @@ static void the_table_goes_by_nation(void **state)
     assert_near(pp_capitals_median(NAN, NAN, "SE").lux, 12100.0, 0.0);
     assert_non_null(
         strstr(pp_capitals_median(NAN, NAN, "RO").how, "from memory, not checked"));
-    assert_non_null(strstr(pp_capitals_median(latitude, longitude, "SM").how,
-                           "no capital for its"));
+    assert_non_null(
+        strstr(pp_capitals_median(latitude, longitude, "SM").how, "no capital for"));
     for (int i = 0; i < pp_capitals_count(); i++)
         assert_ptr_equal(pp_capitals_of_country(pp_capitals_at(i)->country),
                          pp_capitals_at(i));

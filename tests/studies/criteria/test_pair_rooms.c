@@ -44,12 +44,12 @@ static void another_room_is_not_the_room_before(void **state)
     static const struct {
         const char *before, *why;
     } cases[] = {
-        {ROOM, "has 1 opening, and there are 2"},
-        {TWO("0.4", "2.3"), "none of its openings is where the one on line 1 is"},
-        {"<plan width=\"4.1\" depth=\"6.4\" height=\"2.9\"/>", "another shape"},
+        {ROOM, "has 1 opening, but in this room there are 2"},
+        {TWO("0.4", "2.3"), "no opening in the place of the opening on line 1"},
+        {"<plan width=\"4.1\" depth=\"6.4\" height=\"2.9\"/>", "a different shape"},
         {"<plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/><vertex x=\"4.1\" y=\"0\"/>"
          "<vertex x=\"4.1\" y=\"6.3\"/></plan>",
-         "has 5 faces, and this room 6"},
+         "has 5 faces, but this room has 6"},
         {TWO("0.4", "2.2") "<working-plane height=\"0.7\"/>", "working plane"},
     };
     struct pp_world *world = world_of(TWO("0.4", "2.2"));

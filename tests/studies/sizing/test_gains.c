@@ -21,9 +21,9 @@ static const struct {
     const char *change;   /* in what the gain says */
     const char *was, *is; /* in the file */
 } cases[] = {
-    {"ceiling of reflectance 0.85", "ceiling='0.65'", "ceiling='0.85'"},
-    {"walls of reflectance 0.7", "walls='0.45'", "walls='0.7'"},
-    {"floor of reflectance 0.4", "floor='0.2'", "floor='0.4'"},
+    {"ceiling with a reflectance of 0.85", "ceiling='0.65'", "ceiling='0.85'"},
+    {"walls with a reflectance of 0.7", "walls='0.45'", "walls='0.7'"},
+    {"floor with a reflectance of 0.4", "floor='0.2'", "floor='0.4'"},
     {"clean glass", "maintenance='0.8'", "maintenance='1'"},
     {"frames half as wide", "frame-factor='0.7'", "frame-factor='0.85'"},
     {"clear-double glazing", "solar-control-light", "clear-double"},

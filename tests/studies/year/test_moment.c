@@ -53,7 +53,7 @@ static void clock_without_a_zone_is_that_of_the_longitude(void **state)
     assert_int_equal(pp_moment_of_irradiances(&moment, &of, NULL), PP_OK);
     assert_int_equal(pp_moment_of_irradiances(&by_zone, &golden, NULL), PP_OK);
     assert_near(altitude_deg(&moment), altitude_deg(&by_zone), 1e-12);
-    assert_non_null(strstr(moment.words, "by the longitude"));
+    assert_non_null(strstr(moment.words, "from the longitude"));
 }
 
 static void refuses(const struct pp_moment_irradiances *of, const char *words)

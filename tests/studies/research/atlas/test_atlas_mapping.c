@@ -91,7 +91,7 @@ static void a_method_of_averages_is_held_against_averages(void **state)
     assert_int_equal(
         pp_atlas_mapping_of(&map, &table, PP_MAP_DEPTH, "average-df", &err),
         PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, "averages only"));
+    assert_non_null(strstr(err.message, "only an average"));
     pp_atlas_table_clear(&table);
 }
 

@@ -73,7 +73,7 @@ static void what_is_no_number_is_named_with_its_line(void **state)
         {"room,point,a\n0,-1\n", ":2: 2 fields; expected 3"},
         {"room,point,a\n0,-1,1,2\n", ":2: 4 fields; expected 3"},
         {"room,x\n", ":1: no columns"},
-        {"# nothing\n", ": empty; expected an atlas"},
+        {"# nothing\n", ": the file is empty; expected an atlas"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct pp_atlas_table table;

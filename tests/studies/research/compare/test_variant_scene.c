@@ -110,7 +110,7 @@ static void what_is_among_the_shapes_stays(void **state)
         assert_int_equal(pp_variant_scene_values(NULL, NULL, &description, NULL, 0,
                                                  &variant, &tracing, &err),
                          PP_BAD_INPUT);
-        assert_non_null(strstr(err.message, "among the shapes"));
+        assert_non_null(strstr(err.message, "part of the geometry"));
     }
     pp_scene_description_clear(&description);
 }
