@@ -36,9 +36,9 @@ extern const struct pp_option pp_room_methods_option[];
 extern const struct pp_option pp_room_points_option[];
 extern const struct pp_option pp_room_sky_options[]; /* sky, room */
 extern const struct pp_option pp_room_external_option[];
-/* vsc-point-french; its values are one double, 0 where it is not given. */
+/* vsc-point-french. Its value is one double, 0 if the option is not given. */
 extern const struct pp_option pp_room_french_option[];
-/* spacing; its values are a struct pp_grid_choice, empty where it is not given. */
+/* spacing. Its value is a struct pp_grid_choice, empty if the option is not given. */
 extern const struct pp_option pp_room_spacing_option[];
 extern const struct pp_option pp_room_simulate_option[];
 /* Options of commands that simulate by default: simulate, and its opposite by-hand. */

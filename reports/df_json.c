@@ -42,8 +42,8 @@ static bool add_step(struct json_object *object, const struct pp_world *world,
 }
 
 /* Adds "steps": [{ "step": "...", "symbol": "W", "formula": "...", "value": 1.25,
- * "unit": "%", "opening": 8, "label": "W1" }]; symbol and formula where there are any,
- * line and names of the opening where it is one's. */
+ * "unit": "%", "opening": 8, "label": "W1" }]. symbol and formula are left out if the
+ * step has none; opening and label are present in steps of one opening. */
 static bool add_steps(struct json_object *object, const struct pp_world *world,
                       const struct pp_steps *steps)
 {

@@ -57,8 +57,8 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
     pp_text_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
 }
 
-/* Writes the deviation of a value from the simulated one, in per cent of that; a dash
- * if the simulated one is too uncertain. */
+/* Writes the deviation of a value from the simulated value, as a percentage of the
+ * latter; a dash if the simulated value is too uncertain. */
 static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                          const struct pp_reading *traced)
 {
@@ -198,8 +198,9 @@ static bool is_stood_in_for(const struct pp_report *report,
     return report->stand_in != NULL;
 }
 
-/* lux_title: of the columns with illuminances; external_lux 0: none. Bands are beside
- * the first method's daylight factors, or beside all. */
+/* Fills the table of daylight factors. external_lux: illuminance outside (lux), 0: no
+ * columns of illuminance; lux_title: title of those columns. all_bands: bands for every
+ * method; false: for the first method only. */
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
                        double external_lux, const char *lux_title, bool all_bands,
                        bool utf8)

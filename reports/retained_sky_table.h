@@ -1,4 +1,4 @@
-/* retained_sky_table.h - the sky before and after at windows or rooms
+/* retained_sky_table.h - the sky before and after a development at windows or rooms
  * (studies/sizing/retained_sky.h), in words, as a table and as JSON. */
 #ifndef PP_REPORTS_RETAINED_SKY_TABLE_H
 #define PP_REPORTS_RETAINED_SKY_TABLE_H

@@ -6,7 +6,7 @@
 #include "charts/sheet/lettering.h"
 #include "model/results/document.h"
 
-enum { PP_GRID_COLUMNS = 16 }; /* at most; others are left out */
+enum { PP_GRID_COLUMNS = 16 }; /* most columns of a table; others are left out */
 
 struct pp_document_grid {
     cairo_t *cr;

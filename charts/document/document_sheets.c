@@ -33,8 +33,8 @@ struct sheet_setter {
     struct pp_box body;
     double y;         /* y of the next block, mm */
     int sheet, count; /* sheet: from 1; count: 0 before they are known */
-    int *chapters;    /* sheet on which each begins, of all headings of level 2 */
-    int chapter;      /* the next of them */
+    int *chapters;    /* first sheet of each chapter (a heading of level 2) */
+    int chapter;      /* index of the next chapter */
     bool drawn;       /* false: sheets are only counted */
     enum pp_status status;
     struct pp_error *err;

@@ -118,8 +118,8 @@ static void write_count(char *text, size_t room, double count)
     snprintf(text, room, count == rint(count) ? "%.0f" : "%.1f", count);
 }
 
-/* Sum over all pieces of the same kind as piece `first`, if it is the first of that
- * kind; else 0. */
+/* Sum of the values of all pieces of the same kind as piece `first`; 0 if `first` is
+ * not the first piece of its kind. */
 static double like(const struct pp_board_window *window, int first)
 {
     const struct pp_board_piece *pieces = window->pieces;

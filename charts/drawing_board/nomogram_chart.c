@@ -215,7 +215,7 @@ static double off_line(const struct pp_nomogram_curve_frame *drawing,
     return -1.0;
 }
 
-/* The nearest stem on the readings' side of one, or -1. */
+/* The stem nearest to `stem` on the side of its readings, or -1. */
 static int neighbour(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     double side = -stem_label_side(stem), gap = INFINITY;
@@ -236,8 +236,8 @@ static double figures_mm(const struct pp_style *style)
     return 3.3 * style->scale + 2.4 * style->text[PP_TEXT_SMALL];
 }
 
-/* True if the space beside a stem, on the readings' side, is narrower than "3:
- * 0.0155". */
+/* True if the space on the side of a stem's readings is too narrow for a label as long
+ * as "3: 0.0155". */
 static bool narrow(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     int next = neighbour(drawing, stem);

@@ -1,4 +1,4 @@
-/* nomogram_curve.c - marks square to the curve, figures above it. */
+/* nomogram_curve.c - marks perpendicular to the curve, with the figures above it. */
 #include "charts/drawing_board/nomogram_curve.h"
 
 #include <math.h>

@@ -22,8 +22,8 @@ double pp_nomogram_curve_y(const struct pp_nomogram_curve_frame *frame, double y
 /* Draws the curve with its marks and figures, if the sheet has one. */
 void pp_nomogram_curve_draw(const struct pp_nomogram_curve_frame *frame);
 
-/* Draws the straight-edges through the curve for all windows: "d" by the depth, "s"
- * sideways. */
+/* Draws the straight-edges across the curve for all windows: "d" for the factor by
+ * depth, "s" for the sideways factor. */
 void pp_nomogram_curve_edges(const struct pp_nomogram_curve_frame *frame);
 
 #endif

@@ -16,7 +16,7 @@ struct pepper_pot_plot {
     const struct pp_pepper_pot_panel *panel;
     struct pp_box frame;
     struct pp_board_map map; /* its mm is the viewing distance */
-    int first;               /* number of its first window */
+    int first;               /* number of the panel's first window */
 };
 
 /* --- windows -------------------------------------------------------------------------

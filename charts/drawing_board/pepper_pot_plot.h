@@ -1,8 +1,8 @@
 /* pepper_pot_plot.h - one panel of a pepper-pot diagram on paper.
  *
  * The eye is at the viewing distance v (mm) in front of the paper, at the height of the
- * horizon. A length of l metres in an upright plane at a distance of d metres is drawn
- * with
+ * horizon. A length of l metres in a vertical plane, d metres from the eye, is drawn
+ * with the length
  *
  *     v l / d                                                        (mm)
  */

@@ -1,6 +1,4 @@
-/* protractor_chart.c - lays a protractor by itself on a sheet, the disc as large
- * as the sheet holds.
- */
+/* protractor_chart.c - draws a single protractor as large as the sheet allows. */
 #include "charts/drawing_board/protractor_chart.h"
 
 #include <math.h>

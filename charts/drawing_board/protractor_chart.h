@@ -14,7 +14,7 @@
 double pp_protractor_chart_radius_mm(const struct pp_canvas *canvas);
 double pp_protractor_chart_arc_mm(const struct pp_canvas *canvas, bool worked);
 
-/* Draws a protractor by itself. */
+/* Draws a single protractor, without room or worked example. */
 enum pp_status pp_protractor_chart_draw(struct pp_canvas *canvas,
                                         const struct pp_protractor_sheet *sheet,
                                         struct pp_error *err);

@@ -17,7 +17,8 @@ struct pp_protractor_disc {
     double x, y;    /* the centre; mm on paper */
     double radius;  /* of the rim, mm */
     double grey;    /* grey level of lines and figures: 0 black to 1 white */
-    bool to_right;  /* true: the section looks to the right; false: to the left */
+    bool to_right;  /* true: the glass is on the right of the section; false: on the
+                     * left */
     double plan[2]; /* direction of the normal on the plan, out of the room; unit vector
                      * on paper */
 };

@@ -173,8 +173,8 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
     double edge = drawing->radius + pp_protractor_disc_border(style);
     double words = 26.0 * style->scale, s = pp_section_cut_s(&cut, sheet->point);
 
-    /* Leaves space for the scale bar, then for the protractor beside the room and above
-     * it. */
+    /* Leaves space for the scale bar, and for the protractor beside and above the
+     * room. */
     bool overhead = sheet->read.list[0].edge_rad[1] > 1.0;
     double left = 0.0, right = 0.0, top = (overhead ? 10.0 : 3.0) * style->scale;
     for (int round = 0; round < 4; round++) {
@@ -400,7 +400,7 @@ static void say_subtitle(char *text, size_t room,
         sheet->point.z, sheet->opening->label);
 }
 
-/* Draws one sheet, with those of all readings that `sums` selects. */
+/* Draws one sheet with the protractors of all readings that `sums` selects. */
 static enum pp_status draw_one(struct pp_canvas *canvas,
                                const struct pp_protractor_sheet *sheet,
                                const struct pp_protractor_sums *sums,

@@ -13,7 +13,7 @@ struct indicator_drawing {
     struct pp_style style;
     const struct pp_skylight_indicator_sheet *sheet;
     struct pp_board_map
-        map; /* its mm is the length of one unit of distance over height */
+        map; /* map.mm: length (mm) of a ratio of distance to height of 1 */
 };
 
 /* Altitudes of the arcs (degrees). */
@@ -59,8 +59,8 @@ static void draw_net(const struct indicator_drawing *drawing)
     cairo_stroke(cr);
 }
 
-/* Altitudes along the wall, on the right, where there are no marks; azimuths round the
- * rim. */
+/* Writes the altitudes along the wall, in its right half, which has no marks, and the
+ * azimuths along the rim. */
 static void label_net(const struct indicator_drawing *drawing)
 {
     const struct pp_style *style = &drawing->style;
@@ -237,7 +237,8 @@ static double draw_words(const struct indicator_drawing *drawing, struct pp_box 
     return height;
 }
 
-/* Largest round length of a unit at which half a disc of that reach (in units) fits. */
+/* Largest round length (mm) of one unit for which a half disc of radius `reach` (units)
+ * fits. */
 static double choose_unit(double reach, double width, double height)
 {
     double most = fmin(0.5 * width, height) / reach;

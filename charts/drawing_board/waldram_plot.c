@@ -327,7 +327,8 @@ static void draw_windows(const struct pp_waldram_drawing *drawing,
         draw_pieces(drawing, &turned, tints);
         cairo_restore(drawing->cr);
     }
-    /* The single window of an upright receiver covers the whole diagram. */
+    /* The single window of a vertical receiver covers the whole diagram and needs no
+     * letter. */
     for (int w = 0; w < panel->count && !tints && !drawing->sheet->upright; w++)
         draw_letter(drawing, plot, &panel->windows[w], plot->first + w);
     cairo_restore(drawing->cr);

@@ -60,7 +60,8 @@ static bool covers(const struct pp_surface *surface, const struct pp_net_panel *
     return surface->role == PP_COVER && surface->owner == panel->face;
 }
 
-/* Draws an edge to be cut, or to be folded: then once, by the first of its panels. */
+/* Draws an edge that is cut or folded. A fold is drawn once, by the first of its two
+ * panels. */
 static void draw_edge(const struct net_drawing *drawing,
                       const struct pp_net_panel *panel, int edge, bool first)
 {
@@ -147,7 +148,7 @@ static void draw_cover(const struct net_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* Draws painted doors and dados, and openings to cut out; a panel that is a part of a
+/* Draws painted doors and dados, and the openings to cut out. A panel that is part of a
  * face has its part of them. */
 static void draw_in_face(const struct net_drawing *drawing,
                          const struct pp_net_panel *panel)
@@ -256,7 +257,8 @@ static struct pp_bounds2 painted_extent(const struct net_drawing *drawing,
     return extent;
 }
 
-/* Writes a label nearest to the middle where it covers no line; false: nowhere. */
+/* Writes a label as near to the panel's middle as possible without covering a line;
+ * false if there is no space. */
 static bool write_words(const struct net_drawing *drawing,
                         const struct painted *painted, const char *words)
 {
@@ -309,8 +311,8 @@ static void write_names(const struct net_drawing *drawing,
             write_name(drawing, &(struct painted){panel, &world->surfaces[i]});
 }
 
-/* Writes an edge's number beside its middle, inside the panel; with an asterisk if the
- * edge has no tab. */
+/* Writes an edge's number inside the panel at the edge's middle, with an asterisk if
+ * the edge has no tab. */
 static void number_edge(const struct net_drawing *drawing,
                         const struct pp_net_panel *panel, int edge)
 {

@@ -144,8 +144,8 @@ static bool hang(struct unfolding *unfolding, int index, int edge)
     return false;
 }
 
-/* Starts a piece with a panel, upright or, if it fits only so, turned by a
- * quarter. */
+/* Starts a piece with a panel, upright or, if it does not fit so, turned by 90
+ * degrees. */
 static void grow_piece(struct unfolding *unfolding, int first)
 {
     struct pp_net *net = unfolding->net;
@@ -214,7 +214,7 @@ static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
     return !hit && unfolding->status == PP_OK;
 }
 
-/* True if another edge of that number already has a tab. */
+/* True if another edge with the same number already has a tab. */
 static bool is_served(const struct pp_net_panels *panels, int number, int other_than)
 {
     for (int i = 0; i < panels->count; i++)

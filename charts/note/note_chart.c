@@ -82,7 +82,7 @@ static void need(struct note_drawing *drawing, double height)
 struct note_line {
     struct pp_lettering set;
     double in; /* indent from the column's left edge */
-    double to; /* width left free at its right */
+    double to; /* space left free at the right edge of the column, for the value */
 };
 
 /* Places words at the current height without advancing; returns their height. */
@@ -193,7 +193,8 @@ static void put_heading(struct note_drawing *drawing, const char *words, double 
         put_note_words(drawing, line, words, true) + 0.5 * drawing->style.scale;
 }
 
-/* Draws the opening's wall in the margin, once, if there is space beside its lines. */
+/* Draws the wall of the opening in the margin, once for each opening, if there is space
+ * beside the lines about it. */
 static void show_opening(struct note_drawing *drawing, int line)
 {
     const struct pp_report *report = drawing->note->report;

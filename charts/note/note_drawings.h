@@ -1,5 +1,6 @@
-/* note_drawings.h - the drawings in a note's margin: plan and section of the room with
- * the point, and the wall of an opening beside the lines about that opening. */
+/* note_drawings.h - the drawings in the margin of a worked note: plan and section of
+ * the room with the point, and the wall of an opening beside the lines about that
+ * opening. */
 #ifndef PP_CHARTS_NOTE_NOTE_DRAWINGS_H
 #define PP_CHARTS_NOTE_NOTE_DRAWINGS_H
 

@@ -122,8 +122,8 @@ static bool is_clear(const struct pp_labels *labels, int owner, struct station a
     return true;
 }
 
-/* Best place for a label, as a length along the track: clear of all others, on a
- * straight piece (an excess under 0.2), near the middle. Negative: there is none. The
+/* Best place for a label, as a length along the track: free of other labels, on a
+ * straight piece (excess below 0.2), near the middle. Negative: there is no place. The
  * weights were chosen by trial. */
 static double best_place(const struct track *track, const struct pp_labels *labels,
                          int owner, double width, double height)

@@ -1,5 +1,5 @@
-/* exercise_chart.c - section and plan beside each other, the elevations below, then the
- * lines for the answer. */
+/* exercise_chart.c - section and plan side by side, the elevations below them, and
+ * ruled lines for the answer at the bottom. */
 #include "charts/room/exercise_chart.h"
 
 #include <math.h>
@@ -204,8 +204,9 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
     }
 }
 
-/* Height of elevations. Those at a diagram's scale keep it, whatever the sheet; others
- * are as high as the tallest needs, but at most two fifths of the sheet. */
+/* Height of the elevations (mm). Elevations drawn at the scale of a diagram keep that
+ * scale on every sheet size; others are as high as the tallest one needs, but at most
+ * two fifths of the sheet. */
 static double elevations_height(const struct exercise_drawing *drawing, double most)
 {
     double tallest = 0.0, viewing = drawing->exercise->viewing_mm;

@@ -1,4 +1,5 @@
-/* plan_figures.h - the figures on a plan: at its points, and of the plane as a whole. */
+/* plan_figures.h - the numbers on a plan: values at the points and for the whole
+ * working plane. */
 #ifndef PP_CHARTS_ROOM_PLAN_FIGURES_H
 #define PP_CHARTS_ROOM_PLAN_FIGURES_H
 

@@ -193,9 +193,9 @@ static void trace_jambs(cairo_t *cr, double ends[2][2], const double out[2],
     }
 }
 
-/* Draws a window: the wall's line is interrupted, its faces continue as thin lines, and
- * the glass is a line at its place, half way through the wall's line or at the reveal's
- * outer end. The opening extends to the facade. */
+/* Draws a window. The wall's outline is interrupted, its faces continue as thin lines,
+ * and the glass is a line at its own place: in the middle of the wall or at the outer
+ * end of the reveal. The opening extends to the facade. */
 static void draw_window(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_opening *opening)
@@ -252,8 +252,9 @@ static void draw_door(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* Draws rooflights and sloping glass, which are above the cut: dashed. Upright glass
- * over the plane's middle, as in a clerestory, is a single dashed line from above. */
+/* Draws rooflights and sloping glass, which are above the plan's cut, with dashed
+ * lines. Vertical glass above the plan's interior, such as a clerestory's, is a single
+ * dashed line. */
 static void draw_overhead(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
                           const struct pp_opening *opening)

@@ -51,7 +51,8 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
 bool pp_room_plan_has_overhead(const struct pp_world *world);
 bool pp_room_plan_has_inside(const struct pp_world *world);
 
-/* A bar of a round length, 20 to 60 mm; x, y its upper left corner. Returns its box. */
+/* Draws a scale bar of a round length, 20 to 60 mm; x, y: its upper left corner.
+ * Returns its box. */
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,
                                      double mm_per_m, double x, double y);
 

@@ -269,8 +269,7 @@ static double facade_mm(const struct section_drawing *drawing, int face)
     return 0.0;
 }
 
-/* Traces the band between two lines level with the ends of a cut, at distances `from`
- * and `to` (mm) beside it. */
+/* Traces a band parallel to a cut, between `from` and `to` (mm) from it. */
 static void trace_beside(const struct section_drawing *drawing,
                          const struct pp_cut *cut, double from, double to)
 {
@@ -284,8 +283,8 @@ static void trace_beside(const struct section_drawing *drawing,
     cairo_close_path(drawing->cr);
 }
 
-/* Draws a door as a leaf in its wall's line, with the facade open in front of it; a
- * dado as a thin line in front of the wall's. */
+/* Draws a door as a leaf in the wall's line, with the facade open in front of it, and a
+ * dado as a thin line in front of the wall. */
 static void draw_cover_cut(const struct section_drawing *drawing,
                            const struct pp_cut *cut)
 {

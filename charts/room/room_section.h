@@ -30,7 +30,7 @@ struct pp_room_section {
 /* True if the window at the near or far end is obstructed. */
 bool pp_room_section_has_outside(const struct pp_room_section *section, bool near);
 
-/* The largest round scale at which the room fits into that length and height. */
+/* Sets the largest round scale at which the room fits into that length and height. */
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm);
 

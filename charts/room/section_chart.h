@@ -1,17 +1,18 @@
-/* section_chart.h - daylight factor against distance from the window, over the room's
- * section to the same scale.
+/* section_chart.h - curves of the daylight factor along a line across the room, above a
+ * section of the room drawn to the same horizontal scale.
  *
  * There is one curve for each column of daylight factors that has values at the points,
- * with error bars of one standard error if they were sampled, and a level line for a
- * column with one value for the room. Points are joined by a monotone cubic, which
- * never leaves the range of its neighbours; a point without a value interrupts the
- * curve and is mentioned below the chart.
+ * with error bars of one standard error if the values were sampled, and a horizontal
+ * line for a column with one value for the room. Points are joined by a monotone cubic,
+ * which stays within the range of neighbouring values. A point without a value
+ * interrupts the curve and is mentioned below the chart.
  *
- * The receivers must lie on one straight horizontal line, in any direction and in any
- * order. The vertical section is along that line, with the window on the left if one
- * end of the line has a wall with a window; distances are from that wall's inside face.
- * Openings that are not cut are drawn in outline, as seen behind the cut. Obstructions
- * outside are shown by the line of sight from the window's middle to their head.
+ * The receivers must be on one straight horizontal line, in any direction and in any
+ * order. The vertical section is along that line; a wall with a window at one end of
+ * the line is drawn on the left, and distances are measured from its inside face.
+ * Openings that are not cut are drawn in outline, as seen beyond the cut. Obstructions
+ * outside are represented by the line of sight from the window's middle to their top
+ * edge.
  */
 #ifndef PP_CHARTS_ROOM_SECTION_CHART_H
 #define PP_CHARTS_ROOM_SECTION_CHART_H

@@ -34,9 +34,10 @@ struct pp_section_cut {
     bool near_window, far_window; /* true if they contain an opening */
 };
 
-/* Cuts the world along its receivers, which must lie on a horizontal straight line;
- * with a single one the cut is square to the nearest opening. PP_BAD_INPUT if they do
- * not, or if there is none; then there is nothing to clear. */
+/* Cuts the world along its receivers, which must be on one horizontal straight line;
+ * with a single receiver the cut is perpendicular to the nearest opening. PP_BAD_INPUT
+ * if the receivers are not on one line or there are none; the cut then needs no
+ * clearing. */
 enum pp_status pp_section_cut_init(struct pp_section_cut *cut,
                                    const struct pp_world *world,
                                    const struct pp_receiver *receivers, int count,

@@ -1,4 +1,5 @@
-/* section_names.c - puts the names of the curves beside them, or into a legend. */
+/* section_names.c - writes the names of the curves next to them, or in a legend if
+ * there is no space. */
 #include "charts/room/section_names.h"
 
 #include <math.h>

@@ -34,7 +34,7 @@ struct pp_section_plot {
     struct pp_axis across, up;
     struct pp_box field; /* of the curves */
     int *order;          /* receivers in order of distance */
-    double *distance;    /* of each receiver */
+    double *distance;    /* distance of each receiver along the section */
     struct pp_series *series;
     int series_count, curve_count;
     struct pp_labels *labels;

@@ -19,8 +19,8 @@ struct pp_axis {
     int decimals;                /* decimals of tick labels; -1: as few as possible */
 };
 
-/* A linear axis over low ... high, whose ends are moved outwards to ticks if `round`;
- * ticks are at least apart_mm from each other. low < high; both finite. */
+/* A linear axis from low to high (low < high; both finite), with ticks at least
+ * apart_mm apart. round: the ends are moved outwards to the next ticks. */
 struct pp_axis pp_axis_linear(double low, double high, double from, double to,
                               double apart_mm, bool round);
 
@@ -43,7 +43,7 @@ double pp_axis_draw_across(cairo_t *cr, const struct pp_style *style,
 double pp_axis_draw_up(cairo_t *cr, const struct pp_style *style,
                        const struct pp_axis *axis, double x);
 
-/* Width of the labels of an upright axis. */
+/* Width of the labels of a vertical axis, mm. */
 double pp_axis_reach(cairo_t *cr, const struct pp_style *style,
                      const struct pp_axis *axis);
 

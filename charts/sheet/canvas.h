@@ -35,7 +35,7 @@ struct pp_sheet {
     bool transparent;           /* PNG only: no white ground; 128 MiB of pixels at
                                  * most */
     double width_mm, height_mm; /* used instead of the paper's; 0: the paper's */
-    bool to_place;              /* no file of its own: for pp_canvas_place */
+    bool to_place;              /* without a file of its own: for pp_canvas_place */
 };
 
 struct pp_canvas;

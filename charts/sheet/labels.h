@@ -1,8 +1,8 @@
-/* labels.h - placement of words next to the things that they name.
+/* labels.h - placement of labels next to the objects that they name.
  *
- * Existing drawings are noted as places not to cover. A label is tried on all sides of
- * each place that it may name, at growing distances. It is put at the nearest place
- * where it covers nothing, or else not drawn.
+ * Drawn objects are registered as places that labels must not cover. For each place
+ * that a label may name, positions on all sides and at increasing distances are tried.
+ * The label is put at the nearest position where it covers nothing, or left out.
  */
 #ifndef PP_CHARTS_SHEET_LABELS_H
 #define PP_CHARTS_SHEET_LABELS_H
@@ -19,37 +19,37 @@ struct pp_label_place {
 };
 
 struct pp_labels {
-    struct pp_box field; /* labels stay within it */
+    struct pp_box field; /* area that labels must not leave */
     int count;
     struct pp_label_place places[PP_LABEL_PLACES_MOST];
 };
 
-/* Notes a straight line, as places at most a millimetre apart. Lines beyond
+/* Registers a straight line, as places at most 1 mm apart. Places beyond
  * PP_LABEL_PLACES_MOST are ignored. */
 void pp_labels_note(struct pp_labels *labels, int owner, double x0, double y0,
                     double x1, double y1);
 
-/* Notes cairo's current path, flattened. */
+/* Registers cairo's current path, flattened. */
 void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner);
 
-/* Notes the whole area of a box. */
+/* Registers the whole area of a box. */
 void pp_labels_note_box(struct pp_labels *labels, struct pp_box box);
 
-/* True if a place of that owner is noted within that distance of x, y. */
+/* True if a place of that owner is registered within `distance` of x, y. */
 bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, double y,
                        double distance);
 
-/* True if a box is within the field and clear of all noted places. */
+/* True if a box is within the field and free of all registered places. */
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 
-/* Searches a place for a box of that size next to one of the owner's places, farther
- * from others' places than from its own; *anchor: target of a leader. False: there is
- * none. */
+/* Finds a place for a box next to one of the owner's places, farther from places of
+ * other owners than from the owner's. *anchor: the end of a leader. False: there is no
+ * place. */
 bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style,
                     double width, double height, int owner, struct pp_box *box,
                     double anchor[2]);
 
-/* Draws a leader from the box to the anchor, unless they are next to each other. */
+/* Draws a leader from the box to the anchor, unless they are adjacent. */
 void pp_labels_lead(cairo_t *cr, const struct pp_style *style, struct pp_box box,
                     const double anchor[2]);
 

@@ -9,7 +9,7 @@ enum pp_legend_kind {
     PP_KEY_LINE,
     PP_KEY_MARKED_LINE,
     PP_KEY_SAMPLED, /* a marker with an error bar */
-    PP_KEY_MARKER,  /* a marker by itself */
+    PP_KEY_MARKER,  /* a marker without a line */
     PP_KEY_TINT,    /* a tinted field */
     PP_KEY_COLOUR,  /* a field of a colour */
     PP_KEY_HATCH,   /* a field hatched with lines curve.dashes[0] mm apart on A4 */

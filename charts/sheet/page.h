@@ -1,4 +1,4 @@
-/* page.h - title, subtitle and notes round the drawing, common to all charts. */
+/* page.h - title, subtitle and notes above and below the drawing, for all charts. */
 #ifndef PP_CHARTS_SHEET_PAGE_H
 #define PP_CHARTS_SHEET_PAGE_H
 

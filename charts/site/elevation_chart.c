@@ -19,7 +19,7 @@ struct elevation_drawing {
     double scale; /* 200 for 1:200 */
 };
 
-/* ---- where things are on paper ---- */
+/* ---- positions on paper ---- */
 
 /* Frame of a plan whose x and y are u and v, with the low corner at x, y on paper. */
 static struct pp_room_plan frame_of(const struct elevation_drawing *drawing,

@@ -114,11 +114,11 @@ static double covered_m2(const struct pp_site_shape *shape, double middle[2])
     return fabs(area);
 }
 
-/* Properties of all shapes of one name together. */
+/* Properties of all shapes with the same name together. */
 struct named_thing {
     double area_m2, middle[2]; /* of the largest shape */
     double top_m;
-    bool first; /* true if this shape is the first of them */
+    bool first; /* true for the first shape with the name */
 };
 
 static struct named_thing gather_named(const struct pp_site_sheet *sheet, int index)

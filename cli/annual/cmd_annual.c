@@ -104,7 +104,7 @@ static enum pp_status compute_room(struct annual_run *run,
                              &run->options->annual, err);
 }
 
-/* Rooms K, K + N, K + 2 N, ... of all. */
+/* True if the room belongs to part K of N: rooms K, K + N, K + 2 N, ... */
 static bool is_in_part(const struct part_of_rooms *part, int room)
 {
     return part->count == 0 || room % part->count == part->number - 1;

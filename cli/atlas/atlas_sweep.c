@@ -54,7 +54,8 @@ static bool read_making(struct pp_atlas_making *making, const char *line)
     return strcmp(sky, "iso") == 0 || strcmp(sky, "overcast") == 0;
 }
 
-/* Reads from its head how a file was made; PP_BAD_INPUT says what is wrong with it. */
+/* Reads the settings of an atlas from the head of its file; PP_BAD_INPUT, with the
+ * reason, if the head is invalid. */
 static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char *path,
                                       struct pp_error *err)
 {
@@ -215,7 +216,7 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
     return PP_EXIT_INTERRUPTED;
 }
 
-/* ---- anew ---- */
+/* ---- starting again ---- */
 
 /* Writes head and rooms. *next: the room after the last. */
 static enum pp_status print_anew(FILE *out, const struct row_source *source, int rooms,

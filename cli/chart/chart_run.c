@@ -51,7 +51,7 @@ static void clear_chart_task(struct chart_task *task)
     pp_rooms_clear(&task->rooms);
 }
 
-/* Number of rooms on the sheet that begins with that one: one, or all rooms of its
+/* Number of rooms on the sheet that begins with room `first`: 1, or all rooms of its
  * file. */
 static int rooms_on_sheet(const struct chart_task *task, int first)
 {

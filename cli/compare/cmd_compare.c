@@ -1,5 +1,5 @@
-/* cmd_compare.c - the command compare: another program's values beside ours, and the
- * causes of the difference. */
+/* cmd_compare.c - the command compare: compares the values of another program with ours
+ * and states the causes of the differences. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -180,7 +180,7 @@ static enum pp_status check_compare_options(void *values, char **files, int file
 /* ---- values ---- */
 
 /* Converts the values to fractions, in the order of the points in `chosen`. lux:
- * illuminance of the open level plane; 0: unknown. */
+ * illuminance of a horizontal plane under the open sky; 0: unknown. */
 static enum pp_status to_fractions(double *theirs, const struct pp_other_values *values,
                                    const int *chosen, int count,
                                    const struct compare_options *options, double lux,

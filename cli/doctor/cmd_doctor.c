@@ -1,5 +1,5 @@
-/* cmd_doctor.c - the command doctor: reports what this installation has and whether it
- * works, and draws a page to check a printer with. */
+/* cmd_doctor.c - the command doctor: lists the parts of this installation, tests them,
+ * and draws a page for checking a printer. */
 #include "config.h"
 
 #include <stddef.h>

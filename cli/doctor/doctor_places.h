@@ -1,5 +1,5 @@
-/* doctor_places.h - the places of this installation's files, and the programs that it
- * can use. None is needed to calculate: tables are compiled in. */
+/* doctor_places.h - paths of this installation's files, and the external programs that
+ * can be used. None of them is needed for calculations: the tables are compiled in. */
 #ifndef PP_CLI_DOCTOR_DOCTOR_PLACES_H
 #define PP_CLI_DOCTOR_DOCTOR_PLACES_H
 

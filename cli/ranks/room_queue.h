@@ -5,7 +5,8 @@
 #include "model/base/ranks.h"
 #include "model/results/report.h"
 
-/* Results of a room's simulation: its report, and whether its time was over. */
+/* Results of a room's simulation: the report, and whether the time limit stopped the
+ * simulation. */
 struct pp_room_figures {
     struct pp_report *report;
     bool *by_clock;
@@ -15,7 +16,7 @@ struct pp_room_queue {
     int count;                    /* of rooms; 0: nothing is simulated */
     const struct pp_ranks *ranks; /* NULL: this process alone */
 
-    /* The report of a room, which has the hand methods' columns. */
+    /* The report of a room, with the columns of the hand methods. */
     struct pp_room_figures (*figures)(void *data, int room);
 
     /* Adds the simulation's columns to the report, which may be a copy without any
@@ -25,9 +26,10 @@ struct pp_room_queue {
     void *data;
 };
 
-/* Simulates all rooms; a single room on rank 0, with the threads of its options. With
- * ranks (work_queue.h), all but rank 0 end as interrupted; rank 0 has the columns of
- * all rooms, equal to those of a single process. */
+/* Simulates all rooms. A single room is simulated on rank 0, with the number of threads
+ * in its options. With ranks (work_queue.h) the function returns PP_INTERRUPTED on all
+ * ranks except rank 0, which has the columns of all rooms, equal to those of a single
+ * process. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err);
 

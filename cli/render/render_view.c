@@ -120,7 +120,7 @@ static void size_parallel(struct pp_picture_size *size, double *across, double *
         *size = (struct pp_picture_size){LONG_SIDE, side(LONG_SIDE * shape)};
     else
         *size = (struct pp_picture_size){side(LONG_SIDE / shape), LONG_SIDE};
-    /* The whole room, whatever the picture's aspect ratio. */
+    /* The view contains the whole room, whatever the picture's aspect ratio. */
     double asked = (double)size->height / size->width;
     if (choice->across_m == 0.0 && asked < shape)
         *across *= shape / asked;

@@ -66,8 +66,8 @@ static enum pp_status grow_pictures(struct pp_report_pictures *pictures,
                            : status;
 }
 
-/* Options for the drawings of a room: simulated if its figures are, with twice their
- * error. A time limit is a tenth of that for the figures. */
+/* Options for the drawings of a room: simulated if the room's figures are simulated,
+ * with twice their error. A time limit is a tenth of the limit for the figures. */
 static struct pp_study_options drawing_options(const struct drawing_task *task,
                                                int room)
 {

@@ -1,5 +1,6 @@
-/* against_radiance.h - daylight factors by simulation beside those by Radiance's
- * rtrace, of the same rooms: exported, and computed by the script in the export. */
+/* against_radiance.h - compares simulated daylight factors with those of Radiance's
+ * rtrace for the same rooms, which are exported and computed by the script in the
+ * export. */
 #ifndef PP_CLI_VALIDATE_AGAINST_RADIANCE_H
 #define PP_CLI_VALIDATE_AGAINST_RADIANCE_H
 

@@ -122,7 +122,8 @@ static bool add_rows(struct json_object *object, const char *key,
     return pp_json_add(object, key, list) && append_rows(list, rows, count, compares);
 }
 
-/* Figures and their bounds: of sunlight, too, which has a list of its own besides. */
+/* Adds the figures of the other criteria with their bounds, and those of sunlight,
+ * which also has a list of its own. */
 static bool add_others(struct json_object *object, const struct pp_site_table *table)
 {
     struct json_object *list = json_object_new_array();

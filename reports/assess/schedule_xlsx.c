@@ -140,7 +140,8 @@ static enum pp_status write_workbook(const struct pp_window_schedule *schedule,
     lxw_workbook *workbook = workbook_new_opt(path, &options);
     if (!workbook)
         return pp_fail_memory(err);
-    /* Without a time of its own the workbook has the present one. */
+    /* A fixed creation time (1 January 2000): without one libxlsxwriter would enter the
+     * current time, and files would differ from run to run. */
     char title[] = "Schedule of windows";
     lxw_doc_properties properties = {.title = title, .created = 946684800};
     struct formats formats;

@@ -1,5 +1,5 @@
-/* compare_report.h - another program's values beside ours, and the causes of the
- * difference: as text, and as JSON of format pepperpot-compare-1. */
+/* compare_report.h - the comparison of another program's values with ours and the
+ * causes of the differences, as text and as JSON of format pepperpot-compare-1. */
 #ifndef PP_REPORTS_COMPARE_COMPARE_REPORT_H
 #define PP_REPORTS_COMPARE_COMPARE_REPORT_H
 

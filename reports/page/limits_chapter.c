@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Has any room an answer to a criterion of that name? */
+/* True if any room was assessed by the criterion of that name. */
 static bool is_assessed(const struct pp_assessments *all, const char *criterion)
 {
     for (int i = 0; i < all->count; i++)

@@ -1,11 +1,11 @@
-/* limits_chapter.h - the chapter of a report on what its figures assume and where they
- * end. */
+/* limits_chapter.h - the chapter of a report on the assumptions and the limits of its
+ * figures. */
 #ifndef PP_REPORTS_PAGE_LIMITS_CHAPTER_H
 #define PP_REPORTS_PAGE_LIMITS_CHAPTER_H
 
 #include "reports/page/site_report.h"
 
-/* Adds the paragraphs that apply to what was assessed. */
+/* Adds the paragraphs that apply to the criteria assessed. */
 void pp_limits_chapter(struct pp_document *document,
                        const struct pp_site_report *report);
 

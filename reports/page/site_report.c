@@ -22,7 +22,7 @@ static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
 
 enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
 
-/* Criteria that pp_br209_count_of has counted. */
+/* True for the criteria that pp_br209_count_of counts. */
 static bool is_counted(const struct pp_criterion *criterion)
 {
     static const char *const names[] = {"vertical-sky", "former-sky", "obstruction",
@@ -33,7 +33,8 @@ static bool is_counted(const struct pp_criterion *criterion)
     return false;
 }
 
-/* Number of a room's findings with that verdict; `others`: without those of BR 209. */
+/* Number of a room's findings with that verdict. others: findings of BR 209 are left
+ * out. */
 static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict,
                           bool others)
 {
@@ -48,8 +49,8 @@ static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verd
     return count;
 }
 
-/* The count by BR 209, if windows or rooms are compared; and that of all other
- * verdicts. */
+/* Adds the count of BR 209, if any windows or rooms were compared, and the count of all
+ * other verdicts. */
 static void say_sum(struct pp_document *document, const struct pp_assessments *all)
 {
     char words[160] = "", br209_words[PP_BR209_WORDS];
@@ -74,7 +75,7 @@ static void say_sum(struct pp_document *document, const struct pp_assessments *a
                               all->count == 1 ? "" : "s");
 }
 
-/* "1 of 2"; empty where there is none. */
+/* Writes a cell such as "1 of 2"; an empty cell if count is 0. */
 static void put_share(struct pp_document *document, int met, int count)
 {
     if (count > 0)
@@ -162,7 +163,8 @@ static void put_site_row(struct pp_document *document, const struct pp_site_row 
         pp_document_cell(document, PP_TONE_PLAIN, "%s", "");
 }
 
-/* of: title of the second column; NULL: no such column. */
+/* Adds a table of the rows. of: title of the second column; NULL: there is no such
+ * column. */
 static void put_rows(struct pp_document *document, const char *title, const char *of,
                      const char *unit, const struct pp_site_row *rows, int count)
 {

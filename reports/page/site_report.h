@@ -8,8 +8,8 @@
 
 /* A drawing; its number is its index in the list. */
 struct pp_site_picture {
-    int room; /* index of its room among the assessments; PP_SITE_WHOLE: of the whole
-               * site */
+    int room;          /* index of the room in struct pp_assessments; PP_SITE_WHOLE: the
+               * picture shows the whole site */
     const char *title; /* "Plan: daylight factors"; not owned */
 };
 
@@ -18,22 +18,25 @@ enum { PP_SITE_WHOLE = -1 };
 struct pp_site_report {
     const struct pp_assessments *all;       /* judged */
     const struct pp_project *project;       /* facts of the title block */
-    bool full;                              /* all of each room */
+    bool full;                              /* every room with all sections; false: a
+                                             * short form */
     const char *title;                      /* of the building or the room */
     const char *made_by;                    /* the command line */
     const char *version;                    /* of the program */
     const struct pp_site_picture *pictures; /* in the order of the rooms */
     int picture_count;
 
-    /* Source for a key (or "KEY, page 3"), and the key as listed; NULL: none. */
+    /* Source of a key (or "KEY, page 3"), and the key as printed in the list of
+     * sources; NULL: no source. */
     const char *(*work_of)(const char *place, const char **key);
 };
 
-/* Makes a document with the verdicts, and with drawings of the site and of windows and
- * rooms before and after. A chapter for each room follows: inputs and assumptions,
- * drawings, daylight factors by hand with their bands and simulated with their standard
- * errors, verdicts, and possible improvements. The last chapter describes how the
- * report was made. The caller clears document in any case. */
+/* Makes a document with the verdicts, drawings of the site, and drawings of windows and
+ * rooms before and after a development. A chapter for each room follows: inputs and
+ * assumptions, drawings, daylight factors by hand with their bands and simulated with
+ * their standard errors, verdicts, and possible improvements. The last chapter lists
+ * the command, the methods and the sources. The caller clears document even after a
+ * failure. */
 enum pp_status pp_site_report(struct pp_document *document,
                               const struct pp_site_report *report,
                               struct pp_error *err);

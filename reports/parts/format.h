@@ -19,9 +19,10 @@ void pp_format_cell(double value, const char *format, int width, FILE *out);
 
 /* Fields of CSV [RFC4180]. */
 
-/* Writes a field, in quotes if it contains a separator; NULL is an empty one. A text that
- * a spreadsheet would run as a formula, because it begins with = + - or @ and is no
- * number, has an apostrophe before it. Bytes that are not UTF-8 are replaced by U+FFFD. */
+/* Writes a CSV field, in quotes if it contains a separator; NULL is written as an empty
+ * field. An apostrophe is put before a text that a spreadsheet would run as a formula:
+ * one that begins with = + - or @ and is no number. Bytes that are not UTF-8 are
+ * replaced by U+FFFD. */
 void pp_format_csv_field(const char *text, FILE *out);
 
 /* Writes a comma and a number of ten significant digits; nothing after the comma if it

@@ -14,9 +14,9 @@
 bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
                       const struct pp_outside_light *light);
 
-/* Adds the names of the first opening on that line of the room file: "label", as on drawings
- * (its name shortened, or W1), "name" and "wall", where the file gives them. Adds nothing
- * where no opening is. False: memory is out. */
+/* Adds the names of the first opening on a line of the room file: "label", as on
+ * drawings (its name shortened, or W1), and "name" and "wall" if the file gives them.
+ * Adds nothing if there is no opening on that line. False: out of memory. */
 bool pp_json_room_add_opening_names(struct json_object *object,
                                     const struct pp_world *world, int line);
 

@@ -98,8 +98,8 @@ static bool is_listed(const char *names, const char *name)
     return false;
 }
 
-/* True if the reason begins with the name of one of its columns ("bre: ..."). Reasons
- * of pairs do, as they come from one of the methods. */
+/* True if the reason begins with the name of one of the columns ("bre: ..."). Reasons
+ * of pairs do, because they come from one of the two methods. */
 static bool names_itself(const char *names, const char *why)
 {
     char first[64];

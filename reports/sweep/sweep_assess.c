@@ -118,8 +118,8 @@ static bool add_assess_keys(struct pp_table *table, const struct finding_rows *r
     return true;
 }
 
-/* The swept values of each run, as titles of column groups, which may be in several
- * panels. */
+/* The swept values of each run, as titles of column groups. A group may extend over
+ * several panels. */
 struct run_heads {
     char (*texts)[PP_CELL_BYTES];
 };

@@ -1,4 +1,4 @@
-/* validate_known.h - results beside known values, as text, JSON and CSV. */
+/* validate_known.h - comparison of results with known values, as text, JSON and CSV. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_KNOWN_H
 #define PP_REPORTS_VALIDATE_VALIDATE_KNOWN_H
 

@@ -9,9 +9,9 @@
 #include "reports/parts/json.h"
 #include "studies/research/validation/comparison.h"
 
-/* Prints tables of the components for which a method assumes a world of its own, with
- * the parts of the average's difference and of the bias; nothing, and false, if there
- * are none. */
+/* Prints tables of the components that a method calculates for an idealised room or
+ * sky, with the shares of the average's difference and of the bias. Prints nothing and
+ * returns false if there are none. */
 bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out);
 
 /* Prints the same tables over all rooms. */

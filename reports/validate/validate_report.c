@@ -14,7 +14,7 @@
 
 enum { NAME_WIDTH = 20 };
 
-/* "1.50, 8.50", with the height where that is not the working plane's. */
+/* Writes "1.50, 8.50", with the height if it differs from that of the working plane. */
 static void write_place(char text[64], const struct pp_report *report, int point)
 {
     struct pp_vec3 at = report->receivers[point].position;
