@@ -26,10 +26,18 @@ void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner)
         const cairo_path_data_t *data = &path->data[i];
         if (data->header.type == CAIRO_PATH_CLOSE_PATH)
             continue;
-        if (data->header.type == CAIRO_PATH_LINE_TO)
-            pp_labels_note(labels, owner, x, y, data[1].point.x, data[1].point.y);
-        x = data[1].point.x;
-        y = data[1].point.y;
+        double to[2] = {data[1].point.x, data[1].point.y};
+        bool drawn = data->header.type == CAIRO_PATH_LINE_TO;
+        /* Short pieces of a curve are joined until they are half a millimetre long. */
+        bool last =
+            i + data->header.length >= path->num_data
+            || path->data[i + data->header.length].header.type != CAIRO_PATH_LINE_TO;
+        if (drawn && !last && hypot(to[0] - x, to[1] - y) < 0.5)
+            continue;
+        if (drawn)
+            pp_labels_note(labels, owner, x, y, to[0], to[1]);
+        x = to[0];
+        y = to[1];
     }
     cairo_path_destroy(path);
 }

@@ -11,7 +11,7 @@
 
 #include "charts/sheet/lettering.h"
 
-enum { PP_LABEL_PLACES_MOST = 6000 };
+enum { PP_LABEL_PLACES_MOST = 12000 };
 
 struct pp_label_place {
     double x, y;
@@ -29,7 +29,7 @@ struct pp_labels {
 void pp_labels_note(struct pp_labels *labels, int owner, double x0, double y0,
                     double x1, double y1);
 
-/* Registers cairo's current path, flattened. */
+/* Registers cairo's current path, flattened, as places about a millimetre apart. */
 void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner);
 
 /* Registers the whole area of a box. */
