@@ -11,7 +11,7 @@
 #include <stdbool.h>
 
 #include "charts/room/plan_chart.h"
-#include "charts/room/section_chart.h"
+#include "charts/section/section_chart.h"
 #include "charts/sheet/canvas.h"
 #include "model/geometry/lens.h"
 #include "model/light/glass.h"

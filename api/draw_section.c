@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "api/chart_kind.h"
-#include "charts/room/section_chart.h"
+#include "charts/section/section_chart.h"
 #include "methods/reflected/obstruction.h"
 #include "model/base/text.h"
 #include "studies/reliability.h"

@@ -11,7 +11,7 @@
 #include "charts/drawing_board/protractor_disc.h"
 #include "charts/drawing_board/protractor_sums.h"
 #include "charts/room/room_plan.h"
-#include "charts/room/room_section.h"
+#include "charts/section/room_section.h"
 
 enum { SIGHTS_MOST = 12 };
 
@@ -313,15 +313,18 @@ static void make_room_for_disc(const struct protractor_drawing *drawing,
     const double at[2] = {sheet->point.x, sheet->point.y};
     const double words[2] = {20.0 * style->scale, 8.0 * style->scale};
     double edge = drawing->radius + pp_protractor_disc_border(style);
-    double border = pp_room_plan_border(plan, style);
+    static const enum pp_plan_side sides[2][2] = {{PP_PLAN_LEFT, PP_PLAN_RIGHT},
+                                                  {PP_PLAN_BELOW, PP_PLAN_ABOVE}};
     for (int k = 0; k < 2; k++) {
         double below = (at[k] - plan->extent.low[k]) * plan->mm_per_m;
         double above = (plan->extent.high[k] - at[k]) * plan->mm_per_m;
         double across = edge * fabs(out[1 - k]);
+        const double border[2] = {pp_room_plan_border(plan, style, sides[k][0]),
+                                  pp_room_plan_border(plan, style, sides[k][1])};
         double to_low = fmax(edge * fmax(-out[k], 0.0), across) + words[k];
         double to_high = fmax(edge * fmax(out[k], 0.0), across) + words[k];
-        low[k] = fmax(low[k], fmax(to_low - below, border + 0.5 * words[k]));
-        high[k] = fmax(high[k], fmax(to_high - above, border + 0.5 * words[k]));
+        low[k] = fmax(low[k], fmax(to_low - below, border[0] + 0.5 * words[k]));
+        high[k] = fmax(high[k], fmax(to_high - above, border[1] + 0.5 * words[k]));
     }
 }
 

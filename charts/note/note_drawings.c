@@ -6,7 +6,7 @@
 
 #include "charts/room/room_elevation.h"
 #include "charts/room/room_plan.h"
-#include "charts/room/room_section.h"
+#include "charts/section/room_section.h"
 
 /* Draws the caption below a drawing, from its left edge; returns the height. */
 static double caption(cairo_t *cr, const struct pp_style *style, struct pp_box box,
@@ -26,17 +26,13 @@ static double draw_note_plan(cairo_t *cr, const struct pp_style *style,
     struct pp_vec3 point = report->receivers[0].position;
     char words[96];
     pp_room_plan_fit(&plan, report->world, style, box.width, box.height);
-    double border = pp_room_plan_border(&plan, style);
-    double width = (plan.extent.high[0] - plan.extent.low[0]) * plan.mm_per_m;
-    double height = (plan.extent.high[1] - plan.extent.low[1]) * plan.mm_per_m;
-    plan.x = box.x + 0.5 * (box.width - width);
-    plan.y = box.y + border + height;
+    pp_room_plan_place(&plan, style, box, true);
+    double bottom = plan.y + pp_room_plan_border(&plan, style, PP_PLAN_BELOW);
     pp_room_plan_draw(cr, style, &plan);
     pp_style_marker(cr, style, PP_DISC, pp_room_plan_x(&plan, point.x),
                     pp_room_plan_y(&plan, point.y));
     snprintf(words, sizeof words, "Plan 1:%g, with the point", plan.scale);
-    return height + 2.0 * border
-           + caption(cr, style, box, plan.y + border, words, true);
+    return bottom - box.y + caption(cr, style, box, bottom, words, true);
 }
 
 static double draw_section(cairo_t *cr, const struct pp_style *style,

@@ -8,7 +8,7 @@
 
 #include "charts/room/room_elevation.h"
 #include "charts/room/room_plan.h"
-#include "charts/room/room_section.h"
+#include "charts/section/room_section.h"
 #include "charts/room/room_words.h"
 #include "charts/sheet/page.h"
 
@@ -78,6 +78,7 @@ static struct pp_room_section fitted_section(const struct exercise_drawing *draw
                                       .cut = &drawing->cut,
                                       .report = &drawing->report,
                                       .least_scale = drawing->scale,
+                                      .named = true,
                                       .no_sights = true};
     double outside = outside_mm(drawing);
     pp_room_section_fit(&section, &drawing->style, box.width - 2.0 * outside,
@@ -97,11 +98,7 @@ static struct pp_room_plan fitted_plan(const struct exercise_drawing *drawing,
     struct pp_room_plan plan = {.least_scale = drawing->scale};
     pp_room_plan_fit(&plan, drawing->exercise->world, &drawing->style, box.width,
                      box.height - caption_mm(&drawing->style));
-    double border = pp_room_plan_border(&plan, &drawing->style);
-    double width = (plan.extent.high[0] - plan.extent.low[0]) * plan.mm_per_m;
-    double height = (plan.extent.high[1] - plan.extent.low[1]) * plan.mm_per_m;
-    plan.x = box.x + 0.5 * (box.width - width);
-    plan.y = box.y + border + height;
+    pp_room_plan_place(&plan, &drawing->style, box, true);
     return plan;
 }
 
@@ -151,7 +148,8 @@ static void draw_exercise_plan(const struct exercise_drawing *drawing,
                     pp_room_plan_y(&plan, point.y));
     snprintf(words, sizeof words, "Plan 1:%g", plan.scale);
     write_caption(drawing, box.x + 0.5 * box.width,
-                  plan.y + pp_room_plan_border(&plan, style), box.width, words);
+                  plan.y + pp_room_plan_border(&plan, style, PP_PLAN_BELOW), box.width,
+                  words);
 }
 
 static void draw_elevations(struct exercise_drawing *drawing, struct pp_box box)

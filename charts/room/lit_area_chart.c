@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "charts/room/contour_lines.h"
+#include "charts/room/plan_names.h"
 #include "charts/room/plan_strip.h"
 #include "charts/room/room_plan.h"
 #include "charts/sheet/hatch.h"
@@ -188,10 +189,9 @@ static void say_all(const struct lit_drawing *drawing, char *text, size_t room)
 static void place_plan(struct lit_drawing *drawing, struct pp_box room)
 {
     struct pp_room_plan *plan = &drawing->plan;
+    plan->named = true;
     pp_room_plan_fit(plan, &drawing->legal, &drawing->style, room.width, room.height);
-    struct pp_box box = plane_box(drawing);
-    plan->x = room.x + 0.5 * (room.width - box.width);
-    plan->y = room.y + 0.5 * (room.height + box.height);
+    pp_room_plan_place(plan, &drawing->style, room, false);
 }
 
 static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *canvas)
@@ -227,6 +227,7 @@ static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *c
                (struct pp_box){body.x, body.y, body.width, body.height - below - gap});
     draw_plane(drawing);
     pp_room_plan_draw(drawing->cr, style, &drawing->plan);
+    pp_plan_names_draw(drawing->cr, style, &drawing->plan, NULL);
     double top = body.y + body.height - below;
     pp_lettering_draw(drawing->cr, style, &set, body.x, top, sums);
     pp_plan_strip_draw(

@@ -34,7 +34,7 @@ enum { NO_SKY_LINE = 2 };
 bool pp_plan_chart_landscape(const struct pp_world *world)
 {
     struct pp_style style = pp_style_for(210.0);
-    struct pp_room_plan plan;
+    struct pp_room_plan plan = {0};
     pp_room_plan_fit(&plan, world, &style, 200.0, 200.0);
     return plan.extent.high[0] - plan.extent.low[0]
            > 1.1 * (plan.extent.high[1] - plan.extent.low[1]);
@@ -262,12 +262,12 @@ static void say_plan_foot(const struct plan_drawing *drawing, char *foot, size_t
 static void place_plan(struct plan_drawing *drawing, struct pp_box room)
 {
     struct pp_room_plan *plan = &drawing->plan;
+    plan->named = true;
     pp_room_plan_fit(plan, drawing->chart->world, &drawing->style, room.width,
                      room.height);
+    pp_room_plan_place(plan, &drawing->style, room, false);
     double width = (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m;
     double height = (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m;
-    plan->x = room.x + 0.5 * (room.width - width);
-    plan->y = room.y + 0.5 * (room.height + height);
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
@@ -348,11 +348,13 @@ static void draw_plan_sheet(struct plan_drawing *drawing, struct pp_canvas *canv
     double summary = draw_summary(drawing, body, false);
     place_plan(drawing, (struct pp_box){body.x, body.y, body.width,
                                         body.height - strip - bar - summary - gap});
+    pp_plan_names_note(drawing->labels, drawing->cr, style, &drawing->plan);
     draw_plane(drawing);
     pp_plan_figures_draw(drawing->cr, style, &drawing->plan, chart, drawing->labels);
     if (chart->plan->contours.count == 0)
         say_flat(drawing);
     pp_room_plan_draw(drawing->cr, style, &drawing->plan);
+    pp_plan_names_draw(drawing->cr, style, &drawing->plan, chart->mark);
     struct pp_box below = {body.x, body.y + body.height - strip - bar - summary,
                            body.width, strip};
     draw_summary(drawing, below, true);

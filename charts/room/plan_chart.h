@@ -8,6 +8,7 @@
 #ifndef PP_CHARTS_ROOM_PLAN_CHART_H
 #define PP_CHARTS_ROOM_PLAN_CHART_H
 
+#include "charts/room/plan_names.h"
 #include "charts/sheet/canvas.h"
 #include "model/light/outside_light.h"
 #include "model/results/daylight_plan.h"
@@ -28,6 +29,7 @@ struct pp_plan_chart {
         *report; /* its receivers are marked; NULL: none; not owned */
     const struct pp_column
         *figures; /* figures at the receivers and of the plane; NULL: none; not owned */
+    const struct pp_plan_mark *mark; /* of the section; NULL: none; not owned */
     enum pp_plan_fill fill;
     const char *const *notes; /* further sentences for the foot; not owned */
     int note_count;

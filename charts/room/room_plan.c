@@ -6,35 +6,79 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "charts/room/plan_names.h"
+#include "charts/room/plan_outside.h"
+
 /* Sills higher than this above the working plane (m) are above the eyes of seated
  * users: such windows are dashed, like everything above a plan's cut. */
 #define HIGH_SILL_M 1.0
 
-static double wall_weight(const struct pp_style *style)
+double pp_room_plan_wall_mm(const struct pp_style *style)
 {
     return 1.3 * style->thick;
 }
 
-/* Extent of reveals and facades beyond the walls (m); facades beyond the room are drawn
- * for half a metre. */
-static double farthest_out(const struct pp_world *world)
+/* Adds corners to the extent, at most `most` (m) beyond the room. */
+static void add_corners(struct pp_bounds2 *outer, const struct pp_room_plan *plan,
+                        const struct pp_vec3 *corners, int count, double most)
 {
-    double farthest = 0.0;
+    const struct pp_bounds2 *room = &plan->extent;
+    for (int i = 0; i < count; i++)
+        pp_bounds2_add(
+            outer, fmin(fmax(corners[i].x, room->low[0] - most), room->high[0] + most),
+            fmin(fmax(corners[i].y, room->low[1] - most), room->high[1] + most));
+}
+
+/* Extent (m) of the room with what is drawn outside it: reveals, its windows' overhangs
+ * and balconies, and facades, which continue for half a metre. */
+static struct pp_bounds2 outer_extent(const struct pp_room_plan *plan)
+{
+    static const double balcony_m = 2.5, facade_m = 0.5;
+    const struct pp_world *world = plan->world;
+    struct pp_bounds2 outer = plan->extent;
     for (int i = 0; i < world->opening_count; i++)
-        farthest = fmax(farthest, world->openings[i].reveal_m);
-    for (int i = 0; i < world->facade_count; i++) {
-        const struct pp_facade *facade = &world->facades[i];
-        double beyond = fmax(facade->left_m, facade->right_m);
-        farthest = fmax(farthest, fmax(facade->depth_m, fmin(beyond, 0.5)));
-    }
-    return farthest;
+        add_corners(&outer, plan, world->openings[i].outer.vertices,
+                    world->openings[i].outer.count, balcony_m);
+    for (int i = world->face_count; i < world->surface_count; i++)
+        if (pp_plan_outside_is_shade(&world->surfaces[i]))
+            add_corners(&outer, plan, world->surfaces[i].outline.vertices,
+                        world->surfaces[i].outline.count, balcony_m);
+    for (int i = 0; i < world->facade_count; i++)
+        add_corners(&outer, plan, world->facades[i].corners, 4, facade_m);
+    return outer;
+}
+
+double pp_room_plan_walls_mm(const struct pp_room_plan *plan,
+                             const struct pp_style *style, enum pp_plan_side side)
+{
+    const struct pp_bounds2 outer = outer_extent(plan), *room = &plan->extent;
+    const double out_m[] = {[PP_PLAN_LEFT] = room->low[0] - outer.low[0],
+                            [PP_PLAN_RIGHT] = outer.high[0] - room->high[0],
+                            [PP_PLAN_ABOVE] = outer.high[1] - room->high[1],
+                            [PP_PLAN_BELOW] = room->low[1] - outer.low[1]};
+    return fmax(pp_room_plan_wall_mm(style), plan->mm_per_m * out_m[side])
+           + 0.5 * style->scale;
 }
 
 double pp_room_plan_border(const struct pp_room_plan *plan,
-                           const struct pp_style *style)
+                           const struct pp_style *style, enum pp_plan_side side)
 {
-    return fmax(wall_weight(style), plan->mm_per_m * farthest_out(plan->world))
-           + 0.5 * style->scale;
+    double walls = pp_room_plan_walls_mm(plan, style, side);
+    return plan->named ? walls + pp_plan_names_mm(style, side) : walls;
+}
+
+void pp_room_plan_place(struct pp_room_plan *plan, const struct pp_style *style,
+                        struct pp_box box, bool top)
+{
+    double width = (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m;
+    double height = (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m;
+    double left = pp_room_plan_border(plan, style, PP_PLAN_LEFT),
+           above = pp_room_plan_border(plan, style, PP_PLAN_ABOVE);
+    double right = pp_room_plan_border(plan, style, PP_PLAN_RIGHT),
+           below = pp_room_plan_border(plan, style, PP_PLAN_BELOW);
+    double spare = top ? 0.0 : box.height - height - above - below;
+    plan->x = box.x + 0.5 * (box.width - width - left - right) + left;
+    plan->y = box.y + 0.5 * spare + above + height;
 }
 
 double pp_room_plan_usual_scale(double least)
@@ -68,10 +112,14 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
     for (int i = 0; i < 100; i++) {
         plan->scale = pp_room_plan_usual_scale(plan->scale * (i ? 1.001 : 1.0));
         plan->mm_per_m = 1000.0 / plan->scale;
-        double border = 2.0 * pp_room_plan_border(plan, style);
-        if ((plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m + border
+        double border[4];
+        for (int side = 0; side < 4; side++)
+            border[side] = pp_room_plan_border(plan, style, (enum pp_plan_side)side);
+        if ((plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m
+                    + border[PP_PLAN_LEFT] + border[PP_PLAN_RIGHT]
                 <= width_mm
-            && (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m + border
+            && (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m
+                       + border[PP_PLAN_ABOVE] + border[PP_PLAN_BELOW]
                    <= height_mm)
             return;
     }
@@ -103,7 +151,7 @@ void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan)
 static void draw_walls(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan)
 {
-    double weight = wall_weight(style);
+    double weight = pp_room_plan_wall_mm(style);
     cairo_save(cr);
     cairo_rectangle(
         cr, plan->x - 2.0 * weight,
@@ -119,38 +167,9 @@ static void draw_walls(cairo_t *cr, const struct pp_style *style,
     cairo_restore(cr);
 }
 
-/* Draws the outer faces of the walls that have a facade at the height of the cut,
- * within the border. */
-static void draw_facades(cairo_t *cr, const struct pp_style *style,
-                         const struct pp_room_plan *plan)
-{
-    const struct pp_world *world = plan->world;
-    double border = pp_room_plan_border(plan, style);
-    cairo_save(cr);
-    cairo_rectangle(
-        cr, plan->x - border, pp_room_plan_y(plan, plan->extent.high[1]) - border,
-        (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m + 2.0 * border,
-        (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m + 2.0 * border);
-    cairo_clip(cr);
-    pp_style_line(cr, style->medium, PP_INK);
-    for (int i = 0; i < world->facade_count; i++) {
-        const struct pp_vec3 *corners = world->facades[i].corners;
-        if (corners[0].z > world->working_plane_m
-            || corners[3].z < world->working_plane_m)
-            continue;
-        cairo_move_to(cr, pp_room_plan_x(plan, corners[0].x),
-                      pp_room_plan_y(plan, corners[0].y));
-        cairo_line_to(cr, pp_room_plan_x(plan, corners[1].x),
-                      pp_room_plan_y(plan, corners[1].y));
-    }
-    cairo_stroke(cr);
-    cairo_restore(cr);
-}
-
-/* Ends of a window or door in its wall, and the direction out of the room, all on
- * paper. */
-static void ends_of(const struct pp_room_plan *plan, const struct pp_polygon *outline,
-                    double ends[2][2], double out[2])
+void pp_room_plan_ends(const struct pp_room_plan *plan,
+                       const struct pp_polygon *outline, double ends[2][2],
+                       double out[2])
 {
     struct pp_vec3 right = pp_vec_cross(pp_vec(0, 0, 1), outline->normal);
     double low = INFINITY, high = -INFINITY;
@@ -200,8 +219,8 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_opening *opening)
 {
-    double ends[2][2], out[2], weight = wall_weight(style);
-    ends_of(plan, &opening->inner, ends, out);
+    double ends[2][2], out[2], weight = pp_room_plan_wall_mm(style);
+    pp_room_plan_ends(plan, &opening->inner, ends, out);
     double lowest = INFINITY;
     for (int i = 0; i < opening->inner.count; i++)
         lowest = fmin(lowest, opening->inner.vertices[i].z);
@@ -234,8 +253,8 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
 static void draw_door(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_plan *plan, const struct pp_surface *door)
 {
-    double ends[2][2], out[2], leaf = wall_weight(style), depth = leaf;
-    ends_of(plan, &door->outline, ends, out);
+    double ends[2][2], out[2], leaf = pp_room_plan_wall_mm(style), depth = leaf;
+    pp_room_plan_ends(plan, &door->outline, ends, out);
     for (int i = 0; i < plan->world->facade_count; i++)
         if (plan->world->facades[i].face == door->owner)
             depth = fmax(depth, plan->world->facades[i].depth_m * plan->mm_per_m);
@@ -263,7 +282,7 @@ static void draw_overhead(cairo_t *cr, const struct pp_style *style,
     pp_style_line(cr, style->thin, PP_GREY_LINE);
     cairo_set_dash(cr, dashes, 2, 0.0);
     if (opening->slope_rad >= 89.5 * PP_RAD) {
-        ends_of(plan, &opening->inner, ends, out);
+        pp_room_plan_ends(plan, &opening->inner, ends, out);
         cairo_set_line_width(cr, style->medium);
         cairo_move_to(cr, ends[0][0], ends[0][1]);
         cairo_line_to(cr, ends[1][0], ends[1][1]);
@@ -302,9 +321,8 @@ static void draw_inside(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* True if the opening is in a wall at the plane's edge, not in a roof or in a monitor
- * over the plane's middle. */
-static bool is_in_wall(const struct pp_world *world, const struct pp_opening *opening)
+bool pp_room_plan_is_in_wall(const struct pp_world *world,
+                             const struct pp_opening *opening)
 {
     struct pp_vec3 corner = opening->inner.vertices[0];
     return opening->slope_rad >= 75.0 * PP_RAD
@@ -327,7 +345,7 @@ static bool is_cut(const struct pp_polygon *outline, double height_m)
 bool pp_room_plan_has_overhead(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)
-        if (!is_in_wall(world, &world->openings[i]))
+        if (!pp_room_plan_is_in_wall(world, &world->openings[i]))
             return true;
     return false;
 }
@@ -345,7 +363,7 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan)
 {
     const struct pp_world *world = plan->world;
-    draw_facades(cr, style, plan);
+    pp_plan_outside_draw(cr, style, plan);
     draw_walls(cr, style, plan);
     for (int i = world->face_count; i < world->surface_count; i++)
         if (stands_inside(&world->surfaces[i]))
@@ -354,8 +372,9 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
         if (world->surfaces[i].is_door)
             draw_door(cr, style, plan, &world->surfaces[i]);
     for (int i = 0; i < world->opening_count; i++)
-        (is_in_wall(world, &world->openings[i]) ? draw_window : draw_overhead)(
-            cr, style, plan, &world->openings[i]);
+        (pp_room_plan_is_in_wall(world, &world->openings[i])
+             ? draw_window
+             : draw_overhead)(cr, style, plan, &world->openings[i]);
 }
 
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,

@@ -8,7 +8,7 @@
 #include "api/chart_kind.h"
 #include "charts/room/plan_chart.h"
 #include "charts/room/room_plan.h"
-#include "charts/room/section_chart.h"
+#include "charts/section/section_chart.h"
 #include "charts/sheet/style.h"
 #include "tests/lib/room_of.h"
 
@@ -158,9 +158,14 @@ static void a_section_names_room_sky_methods_scale_and_notes(void **state)
         "simulated \xc2\xb1 standard error",
         "average-df, room average 2.1 %",
         "Distance from the window wall (m)",
-        "Section 1:50.",
+        "Section A\u2013A, 1:50.",
         "sill 0.9 m, head 2.3 m",
-        "22\xc2\xb0 at 15 m",
+        "skyline 22\xc2\xb0",
+        "at 15 m",
+        "W1",    /* the window, */
+        "south", /* its wall, */
+        "7.4 m", /* the length */
+        "2.7 m", /* and the height of the room */
         "Normal transmittance of the glass 0.9, frame factor 1,",
         "ground 0.2. Clear single glass.",
         NULL};
@@ -223,7 +228,7 @@ static void a_slanting_line_is_a_line_too(void **state)
     struct pp_report report = report_of(world, &light);
     add_columns(&report);
     size_t length;
-    static const char *const sayings[] = {"exact+bre", "Section 1:", NULL};
+    static const char *const sayings[] = {"exact+bre", "Section A\u2013A, 1:", NULL};
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
     assert_says(pdf, length, sayings);
     pp_report_clear(&report);
@@ -238,7 +243,7 @@ static void one_point_is_drawn(void **state)
     struct pp_report report = report_of(world, &light);
     add_columns(&report);
     size_t length;
-    static const char *const sayings[] = {"exact+bre", "Section 1:50", NULL};
+    static const char *const sayings[] = {"exact+bre", "Section A\u2013A, 1:50", NULL};
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
     assert_says(pdf, length, sayings);
     pp_report_clear(&report);
@@ -275,7 +280,7 @@ static void a_report_without_values_says_so_on_the_chart(void **state)
     struct pp_report report = report_of(world, &light);
     size_t length;
     static const char *const sayings[] = {"No method gives a daylight factor.",
-                                          "Section 1:50", NULL};
+                                          "Section A\u2013A, 1:50", NULL};
     char *pdf = section(&report, false, PP_CHART_PDF, &length);
     assert_says(pdf, length, sayings);
 
@@ -423,7 +428,14 @@ static void a_plan_without_contours_says_so(void **state)
     char *pdf = plan_chart(world, &light, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
     assert_says(pdf, length, dark);
     plan.lowest = plan.highest = 0.0123;
-    static const char *const flat[] = {"is about 1.2 % everywhere", NULL};
+    static const char *const flat[] = {"the daylight factor is about",
+                                       "1.2 % everywhere",
+                                       "W1",
+                                       "south",
+                                       "north",
+                                       "3.2 m",
+                                       "7.4 m",
+                                       NULL};
     pdf = plan_chart(world, &light, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
     assert_says(pdf, length, flat);
     pp_world_destroy(world);
@@ -442,7 +454,7 @@ static void small_rooms_and_halls_find_a_usual_scale(void **state)
     for (int i = 0; i < 3; i++) {
         struct pp_outside_light light;
         struct pp_world *world = world_of(&light, "Scale", rows[i].plan);
-        struct pp_room_plan plan;
+        struct pp_room_plan plan = {0};
         pp_room_plan_fit(&plan, world, &style, 180.0, 180.0);
         assert_near(plan.scale, rows[i].scale, 1e-9);
         pp_world_destroy(world);

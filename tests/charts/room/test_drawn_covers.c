@@ -1,7 +1,7 @@
 /* test_drawn_covers.c - doors and dados in plans and sections of a room: at their places, to
  * scale, and no dado in a plan. */
 #include "charts/room/room_plan.h"
-#include "charts/room/room_section.h"
+#include "charts/section/room_section.h"
 #include "charts/sheet/canvas.h"
 #include "charts/sheet/page.h"
 #include "tests/lib/room_of.h"

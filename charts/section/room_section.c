@@ -1,5 +1,5 @@
 /* room_section.c - scale of a section; cut faces, openings, plane, lines of sight. */
-#include "charts/room/room_section.h"
+#include "charts/section/room_section.h"
 #include "charts/room/room_elevation.h"
 
 #include <math.h>
@@ -7,7 +7,9 @@
 #include <string.h>
 
 #include "charts/room/room_plan.h"
-#include "charts/room/section_sight.h"
+#include "charts/section/section_outside.h"
+#include "charts/section/section_sight.h"
+#include "charts/section/section_words.h"
 #include "charts/sheet/page.h"
 #include "charts/sheet/lettering.h"
 #include "model/base/text.h"
@@ -20,8 +22,8 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
     return sight.angle_rad > 0.0 || sight.overhang_rad < 0.5 * PP_PI;
 }
 
-/* Lowest and highest point of the cut faces. */
-static void heights_of(const struct pp_section_cut *cut, double *low, double *high)
+void pp_room_section_heights(const struct pp_section_cut *cut, double *low,
+                             double *high)
 {
     *low = INFINITY;
     *high = -INFINITY;
@@ -44,27 +46,40 @@ double pp_room_section_x(const struct pp_room_section *section, double s)
 double pp_room_section_y(const struct pp_room_section *section, double z)
 {
     double low, high;
-    heights_of(section->cut, &low, &high);
+    pp_room_section_heights(section->cut, &low, &high);
     return section->y + (high - z) * section->mm_per_m;
 }
 
-static double caption_mm(const struct pp_room_section *section,
-                         const struct pp_style *style)
+/* Height of names, dimensions and caption below the floor. */
+static double below_mm(const struct pp_room_section *section,
+                       const struct pp_style *style)
 {
-    return section->no_caption ? 0.0 : 3.2 * style->text[PP_TEXT_SMALL];
+    double names = section->named ? pp_section_words_mm(style) : 0.0;
+    return names + (section->no_caption ? 0.0 : 3.2 * style->text[PP_TEXT_SMALL]);
+}
+
+double pp_room_section_above_mm(const struct pp_room_section *section)
+{
+    double low, high, top = -INFINITY;
+    pp_room_section_heights(section->cut, &low, &high);
+    for (int i = 0; i < section->cut->count; i++)
+        if (section->cut->list[i].kind == PP_CUT_GLASS)
+            top =
+                fmax(top, fmax(section->cut->list[i].z[0], section->cut->list[i].z[1]));
+    return fmax(top - high, 0.0) * section->mm_per_m;
 }
 
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm)
 {
     double low, high;
-    heights_of(section->cut, &low, &high);
-    double free_mm = fmax(height_mm - caption_mm(section, style), 5.0);
+    pp_room_section_heights(section->cut, &low, &high);
+    double free_mm = fmax(height_mm - below_mm(section, style), 5.0);
     double least = fmax(1000.0 * section->cut->length_m / length_mm,
                         1000.0 * (high - low) / free_mm);
     double scale = pp_room_plan_usual_scale(fmax(least, section->least_scale));
     section->mm_per_m = 1000.0 / scale;
-    section->height_mm = section->mm_per_m * (high - low) + caption_mm(section, style);
+    section->height_mm = section->mm_per_m * (high - low) + below_mm(section, style);
 }
 
 /* ---- drawing ---- */
@@ -131,7 +146,7 @@ static bool is_edge_on(const struct section_drawing *drawing,
     return widest * drawing->section->mm_per_m < drawing->style->thick;
 }
 
-static bool is_cut(const struct pp_section_cut *cut, int opening)
+bool pp_room_section_is_cut(const struct pp_section_cut *cut, int opening)
 {
     for (int k = 0; k < cut->count; k++)
         if (cut->list[k].kind == PP_CUT_OPENING && cut->list[k].of == opening)
@@ -145,7 +160,7 @@ static void draw_edge_on(const struct section_drawing *drawing)
     const struct pp_world *world = drawing->section->world;
     double dash = 0.9 * drawing->style->scale, s[2], z[2];
     for (int i = 0; i < world->opening_count; i++) {
-        if (is_cut(drawing->section->cut, i)
+        if (pp_room_section_is_cut(drawing->section->cut, i)
             || !is_edge_on(drawing, &world->openings[i].inner, s, z))
             continue;
         pp_style_line(drawing->cr, 0.55 * drawing->style->thick, 1.0);
@@ -176,7 +191,7 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     cairo_set_dash(drawing->cr, &dash, 1, 0.0);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_polygon *outline = &world->openings[i].inner;
-        if (is_cut(cut, i) || is_beyond_ends(cut, outline))
+        if (pp_room_section_is_cut(cut, i) || is_beyond_ends(cut, outline))
             continue;
         cairo_new_sub_path(drawing->cr);
         for (int k = 0; k < outline->count; k++)
@@ -354,87 +369,18 @@ static void draw_ground(const struct section_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* Draws the line below an overhang, dashed: sky is visible under it. */
-static void draw_overhang(const struct section_drawing *drawing, bool near,
-                          const struct pp_section_sight *sight)
-{
-    const struct pp_room_section *section = drawing->section;
-    double out = near ? -1.0 : 1.0, dash = 1.2 * drawing->style->scale;
-    double x = at_s(drawing, sight->s), y = at_z(drawing, sight->z);
-    double reach = (near ? section->left_mm : section->right_mm) - 1.0;
-    double top = fmax(y - section->y + 0.8 * section->head_mm, 1.0);
-    double slope = tan(sight->overhang_rad), run = fmin(reach, top / slope);
-    char words[48];
-    pp_style_line(drawing->cr, drawing->style->thin, PP_INK);
-    cairo_set_dash(drawing->cr, &dash, 1, 0.0);
-    cairo_move_to(drawing->cr, x, y);
-    cairo_line_to(drawing->cr, x + out * run, y - run * slope);
-    cairo_stroke(drawing->cr);
-    snprintf(words, sizeof words, "overhang: sky up to %.0f\u00b0",
-             sight->overhang_rad / PP_RAD);
-    const struct pp_lettering text = {.across = near ? 0.0 : 1.0, .down = 1.0};
-    pp_lettering_draw_on_white(drawing->cr, drawing->style, &text, x + out * reach,
-                               y - 0.5 * drawing->style->scale, words);
-}
-
-/* The line of sight to the obstruction's head, the horizontal, and the angle. */
-static void draw_sight(const struct section_drawing *drawing, bool near)
-{
-    const struct pp_room_section *section = drawing->section;
-    struct pp_section_sight sight =
-        pp_section_sight_of(section->cut, section->world, near);
-    if (sight.overhang_rad < 0.5 * PP_PI)
-        draw_overhang(drawing, near, &sight);
-    if (!(sight.angle_rad > 0.0))
-        return;
-    cairo_t *cr = drawing->cr;
-    const struct pp_style *style = drawing->style;
-    double out = near ? -1.0 : 1.0;
-    double x = at_s(drawing, sight.s), y = at_z(drawing, sight.z);
-    double reach = (near ? section->left_mm : section->right_mm) - 1.0;
-    /* The line is extended as far as the strip and the top of the section allow. */
-    double top = fmax(y - section->y + 0.8 * section->head_mm, 1.0);
-    double run = fmin(reach, top / tan(sight.angle_rad));
-    run =
-        fmin(run, sight.distance_m > 0.0 ? sight.distance_m * section->mm_per_m : run);
-    pp_style_line(cr, style->thin, PP_INK);
-    cairo_move_to(cr, x, y);
-    cairo_line_to(cr, x + out * run, y - run * tan(sight.angle_rad));
-    cairo_stroke(cr);
-    pp_style_line(cr, style->hair, PP_INK);
-    cairo_move_to(cr, x, y);
-    cairo_line_to(cr, x + out * reach, y);
-    cairo_stroke(cr);
-    double radius = fmin(0.45 * reach, 0.9 * run / cos(sight.angle_rad));
-    cairo_new_path(cr);
-    if (near)
-        cairo_arc(cr, x, y, radius, PP_PI, PP_PI + sight.angle_rad);
-    else
-        cairo_arc_negative(cr, x, y, radius, 0.0, -sight.angle_rad);
-    cairo_stroke(cr);
-
-    char words[64], far[32] = "";
-    if (isfinite(sight.distance_m) && sight.distance_m > 0.0)
-        pp_style_metres(far, sizeof far, sight.distance_m);
-    snprintf(words, sizeof words, "%s %.0f\u00b0%s%s",
-             sight.skyline ? "skyline" : "line of sight", sight.angle_rad / PP_RAD,
-             *far ? " at " : "", far);
-    struct pp_lettering text = {
-        .size = PP_TEXT_SMALL, .across = near ? 0.0 : 1.0, .down = 0.0};
-    pp_lettering_draw(cr, style, &text, x + out * reach, y + 0.5 * style->scale, words);
-}
-
 static void write_caption(const struct section_drawing *drawing, int behind)
 {
     const struct pp_room_section *section = drawing->section;
-    char text[512], length[32], height[32], plane[32];
+    char text[512], length[32], height[32], plane[32], room[96] = "";
     pp_style_metres(length, sizeof length, section->cut->length_m);
     pp_style_metres(plane, sizeof plane, section->cut->height_m);
     pp_style_metres(height, sizeof height, drawing->high - drawing->low);
-    snprintf(
-        text, sizeof text,
-        "Section 1:%g. Room %s long; %s high; calculation points %s above the floor",
-        1000.0 / section->mm_per_m, length, height, plane);
+    if (!section->named)
+        snprintf(room, sizeof room, "Room %s long; %s high; ", length, height);
+    snprintf(text, sizeof text, "Section %s1:%g. %s%s points %s above the floor",
+             section->named ? "A\u2013A, " : "", 1000.0 / section->mm_per_m, room,
+             *room ? "calculation" : "Calculation", plane);
     double low = INFINITY, high = -INFINITY;
     for (int i = 0; i < section->cut->count; i++) {
         const struct pp_cut *cut = &section->cut->list[i];
@@ -463,14 +409,16 @@ static void write_caption(const struct section_drawing *drawing, int behind)
     /* A facade and the ground may continue below the floor. */
     pp_lettering_draw_on_white(
         drawing->cr, drawing->style, &set, left,
-        at_z(drawing, drawing->low) + 1.4 * drawing->style->scale, text);
+        at_z(drawing, drawing->low) + 1.4 * drawing->style->scale
+            + (section->named ? pp_section_words_mm(drawing->style) : 0.0),
+        text);
 }
 
 void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_section *section)
 {
     struct section_drawing drawing = {section, cr, style, 0.0, 0.0};
-    heights_of(section->cut, &drawing.low, &drawing.high);
+    pp_room_section_heights(section->cut, &drawing.low, &drawing.high);
     /* Ground and obstructions outside may be far wider than the sheet. */
     cairo_save(cr);
     double left = section->x - section->left_mm;
@@ -483,7 +431,7 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
     draw_ground(&drawing);
     stroke_cuts(&drawing, PP_CUT_OUTSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_SQUARE);
     for (int near = 1; near >= 0 && !section->no_sights; near--)
-        draw_sight(&drawing, near);
+        pp_section_outside_draw(cr, style, section, near);
     stroke_cuts(&drawing, PP_CUT_FACE, style->thick, PP_INK, CAIRO_LINE_CAP_SQUARE);
     stroke_cuts(&drawing, PP_CUT_INSIDE, style->medium, PP_INK, CAIRO_LINE_CAP_BUTT);
     draw_edge_on(&drawing);
@@ -493,6 +441,8 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
             draw_cover_cut(&drawing, &section->cut->list[i]);
     draw_plane(&drawing);
     cairo_restore(cr);
+    if (section->named)
+        pp_section_words_draw(cr, style, section);
     if (!section->no_caption)
         write_caption(&drawing, behind);
 }

@@ -4,8 +4,8 @@
  * Coordinates of a place in the section: s, metres along the line from the inside face
  * of the wall from which distances are counted, and z, height.
  */
-#ifndef PP_CHARTS_ROOM_SECTION_CUT_H
-#define PP_CHARTS_ROOM_SECTION_CUT_H
+#ifndef PP_CHARTS_SECTION_SECTION_CUT_H
+#define PP_CHARTS_SECTION_SECTION_CUT_H
 
 #include "model/room/world.h"
 

@@ -1,10 +1,10 @@
 /* section_sight.h - the line of sight from a window to its obstruction, in a section.
  * It is only drawn: the obstruction angle of the methods is in
  * methods/reflected/obstruction.h. */
-#ifndef PP_CHARTS_ROOM_SECTION_SIGHT_H
-#define PP_CHARTS_ROOM_SECTION_SIGHT_H
+#ifndef PP_CHARTS_SECTION_SECTION_SIGHT_H
+#define PP_CHARTS_SECTION_SECTION_SIGHT_H
 
-#include "charts/room/section_cut.h"
+#include "charts/section/section_cut.h"
 
 /* Line of sight from the middle of the window, in the plane of the section. */
 struct pp_section_sight {
@@ -12,6 +12,7 @@ struct pp_section_sight {
     double overhang_rad; /* upper end of the visible sky, at an overhang; pi/2: none */
     double s, z;         /* the window's middle */
     double distance_m;
+    int of; /* the surface at the head; -1: none */
     bool skyline;
 };
 

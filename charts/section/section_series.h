@@ -1,8 +1,8 @@
 /* section_series.h - choice of a report's columns for a section chart. */
-#ifndef PP_CHARTS_ROOM_SECTION_SERIES_H
-#define PP_CHARTS_ROOM_SECTION_SERIES_H
+#ifndef PP_CHARTS_SECTION_SECTION_SERIES_H
+#define PP_CHARTS_SECTION_SECTION_SERIES_H
 
-#include "charts/room/section_plot.h"
+#include "charts/section/section_plot.h"
 
 /* Stores the columns of daylight factors that have a value in plot->series, which has
  * space for all. Sampled columns are points with error bars, the others lines; if there

@@ -1,9 +1,9 @@
 /* room_section.h - vertical section of the room, drawn to scale: floor, walls,
  * openings, working plane with its receivers, obstructions outside. */
-#ifndef PP_CHARTS_ROOM_ROOM_SECTION_H
-#define PP_CHARTS_ROOM_ROOM_SECTION_H
+#ifndef PP_CHARTS_SECTION_ROOM_SECTION_H
+#define PP_CHARTS_SECTION_ROOM_SECTION_H
 
-#include "charts/room/section_cut.h"
+#include "charts/section/section_cut.h"
 #include "charts/sheet/style.h"
 #include "model/results/report.h"
 
@@ -12,6 +12,7 @@ struct pp_room_section {
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* its receivers are marked */
     double least_scale;             /* scale is 1 to this or smaller; 0: any */
+    bool named;                     /* with names and dimensions (section_words.h) */
     bool no_sights;                 /* leave out the obstructions' angles */
     bool no_caption;                /* leave out the caption, which is at least 90 mm
                                      * wide */
@@ -34,9 +35,20 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm);
 
+/* Lowest and highest point of the cut faces. */
+void pp_room_section_heights(const struct pp_section_cut *cut, double *low,
+                             double *high);
+
+/* True if the section passes through the opening. */
+bool pp_room_section_is_cut(const struct pp_section_cut *cut, int opening);
+
 /* Position on paper of a place in the section; valid after pp_room_section_fit. */
 double pp_room_section_x(const struct pp_room_section *section, double s);
 double pp_room_section_y(const struct pp_room_section *section, double z);
+
+/* Height above the room of the glass that is cut, such as that of rooflights over
+ * wells, mm; valid after pp_room_section_fit. */
+double pp_room_section_above_mm(const struct pp_room_section *section);
 
 void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_section *section);

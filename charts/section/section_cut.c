@@ -1,7 +1,7 @@
 /* section_cut.c - finds the line of the receivers and cuts every polygon of the world
  * along it.
  */
-#include "charts/room/section_cut.h"
+#include "charts/section/section_cut.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -14,8 +14,8 @@
  * outside are represented by the line of sight from the window's middle to their top
  * edge.
  */
-#ifndef PP_CHARTS_ROOM_SECTION_CHART_H
-#define PP_CHARTS_ROOM_SECTION_CHART_H
+#ifndef PP_CHARTS_SECTION_SECTION_CHART_H
+#define PP_CHARTS_SECTION_SECTION_CHART_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/report.h"

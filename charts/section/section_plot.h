@@ -1,12 +1,12 @@
 /* section_plot.h - state of the section chart while it is drawn: shared by its layout,
  * curves (section_chart.c), series (section_series.c) and names (section_names.c). */
-#ifndef PP_CHARTS_ROOM_SECTION_PLOT_H
-#define PP_CHARTS_ROOM_SECTION_PLOT_H
+#ifndef PP_CHARTS_SECTION_SECTION_PLOT_H
+#define PP_CHARTS_SECTION_SECTION_PLOT_H
 
 #include "charts/sheet/axis.h"
 #include "charts/sheet/labels.h"
 #include "charts/sheet/legend.h"
-#include "charts/room/section_cut.h"
+#include "charts/section/section_cut.h"
 #include "model/results/report.h"
 
 /* One column of the report, drawn as one series of the chart. */

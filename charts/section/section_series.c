@@ -1,5 +1,5 @@
 /* section_series.c - chooses which columns of the report are drawn, and how. */
-#include "charts/room/section_series.h"
+#include "charts/section/section_series.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* section_sight.c - see section_sight.h. */
-#include "charts/room/section_sight.h"
+#include "charts/section/section_sight.h"
 
 #include <math.h>
 
@@ -89,8 +89,8 @@ static bool find_sky(struct pp_section_sight *sight,
 struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section,
                                             const struct pp_world *world, bool near)
 {
-    struct pp_section_sight sight = {.s = near ? 0.0 : section->length_m,
-                                     .overhang_rad = 0.5 * PP_PI};
+    struct pp_section_sight sight = {
+        .s = near ? 0.0 : section->length_m, .overhang_rad = 0.5 * PP_PI, .of = -1};
     int face = near ? section->near_face : section->far_face;
     double out = near ? -1.0 : 1.0;
     if (face < 0 || !middle_of_openings(section, world, face, &sight.z))
@@ -108,6 +108,7 @@ struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section
                 nearest = fabs(angle - edge);
                 sight.angle_rad = angle;
                 sight.distance_m = away;
+                sight.of = cut->of;
             }
         }
     }
@@ -118,6 +119,7 @@ struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section
         sight.angle_rad = skyline->angle_rad;
         sight.z = skyline->middle_z_m;
         sight.distance_m = skyline->distance_m;
+        sight.of = -1;
         sight.skyline = true;
     }
     return sight;

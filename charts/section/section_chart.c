@@ -1,7 +1,7 @@
 /* section_chart.c - lays out the sheet of the section chart and draws its curves, error
  * bars and level lines over the section.
  */
-#include "charts/room/section_chart.h"
+#include "charts/section/section_chart.h"
 
 #include <cairo.h>
 #include <math.h>
@@ -10,9 +10,9 @@
 #include <string.h>
 
 #include "charts/sheet/page.h"
-#include "charts/room/room_section.h"
-#include "charts/room/section_names.h"
-#include "charts/room/section_series.h"
+#include "charts/section/room_section.h"
+#include "charts/section/section_names.h"
+#include "charts/section/section_series.h"
 
 /* Ratio of values above which a logarithmic scale is used: on a linear one the low
  * values would be on the axis. */
@@ -307,8 +307,8 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
      * the same horizontal scale. */
     struct pp_style *style = &plot->style;
     struct pp_room_section section = {
-        .world = world, .cut = &plot->cut, .report = chart->report};
-    double left = 16.0 * style->scale, right = 3.0 * style->scale;
+        .world = world, .cut = &plot->cut, .report = chart->report, .named = true};
+    double left = 16.0 * style->scale, right = 9.0 * style->scale;
     if (pp_room_section_has_outside(&section, true))
         left = 24.0 * style->scale;
     if (pp_room_section_has_outside(&section, false))
@@ -322,6 +322,10 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     }
     pp_room_section_fit(&section, style, body.width - left - right,
                         0.5 * (body.height - between));
+    /* The wells of rooflights stand above the room. */
+    double wells = pp_room_section_above_mm(&section) + style->scale - section.head_mm;
+    section.head_mm += fmax(wells, 0.0);
+    between += fmax(wells, 0.0);
     double width = plot->cut.length_m * section.mm_per_m;
     /* Spare width is used for obstructions. */
     double spare = fmax(body.width - left - right - width, 0.0);

@@ -1,6 +1,6 @@
 /* section_names.c - writes the names of the curves next to them, or in a legend if
  * there is no space. */
-#include "charts/room/section_names.h"
+#include "charts/section/section_names.h"
 
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* section_names.h - the names of the curves on a section chart. */
-#ifndef PP_CHARTS_ROOM_SECTION_NAMES_H
-#define PP_CHARTS_ROOM_SECTION_NAMES_H
+#ifndef PP_CHARTS_SECTION_SECTION_NAMES_H
+#define PP_CHARTS_SECTION_SECTION_NAMES_H
 
-#include "charts/room/section_plot.h"
+#include "charts/section/section_plot.h"
 
 /* Draws names next to the curves if there is space for all, else a legend in a free
  * corner of the field, or at `aside` if that lies beside the field. */

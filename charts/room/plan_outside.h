@@ -1,0 +1,17 @@
+/* plan_outside.h - parts of a plan above and below its cut: facades, balconies and other
+ * shades of windows, and furniture in outline. */
+#ifndef PP_CHARTS_ROOM_PLAN_OUTSIDE_H
+#define PP_CHARTS_ROOM_PLAN_OUTSIDE_H
+
+#include "charts/room/room_plan.h"
+
+/* True if the surface is part of a balcony, overhang, fin or shelf of one of the room's
+ * windows. */
+bool pp_plan_outside_is_shade(const struct pp_surface *surface);
+
+/* Draws what is above the cut in dashed lines, and what is below it in thin full
+ * lines. Facades are drawn where the cut meets them. */
+void pp_plan_outside_draw(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_room_plan *plan);
+
+#endif
