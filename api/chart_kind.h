@@ -20,6 +20,7 @@
 #include "model/results/lit_area.h"
 #include "model/results/nomogram_sheet.h"
 #include "studies/climate/year_light.h"
+#include "studies/section_line.h"
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
@@ -92,6 +93,7 @@ struct pp_chart_choice {
     bool line_said;        /* plan: lit area instead of contours */
     enum pp_lit_line line; /* boundary of the lit area, if line_said */
 
+    struct pp_section_place cut;   /* of a section, and its mark on a plan */
     enum pp_section_scale scale;   /* scale of the daylight factors in a section */
     enum pp_plan_fill fill;        /* filling between the contours of a plan */
     struct pp_board_options board; /* for diagrams of the drawing board */

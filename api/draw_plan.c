@@ -1,8 +1,11 @@
 /* draw_plan.c - contours of the daylight factor and the no-sky line on the room's plan,
  * or its lit area at present and before. */
+#include <stdlib.h>
+
 #include "api/chart_kind.h"
 #include "charts/room/lit_area_chart.h"
 #include "charts/room/plan_chart.h"
+#include "charts/section/section_cut.h"
 #include "studies/lit_line.h"
 #include "studies/plan_study.h"
 #include "studies/reliability.h"
@@ -25,6 +28,40 @@ static enum pp_status draw_lit_area(struct pp_canvas *canvas,
     return status;
 }
 
+/* Finds the ends of the section that `chart section` draws. A room without a line for
+ * it has no mark: *found is false. */
+static enum pp_status find_mark(struct pp_plan_mark *mark, bool *found,
+                                const struct pp_study_room *room,
+                                const struct pp_chart_choice *choice,
+                                struct pp_error *err)
+{
+    struct pp_study_room copy = *room;
+    struct pp_section_cut cut;
+    enum pp_status status = PP_OK;
+    copy.receivers = room->world->receivers;
+    copy.receiver_count = room->world->receiver_count;
+    *found = false;
+    if (choice->cut.kind != PP_SECTION_OF_ROOM
+        || !pp_section_line_is_straight(copy.receivers, copy.receiver_count))
+        status = pp_section_line(&copy, &choice->cut, err);
+    if (status == PP_BAD_INPUT && choice->cut.kind == PP_SECTION_OF_ROOM)
+        return PP_OK;
+    if (status == PP_OK)
+        status = pp_section_cut_init(&cut, room->world, copy.receivers,
+                                     copy.receiver_count, err);
+    if (status == PP_OK) {
+        *found = true;
+        for (int k = 0; k < 2; k++) {
+            mark->from[k] = cut.origin[k];
+            mark->to[k] = cut.origin[k] + cut.length_m * cut.along[k];
+        }
+        pp_section_cut_clear(&cut);
+    }
+    if (copy.receivers != room->world->receivers)
+        free(copy.receivers);
+    return status;
+}
+
 static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
                                       struct pp_study_room *room,
                                       const struct pp_study_options *study,
@@ -37,8 +74,11 @@ static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
         return draw_lit_area(canvas, room->world, before ? before->world : NULL,
                              choice->line, err);
     struct pp_plan_study made;
-    bool by_clock = false;
-    enum pp_status status = pp_plan_study_make(&made, room, study, &by_clock, err);
+    struct pp_plan_mark mark;
+    bool by_clock = false, marked;
+    enum pp_status status = find_mark(&mark, &marked, room, choice, err);
+    if (status == PP_OK)
+        status = pp_plan_study_make(&made, room, study, &by_clock, err);
     if (status != PP_OK)
         return status;
     enum { NOTE_BYTES = 640 };
@@ -50,6 +90,7 @@ static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
                                         .plan = &made.plan,
                                         .report = &made.report,
                                         .figures = &made.figures,
+                                        .mark = marked ? &mark : NULL,
                                         .fill = choice->fill,
                                         .notes = notes,
                                         .note_count = 2};

@@ -73,9 +73,10 @@ static enum pp_status draw_section_chart(struct pp_canvas *canvas,
     enum pp_status status = PP_OK;
     char obstructions[NOTE_BYTES], stand_in[NOTE_BYTES] = "", doubts[NOTE_BYTES];
     const char *notes[] = {stand_in, obstructions, doubts};
-    if (study->points.count == 0
-        && !pp_section_line_is_straight(room->receivers, room->receiver_count))
-        status = pp_section_line(room, err);
+    if (choice->cut.kind != PP_SECTION_OF_ROOM
+        || (study->points.count == 0
+            && !pp_section_line_is_straight(room->receivers, room->receiver_count)))
+        status = pp_section_line(room, &choice->cut, err);
     if (status != PP_OK)
         return status;
     status = pp_study_report_methods(&report, room, study, err);

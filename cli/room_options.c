@@ -10,6 +10,7 @@
 #include "model/base/text.h"
 #include "model/base/array.h"
 #include "studies/criteria/grid/plane_grid.h"
+#include "studies/section_line.h"
 
 const struct pp_room_options pp_room_options_none = {.study.seed = 1};
 
@@ -105,6 +106,20 @@ const struct pp_option pp_room_french_option[] = {
      "Calculate the vertical sky component of full-height windows at this height above "
      "the floor, such as 1.6, instead of at their centre.",
      pp_options_read_metres, 0},
+    {0},
+};
+
+static enum pp_status read_cut(const char *text, void *place, struct pp_error *err)
+{
+    return pp_section_place_read(place, text, err);
+}
+
+const struct pp_option pp_room_cut_option[] = {
+    {"cut", 0, "PLACE",
+     "Section: cut along x=M or y=M in metres of the room, or through the opening of "
+     "that name. The default is the file's line of points, else through the largest "
+     "opening. A plan marks this section.",
+     read_cut, 0},
     {0},
 };
 

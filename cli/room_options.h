@@ -38,6 +38,8 @@ extern const struct pp_option pp_room_sky_options[]; /* sky, room */
 extern const struct pp_option pp_room_external_option[];
 /* vsc-point-french. Its value is one double, 0 if the option is not given. */
 extern const struct pp_option pp_room_french_option[];
+/* cut. Its value is a struct pp_section_place (section_line.h). */
+extern const struct pp_option pp_room_cut_option[];
 /* spacing. Its value is a struct pp_grid_choice, empty if the option is not given. */
 extern const struct pp_option pp_room_spacing_option[];
 extern const struct pp_option pp_room_simulate_option[];

@@ -3,11 +3,13 @@
 #include "studies/section_line.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-#include "model/room/position.h"
-
+#include "model/base/text.h"
 #include "model/geometry/bounds.h"
+#include "model/room/position.h"
 
 /* Spacing of the points along the line (m), at most. */
 static const double step_m = 0.25;
@@ -27,44 +29,81 @@ bool pp_section_line_is_straight(const struct pp_receiver *receivers, int count)
     return length > 1e-6;
 }
 
-static const struct pp_opening *largest_window(const struct pp_world *world)
+enum pp_status pp_section_place_read(struct pp_section_place *place, const char *text,
+                                     struct pp_error *err)
 {
-    const struct pp_opening *largest = NULL;
+    *place = (struct pp_section_place){0};
+    bool along_x = strncmp(text, "y=", 2) == 0, along_y = strncmp(text, "x=", 2) == 0;
+    if (along_x || along_y) {
+        place->kind = along_x ? PP_SECTION_AT_Y : PP_SECTION_AT_X;
+        return pp_text_parse_number(text + 2, &place->at_m)
+                   ? PP_OK
+                   : pp_fail(err, PP_BAD_INPUT, "x=M or y=M in metres, such as x=2.1");
+    }
+    if (!*text || strlen(text) >= sizeof place->opening)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "x=M or y=M in metres, or the name of a window");
+    place->kind = PP_SECTION_THROUGH;
+    snprintf(place->opening, sizeof place->opening, "%s", text);
+    return PP_OK;
+}
+
+static bool is_window(const struct pp_opening *opening)
+{
+    return fabs(opening->inner.normal.z) < 0.7;
+}
+
+/* The largest window (or rooflight); NULL: there is none. */
+static const struct pp_opening *largest(const struct pp_world *world, bool window)
+{
+    const struct pp_opening *found = NULL;
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        bool upright = fabs(opening->inner.normal.z) < 0.7;
-        if (upright && (!largest || opening->inner.area_m2 > largest->inner.area_m2))
-            largest = opening;
+        if (is_window(opening) == window
+            && (!found || opening->inner.area_m2 > found->inner.area_m2))
+            found = opening;
     }
-    return largest;
+    return found;
 }
 
-static struct pp_vec3 polygon_middle(const struct pp_polygon *polygon)
+/* The longer side of the room. */
+static struct pp_vec3 longer_side(const struct pp_world *world)
 {
-    struct pp_vec3 sum = pp_vec(0.0, 0.0, 0.0);
-    for (int i = 0; i < polygon->count; i++)
-        sum = pp_vec_add(sum, polygon->vertices[i]);
-    return pp_vec_scale(sum, 1.0 / polygon->count);
+    struct pp_bounds3 room = pp_position_bounds(world);
+    return room.high.y - room.low.y > room.high.x - room.low.x ? pp_vec(0.0, 1.0, 0.0)
+                                                               : pp_vec(1.0, 0.0, 0.0);
 }
 
-/* The line's start on the working plane and its direction. */
-static void choose_start(const struct pp_world *world, struct pp_vec3 *start,
-                         struct pp_vec3 *way)
+/* A line through an opening: its start on the working plane and its direction. */
+static void start_at_opening(const struct pp_world *world,
+                             const struct pp_opening *opening, struct pp_vec3 *start,
+                             struct pp_vec3 *way)
 {
-    const struct pp_opening *window = largest_window(world);
+    const struct pp_opening *window =
+        is_window(opening) ? opening : largest(world, true);
+    *start = pp_polygon_middle(&opening->inner);
+    *way =
+        window
+            ? pp_vec_unit(pp_vec(window->inner.normal.x, window->inner.normal.y, 0.0))
+            : longer_side(world);
+}
+
+/* The line of a room of which no place is given: through the larger of its largest
+ * window and its largest rooflight. */
+static void start_of_room(const struct pp_world *world, struct pp_vec3 *start,
+                          struct pp_vec3 *way)
+{
+    const struct pp_opening *window = largest(world, true),
+                            *rooflight = largest(world, false);
+    if (rooflight && (!window || rooflight->inner.area_m2 > window->inner.area_m2))
+        window = rooflight;
     if (window) {
-        struct pp_vec3 normal = window->inner.normal;
-        *start = polygon_middle(&window->inner);
-        *way = pp_vec_unit(pp_vec(normal.x, normal.y, 0.0));
-    } else {
-        struct pp_bounds3 bounds = pp_position_bounds(world);
-        struct pp_vec3 low = bounds.low, high = bounds.high;
-        bool along_y = high.y - low.y > high.x - low.x;
-        *way = along_y ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
-        *start = along_y ? pp_vec((low.x + high.x) / 2.0, low.y, 0.0)
-                         : pp_vec(low.x, (low.y + high.y) / 2.0, 0.0);
+        start_at_opening(world, window, start, way);
+        return;
     }
-    start->z = world->working_plane_m;
+    struct pp_bounds3 room = pp_position_bounds(world);
+    *way = longer_side(world);
+    *start = pp_vec_scale(pp_vec_add(room.low, room.high), 0.5);
 }
 
 /* Length of the line from its start to the end of the room, to a centimetre. */
@@ -79,10 +118,86 @@ static double free_length(const struct pp_world *world, struct pp_vec3 start,
     return length;
 }
 
-enum pp_status pp_section_line(struct pp_study_room *room, struct pp_error *err)
+/* Moves the start back to where the line enters the room. */
+static void go_back(const struct pp_world *world, struct pp_vec3 *start,
+                    struct pp_vec3 way)
+{
+    double before = free_length(world, *start, pp_vec_scale(way, -1.0));
+    *start = pp_vec_along(*start, -before, way);
+}
+
+/* The longest piece in the room of the line along x or y; false: there is none. */
+static bool start_at(const struct pp_world *world, const struct pp_section_place *place,
+                     struct pp_vec3 *start, struct pp_vec3 *way)
+{
+    static const double probe_m = 0.05;
+    struct pp_bounds3 room = pp_position_bounds(world);
+    bool along_x = place->kind == PP_SECTION_AT_Y;
+    double longest = 0.0, end = along_x ? room.high.x : room.high.y;
+    *way = along_x ? pp_vec(1.0, 0.0, 0.0) : pp_vec(0.0, 1.0, 0.0);
+    for (double s = (along_x ? room.low.x : room.low.y) + 0.5 * probe_m; s < end;
+         s += probe_m) {
+        struct pp_vec3 at = pp_vec(along_x ? s : place->at_m, along_x ? place->at_m : s,
+                                   world->working_plane_m);
+        if (!pp_position_in_room(world, at))
+            continue;
+        go_back(world, &at, *way);
+        double length = free_length(world, at, *way);
+        if (length > longest) {
+            longest = length;
+            *start = at;
+        }
+        s = fmax(s, (along_x ? at.x : at.y) + length);
+    }
+    return longest > 0.0;
+}
+
+/* Start and direction of the line at the place. */
+static enum pp_status find_start(const struct pp_study_room *room,
+                                 const struct pp_section_place *place,
+                                 struct pp_vec3 *start, struct pp_vec3 *way,
+                                 struct pp_error *err)
+{
+    const struct pp_world *world = room->world;
+    if (place->kind == PP_SECTION_AT_X || place->kind == PP_SECTION_AT_Y) {
+        struct pp_bounds3 bounds = pp_position_bounds(world);
+        bool x = place->kind == PP_SECTION_AT_X;
+        if (!start_at(world, place, start, way))
+            return pp_fail(err, PP_BAD_INPUT,
+                           "%s: --cut %s=%g is outside the room; expected %g to %g",
+                           room->file, x ? "x" : "y", place->at_m,
+                           x ? bounds.low.x : bounds.low.y,
+                           x ? bounds.high.x : bounds.high.y);
+        return PP_OK;
+    }
+    const struct pp_opening *through = NULL;
+    for (int i = 0; i < world->opening_count; i++)
+        if (place->kind == PP_SECTION_THROUGH
+            && strcmp(world->openings[i].label, place->opening) == 0)
+            through = &world->openings[i];
+    if (place->kind == PP_SECTION_THROUGH && !through)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: --cut: no window is called \"%s\"; expected x=M, y=M or "
+                       "the name of a window",
+                       room->file, place->opening);
+    if (through)
+        start_at_opening(world, through, start, way);
+    else
+        start_of_room(world, start, way);
+    start->z = world->working_plane_m;
+    if (pp_position_in_room(world, *start))
+        go_back(world, start, *way);
+    return PP_OK;
+}
+
+enum pp_status pp_section_line(struct pp_study_room *room,
+                               const struct pp_section_place *place,
+                               struct pp_error *err)
 {
     struct pp_vec3 start, way;
-    choose_start(room->world, &start, &way);
+    enum pp_status status = find_start(room, place, &start, &way, err);
+    if (status != PP_OK)
+        return status;
     double length = free_length(room->world, start, way);
     int count = (int)ceil(length / step_m - 1e-9);
     struct pp_receiver *receivers = calloc((size_t)count + 1, sizeof *receivers);
@@ -98,11 +213,10 @@ enum pp_status pp_section_line(struct pp_study_room *room, struct pp_error *err)
     }
     if (good < 2) {
         free(receivers);
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "%s: the room file has no line of points, and the largest window leaves no "
-            "room for a line in front of it; expected --points on a line",
-            room->file);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: the room file has no line of points, and the section is "
+                       "too short for two; expected --points on a line, or --cut",
+                       room->file);
     }
     if (room->receivers != room->world->receivers)
         free(room->receivers);

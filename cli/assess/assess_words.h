@@ -11,6 +11,7 @@
 #include "pepperpot.h"
 #include "studies/climate/sunshine.h"
 #include "studies/criteria/grid/plane_grid.h"
+#include "studies/section_line.h"
 #include "studies/criteria/profile.h"
 
 /* Line at which the building is mirrored, if given. */
@@ -30,8 +31,9 @@ struct pp_assess_words {
     struct pp_boundary_words mirror_image;
     const char *place; /* a capital of the standard's table; NULL: the room's site */
     double median_lux; /* used instead; 0: not given */
-    struct pp_grid_choice grid; /* of --spacing */
-    double least_altitude_rad;  /* of --least-altitude; 0: not given */
+    struct pp_grid_choice grid;  /* of --spacing */
+    double least_altitude_rad;   /* of --least-altitude; 0: not given */
+    struct pp_section_place cut; /* of the report's sections */
     double french_m;     /* height of the point of French windows, m; 0: the middle */
     const char *weather; /* weather file for the median; NULL: none */
     struct pp_sunshine sunshine; /* from that file */

@@ -324,6 +324,7 @@ struct chart_command {
 
 static const struct pp_option_group groups[] = {
     {"Sheet", sheet_options, PLACE(chart)},
+    {"Sheet", pp_room_cut_option, PLACE(chart.choice.cut)},
     {"Sheet", pp_room_french_option, PLACE(chart.choice.site.french_m)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
     {"Overlay", overlay_options, PLACE(chart.choice.board.overlay)},
@@ -377,6 +378,13 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
         return pp_fail(err, PP_BAD_INPUT,
                        "--vsc-point-french is for a site, an elevation or a diagram of "
                        "the vertical sky");
+    if (chart->choice.cut.kind != PP_SECTION_OF_ROOM && kind != &pp_draw_section
+        && kind != &pp_draw_plan)
+        return pp_fail(err, PP_BAD_INPUT, "--cut is for a section or a plan");
+    if (chart->choice.cut.kind != PP_SECTION_OF_ROOM && kind == &pp_draw_section
+        && options->study.points.count > 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--cut and --points exclude each other; expected one of them");
     if (chart->choice.line_said && kind != &pp_draw_plan)
         return pp_fail(err, PP_BAD_INPUT, "--line is for a plan only");
     chart->before_is_state = !chart->before || strcmp(chart->before, "existing") == 0;

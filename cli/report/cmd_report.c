@@ -119,6 +119,15 @@ static void put_option(const char *option, const char *word, FILE *out)
     put_word(word, out);
 }
 
+static void put_cut(const struct pp_section_place *cut, FILE *out)
+{
+    if (cut->kind == PP_SECTION_THROUGH)
+        put_option("--cut", cut->opening, out);
+    else if (cut->kind != PP_SECTION_OF_ROOM)
+        fprintf(out, " --cut %s=%.10g", cut->kind == PP_SECTION_AT_X ? "x" : "y",
+                cut->at_m);
+}
+
 static void put_choice(const struct pp_assess_words *words, FILE *out)
 {
     static const char *const states[] = {[PP_STATE_BOTH] = NULL,
@@ -137,6 +146,7 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     put_option("--weather", words->weather, out);
     if (words->french_m > 0.0)
         fprintf(out, " --vsc-point-french %.10g", words->french_m);
+    put_cut(&words->cut, out);
     for (int i = 0; project_options[i].name; i++) {
         char option[24];
         snprintf(option, sizeof option, "--%s", project_options[i].name);
@@ -319,6 +329,7 @@ static const struct pp_option_group groups[] = {
     {"Criteria", pp_room_spacing_option, PLACE(grid)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
     {"Title block", project_options, 0},
+    {"Output", pp_room_cut_option, PLACE(cut)},
     {"Output", full_option, 0},
     {"Output", format_option, 0},
     {"Output", pp_room_output_options, PLACE(room)},

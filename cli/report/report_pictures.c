@@ -183,19 +183,36 @@ static enum pp_status draw_sun(struct drawing_task *task, int room,
         err);
 }
 
+/* PP_BAD_INPUT if the section cannot be cut at the place that was typed. */
+static enum pp_status check_cut(const struct drawing_task *task, int room,
+                                struct pp_error *err)
+{
+    const struct pp_section_place *cut = &task->run->words->cut;
+    struct pp_study_room copy = task->run->rooms->list[room];
+    if (cut->kind == PP_SECTION_OF_ROOM)
+        return PP_OK;
+    copy.receivers = copy.world->receivers;
+    enum pp_status status = pp_section_line(&copy, cut, err);
+    if (copy.receivers != copy.world->receivers)
+        free(copy.receivers);
+    return status;
+}
+
 static enum pp_status draw_room(struct drawing_task *task, int room,
                                 struct pp_error *err)
 {
-    const struct pp_chart_choice alone = {0},
+    const struct pp_chart_choice alone = {.cut = task->run->words->cut},
                                  compared = {.site = {&task->run->rooms->list[room],
                                                       &task->before[room], 1,
                                                       task->run->words->french_m}};
     bool simulated = task->run->words->room.study.simulate;
-    enum pp_status status =
-        add_drawing(task, room, room, "plan",
-                    simulated ? "Plan, with contours of the simulated daylight factor"
-                              : "Plan, with contours of the daylight factor by hand",
-                    alone, err);
+    enum pp_status status = check_cut(task, room, err);
+    if (status == PP_OK)
+        status = add_drawing(
+            task, room, room, "plan",
+            simulated ? "Plan, with contours of the simulated daylight factor"
+                      : "Plan, with contours of the daylight factor by hand",
+            alone, err);
     if (status == PP_OK)
         status = add_drawing(
             task, room, room, "section",

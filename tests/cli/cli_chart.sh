@@ -351,10 +351,43 @@ cat >"$scratch/balcony.xml" <<'EOF'
 EOF
 run chart section -o "$scratch/balcony.pdf" "$scratch/balcony.xml"
 check_words "under a balcony the sky ends at its slab" "$scratch/balcony.pdf" \
-    "overhang: sky up to 40°" "2.6 m high"
+    "overhang: sky up to 40°" "2.6 m" "W1" "Section A–A"
 if command -v pdftotext >/dev/null; then
     check "and no line of sight passes through it" lacks "line of sight" "$scratch/balcony.pdf"
 fi
+# Where a section is cut: at x, at y, through an opening; the plan has its mark.
+cat >"$scratch/wells.xml" <<'EOF'
+<room version="1" name="Wells"><plan width="9.5" depth="6.1" height="3.3"/>
+<window name="Low" wall="west" left="1" sill="0.9" width="1.2" height="1"/>
+<rooflight name="Well" x="5" y="1.4" width="2" depth="1.5" reveal="0.7"/></room>
+EOF
+run chart section -o "$scratch/wells.pdf" "$scratch/wells.xml"
+check_words "a section passes through the largest opening" "$scratch/wells.pdf" \
+    "Well" "9.5 m" "3.3 m"
+run chart section --cut x=5.5 -o "$scratch/cut.pdf" "$scratch/wells.xml"
+check_words "or is cut at a place" "$scratch/cut.pdf" "Well" "6.1 m"
+run chart section --cut Low -o "$scratch/low.pdf" "$scratch/wells.xml"
+check_words "or through the opening of a name" "$scratch/low.pdf" "Low" "9.5 m" "sill 0.9 m"
+run chart plan --cut y=2 -o "$scratch/marked.pdf" "$scratch/wells.xml"
+if command -v pdftotext >/dev/null; then
+    pdftotext "$scratch/marked.pdf" - >"$scratch/marked"
+    check "a plan has two marks of the section" test "$(grep -cx 'A' "$scratch/marked")" -eq 2
+    for word in Low Well west south "9.5 m" "6.1 m"; do
+        check "and the name or length $word" grep -q "$word" "$scratch/marked"
+    done
+fi
+check "a place outside the room" refuses 1 "--cut x=9.7 is outside the room; expected 0 to 9.5" \
+    chart section --cut x=9.7 -o x.pdf "$scratch/wells.xml"
+check "outside for a plan too" refuses 1 "--cut y=-1 is outside the room" \
+    chart plan --cut y=-1 -o x.pdf "$scratch/wells.xml"
+check "an opening that is not there" refuses 1 "no window is called \"Lo\"" \
+    chart section --cut Lo -o x.pdf "$scratch/wells.xml"
+check "a place that is no number" refuses 2 "such as x=2.1" \
+    chart section --cut x=two -o x.pdf "$scratch/wells.xml"
+check "a cut and points" refuses 2 "exclude each other" \
+    chart section --cut x=2 --points 1,1 -o x.pdf "$scratch/wells.xml"
+check "a cut of a chart without one" refuses 2 "for a section or a plan" \
+    chart site --cut x=2 -o x.pdf "$scratch/wells.xml"
 if [ -c /dev/full ]; then
     check "a full disk is noticed" \
         refuses 3 "/dev/full" chart plan --format pdf -o /dev/full "$deep"

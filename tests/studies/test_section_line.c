@@ -18,7 +18,8 @@ static void points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apar
         "<window wall='south' left='0.4' sill='1' width='1.8' height='1.1'/>"
         "<window wall='east' left='1' sill='1' width='0.9' height='1.1'/></room>");
     struct pp_study_room room = {.world = world, .file = "test.xml"};
-    assert_int_equal(pp_section_line(&room, NULL), PP_OK);
+    assert_int_equal(pp_section_line(&room, &(struct pp_section_place){0}, NULL),
+                     PP_OK);
     assert_int_equal(room.receiver_count, 26);
     assert_true(pp_section_line_is_straight(room.receivers, room.receiver_count));
     double step = 6.3 / 26.0;
@@ -32,11 +33,77 @@ static void points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apar
     pp_world_destroy(world);
 }
 
+/* Length of the line of a section in the room below, and x and y of its first point. */
+static double line_at(const char *text, double first[2])
+{
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan height='3'><vertex x='0' y='0'/><vertex x='8' y='0'/>"
+        "<vertex x='8' y='3'/><vertex x='3' y='3'/><vertex x='3' y='7'/>"
+        "<vertex x='0' y='7'/></plan>"
+        "<window name='N' wall='5' left='1' sill='1' width='1.2' height='1.1'/>"
+        "<rooflight name='R' x='4' y='1' width='2' depth='1'/></room>");
+    struct pp_study_room room = {.world = world, .file = "test.xml"};
+    struct pp_section_place place = {0};
+    if (text)
+        assert_int_equal(pp_section_place_read(&place, text, NULL), PP_OK);
+    enum pp_status status = pp_section_line(&room, &place, NULL);
+    double length = -1.0;
+    if (status == PP_OK) {
+        struct pp_vec3 a = room.receivers[0].position,
+                       b = room.receivers[room.receiver_count - 1].position;
+        first[0] = a.x;
+        first[1] = a.y;
+        length = pp_vec_length(pp_vec_sub(b, a)) * room.receiver_count
+                 / (room.receiver_count - 1.0);
+        free(room.receivers);
+    }
+    pp_world_destroy(world);
+    return length;
+}
+
+/* The L-shaped room is 7 m long at x = 1, 3 m at x = 5, and 8 m at y = 2. The rooflight is
+ * larger than the window: the default passes through its middle, x = 5, square to the
+ * window's wall, which faces north. */
+static void a_section_is_cut_where_it_is_told(void **state)
+{
+    (void)state;
+    double first[2];
+    assert_near(line_at("x=1", first), 7.0, 0.03);
+    assert_near(first[0], 1.0, 1e-9);
+    assert_near(line_at("x=5", first), 3.0, 0.03);
+    assert_near(line_at("y=2", first), 8.0, 0.03);
+    assert_near(first[1], 2.0, 1e-9);
+    assert_near(line_at("y=5", first), 3.0, 0.03);
+    assert_near(line_at("N", first), 7.0, 0.03);
+    assert_near(line_at(NULL, first), 3.0, 0.03);
+    assert_near(first[0], 5.0, 1e-9);
+    assert_near(line_at("R", first), 3.0, 0.03);
+    assert_near(line_at("x=8.5", first), -1.0, 0.0);
+    assert_near(line_at("y=-0.5", first), -1.0, 0.0);
+    assert_near(line_at("W9", first), -1.0, 0.0);
+}
+
+static void a_place_is_x_or_y_or_a_name(void **state)
+{
+    (void)state;
+    struct pp_section_place place;
+    assert_int_equal(pp_section_place_read(&place, "x=2.1", NULL), PP_OK);
+    assert_int_equal(place.kind, PP_SECTION_AT_X);
+    assert_near(place.at_m, 2.1, 0.0);
+    assert_int_equal(pp_section_place_read(&place, "W3", NULL), PP_OK);
+    assert_int_equal(place.kind, PP_SECTION_THROUGH);
+    assert_int_equal(pp_section_place_read(&place, "y=", NULL), PP_BAD_INPUT);
+    assert_int_equal(pp_section_place_read(&place, "x=1m", NULL), PP_BAD_INPUT);
+    assert_int_equal(pp_section_place_read(&place, "", NULL), PP_BAD_INPUT);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(
             points_lie_square_to_the_largest_window_at_most_a_quarter_metre_apart),
+        cmocka_unit_test(a_section_is_cut_where_it_is_told),
+        cmocka_unit_test(a_place_is_x_or_y_or_a_name),
     };
     add_tests(tests, NULL, NULL);
 }
