@@ -130,34 +130,58 @@ static struct pp_box window_box(const struct pp_room_plan *frame,
                            pp_room_plan_y(frame, window->from.z) - top};
 }
 
-/* Writes the figure in the window or, if that is too small, on white above its
- * middle. */
+/* Writes the figure on white over the middle of a window too small for it. */
+static void say_on_white(struct elevation_drawing *drawing,
+                         const struct pp_site_window *window, struct pp_box box)
+{
+    char words[80];
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
+    snprintf(words, sizeof words, "%s\n%.1f", window->label, 100.0 * window->component);
+    pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set,
+                               box.x + 0.5 * box.width, box.y + 0.5 * box.height,
+                               words);
+}
+
+/* Writes name, former and present figure in the window as far as they fit. A name that
+ * does not fit is above the window. */
 static void say_component(struct elevation_drawing *drawing,
                           const struct pp_site_window *window, struct pp_box box)
 {
-    char words[48];
+    char former[16], now[16];
+    bool dark = pp_sky_bands_is_dark(pp_sky_bands_of(window->component));
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
-    bool compared = isfinite(window->before);
-    snprintf(words, sizeof words, "%.1f", 100.0 * window->component);
+    snprintf(now, sizeof now, "%.1f", 100.0 * window->component);
+    snprintf(former, sizeof former, "%.1f", 100.0 * window->before);
     struct pp_box size =
-        pp_lettering_measure(drawing->cr, &drawing->style, &set, 0.0, 0.0, words);
-    double x = box.x + 0.5 * box.width, y = box.y + 0.5 * box.height;
-    bool two = compared && box.height > 2.1 * size.height;
+        pp_lettering_measure(drawing->cr, &drawing->style, &set, 0.0, 0.0, now);
+    struct pp_box name = pp_lettering_measure(drawing->cr, &drawing->style, &set, 0.0,
+                                              0.0, window->label);
     if (size.width > box.width || size.height > box.height) {
-        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, x, y, words);
+        say_on_white(drawing, window, box);
         return;
     }
-    if (pp_sky_bands_is_dark(pp_sky_bands_of(window->component)))
-        set.grey = 1.0;
+    bool compared = isfinite(window->before) && box.height > 2.1 * size.height;
+    int lines = compared ? 2 : 1;
+    bool named = box.height > (lines + 1.2) * size.height && name.width < box.width;
+    double x = box.x + 0.5 * box.width;
+    double y =
+        box.y + 0.5 * box.height - 0.5 * (lines + (named ? 1 : 0) - 1) * size.height;
+    set.grey = dark ? 1.0 : PP_INK;
+    if (named) {
+        pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, window->label);
+        y += size.height;
+    } else {
+        const struct pp_lettering above = {
+            .size = PP_TEXT_SMALL, .across = 0.5, .down = 1.0};
+        pp_lettering_draw(drawing->cr, &drawing->style, &above, x, box.y - 0.3,
+                          window->label);
+    }
+    if (compared) {
+        pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, former);
+        y += size.height;
+    }
     set.bold = true;
-    pp_lettering_draw(drawing->cr, &drawing->style, &set, x,
-                      two ? y + 0.5 * size.height : y, words);
-    if (!two)
-        return;
-    set.bold = false;
-    snprintf(words, sizeof words, "%.1f", 100.0 * window->before);
-    pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y - 0.5 * size.height,
-                      words);
+    pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, now);
 }
 
 static void draw_window(struct elevation_drawing *drawing,
@@ -175,6 +199,68 @@ static void draw_window(struct elevation_drawing *drawing,
         PP_INK);
     cairo_stroke(cr);
     say_component(drawing, window, box);
+}
+
+/* Adds a box in u and v to the path. */
+static void trace_box(cairo_t *cr, const struct pp_room_plan *frame,
+                      const struct pp_bounds2 *box)
+{
+    double x = pp_room_plan_x(frame, box->low[0]);
+    double y = pp_room_plan_y(frame, box->high[1]);
+    cairo_rectangle(cr, x, y, pp_room_plan_x(frame, box->high[0]) - x,
+                    pp_room_plan_y(frame, box->low[1]) - y);
+}
+
+/* Draws facades pale behind the walls, cut off at the edges of the drawing. */
+static void draw_elevation_facades(struct elevation_drawing *drawing,
+                                   const struct pp_room_plan *frame,
+                                   const struct pp_site_elevation *elevation)
+{
+    cairo_t *cr = drawing->cr;
+    const struct pp_bounds2 all = {{elevation->low[0], elevation->low[1]},
+                                   {elevation->high[0], elevation->high[1]}};
+    cairo_save(cr);
+    cairo_new_path(cr);
+    trace_box(cr, frame, &all);
+    cairo_clip(cr);
+    for (int i = 0; i < elevation->facade_count; i++)
+        trace_box(cr, frame, &elevation->facades[i]);
+    pp_style_grey(cr, 0.96);
+    cairo_fill_preserve(cr);
+    pp_style_line(cr, drawing->style.thin, PP_GREY_LINE);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
+/* Draws balconies and other shades in outline, in front of walls and windows. */
+static void draw_elevation_shades(struct elevation_drawing *drawing,
+                                  const struct pp_room_plan *frame,
+                                  const struct pp_site_elevation *elevation)
+{
+    cairo_new_path(drawing->cr);
+    for (int i = 0; i < elevation->shade_count; i++)
+        trace_box(drawing->cr, frame, &elevation->shades[i]);
+    pp_style_line(drawing->cr, drawing->style.medium, PP_INK);
+    cairo_stroke(drawing->cr);
+}
+
+/* Writes the name of the wall's room in its lower left corner, if it fits. */
+static void name_elevation_room(struct elevation_drawing *drawing,
+                                const struct pp_room_plan *frame,
+                                const struct pp_elevation_wall *wall)
+{
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0};
+    struct pp_bounds2 box = pp_region_bounds(&wall->outline);
+    double gap = 0.8 * drawing->style.scale;
+    double x = pp_room_plan_x(frame, box.low[0]) + gap;
+    double y = pp_room_plan_y(frame, box.low[1]) - 0.5 * gap;
+    if (wall->room
+        && x + gap
+                   + pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y,
+                                          wall->room)
+                         .width
+               < pp_room_plan_x(frame, box.high[0]))
+        pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, wall->room);
 }
 
 static void say_title(struct elevation_drawing *drawing,
@@ -201,6 +287,7 @@ static void draw_elevation(struct elevation_drawing *drawing,
     struct pp_room_plan frame =
         frame_of(drawing, elevation, x, y + head + height_mm(drawing, elevation));
     say_title(drawing, elevation, x, y + head - style->scale);
+    draw_elevation_facades(drawing, &frame, elevation);
     for (int i = 0; i < elevation->wall_count; i++)
         draw_wall(drawing, &frame, &elevation->walls[i]);
     for (int i = 0; i < elevation->wall_count; i++)
@@ -208,6 +295,9 @@ static void draw_elevation(struct elevation_drawing *drawing,
     for (int i = 0; i < elevation->window_count; i++)
         draw_window(drawing, &frame, elevation,
                     &drawing->sheet->site.windows[elevation->windows[i]]);
+    draw_elevation_shades(drawing, &frame, elevation);
+    for (int i = 0; i < elevation->wall_count; i++)
+        name_elevation_room(drawing, &frame, &elevation->walls[i]);
     double ground = pp_room_plan_y(&frame, drawing->sheet->site.ground_m);
     pp_style_line(cr, style->thick, PP_INK);
     cairo_move_to(cr, x - 2.0 * style->scale, ground);

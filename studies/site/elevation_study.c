@@ -139,7 +139,7 @@ static enum pp_status add_wall(struct pp_site_elevation *elevation,
     if (status != PP_OK)
         return status;
     struct pp_elevation_wall *wall = &elevation->walls[elevation->wall_count++];
-    *wall = (struct pp_elevation_wall){0};
+    *wall = (struct pp_elevation_wall){.room = world->name};
     status = flatten_wall(wall, elevation, world, face, err);
     if (status == PP_OK)
         status = add_doors(wall, elevation, world, face, err);
@@ -229,6 +229,88 @@ static enum pp_status add_walls(struct pp_elevation_sheet *sheet,
     return status;
 }
 
+/* Adds the box of some corners in u and v to a list. */
+static enum pp_status add_box(struct pp_bounds2 **list, int *count,
+                              const struct pp_site_elevation *elevation,
+                              const struct pp_world *world,
+                              const struct pp_vec3 *corners, int corner_count,
+                              struct pp_error *err)
+{
+    struct pp_bounds2 box = pp_bounds2_empty();
+    enum pp_status status = pp_array_append(list, *count, sizeof **list, err);
+    for (int i = 0; i < corner_count; i++) {
+        double uv[2];
+        flat_of(elevation, world, corners[i], uv);
+        pp_bounds2_add(&box, uv[0], uv[1]);
+    }
+    if (status == PP_OK)
+        (*list)[(*count)++] = box;
+    return status;
+}
+
+/* Elevation with a face of the room; NULL: it is in none. */
+static struct pp_site_elevation *elevation_of(struct pp_elevation_sheet *sheet,
+                                              const struct pp_world *world, int face)
+{
+    return find_elevation(
+        sheet,
+        pp_placement_turn(pp_vec_scale(world->surfaces[face].outline.normal, -1.0),
+                          world->placement.rotate_rad));
+}
+
+static enum pp_status add_facades(struct pp_elevation_sheet *sheet,
+                                  const struct pp_world *world, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < world->facade_count && status == PP_OK; i++) {
+        struct pp_site_elevation *elevation =
+            elevation_of(sheet, world, world->facades[i].face);
+        if (elevation)
+            status = add_box(&elevation->facades, &elevation->facade_count, elevation,
+                             world, world->facades[i].corners, 4, err);
+    }
+    return status;
+}
+
+/* Adds balconies, overhangs and fins of the room's own windows. */
+static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
+                                           const struct pp_world *world,
+                                           struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = world->face_count; i < world->surface_count && status == PP_OK; i++) {
+        const struct pp_surface *shade = &world->surfaces[i];
+        if (!shade->is_shade || shade->owner < 0 || shade->inside)
+            continue;
+        struct pp_site_elevation *elevation =
+            elevation_of(sheet, world, world->openings[shade->owner].face);
+        if (elevation)
+            status = add_box(&elevation->shades, &elevation->shade_count, elevation,
+                             world, shade->outline.vertices, shade->outline.count, err);
+    }
+    return status;
+}
+
+/* Facades are drawn up to this distance (m) beyond the walls. */
+static const double facade_beyond_m = 1.5;
+
+/* Includes facades and shades, which may be far larger than the walls. */
+static void extend(struct pp_site_elevation *elevation, const struct pp_bounds2 *boxes,
+                   int count)
+{
+    double low[2], high[2];
+    for (int k = 0; k < 2; k++) {
+        low[k] = elevation->low[k] - (k ? 0.0 : facade_beyond_m);
+        high[k] = elevation->high[k] + facade_beyond_m;
+    }
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 2; k++) {
+            elevation->low[k] = fmin(elevation->low[k], fmax(boxes[i].low[k], low[k]));
+            elevation->high[k] =
+                fmax(elevation->high[k], fmin(boxes[i].high[k], high[k]));
+        }
+}
+
 static void measure_elevation(struct pp_site_elevation *elevation)
 {
     for (int i = 0; i < elevation->wall_count; i++) {
@@ -238,6 +320,8 @@ static void measure_elevation(struct pp_site_elevation *elevation)
             elevation->high[k] = fmax(elevation->high[k], box.high[k]);
         }
     }
+    extend(elevation, elevation->facades, elevation->facade_count);
+    extend(elevation, elevation->shades, elevation->shade_count);
 }
 
 static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
@@ -255,6 +339,10 @@ static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
         qsort(sheet->elevations, sheet->count, sizeof *sheet->elevations, by_bearing);
     for (int i = 0; i < rooms->count && status == PP_OK; i++)
         status = add_walls(sheet, rooms->list[i].world, err);
+    for (int i = 0; i < rooms->count && status == PP_OK; i++)
+        status = add_facades(sheet, rooms->list[i].world, err);
+    for (int i = 0; i < rooms->count && status == PP_OK; i++)
+        status = add_elevation_shades(sheet, rooms->list[i].world, err);
     for (int i = 0; i < sheet->count && status == PP_OK; i++) {
         measure_elevation(&sheet->elevations[i]);
         status = add_elevation_windows(sheet, &sheet->elevations[i], err);

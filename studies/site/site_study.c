@@ -36,6 +36,8 @@ static enum pp_status add_window(struct pp_site_sheet *sheet,
     const struct pp_opening *opening = &world->openings[index];
     const struct pp_placement *place = &world->placement;
     struct pp_site_window window = {.name = opening->name,
+                                    .label = opening->label,
+                                    .room = world->name,
                                     .line = opening->line,
                                     .before = before,
                                     .height_m = opening->height_m};

@@ -39,6 +39,8 @@ void pp_site_sheet_clear_elevations(struct pp_elevation_sheet *sheet)
             free(elevation->walls[k].doors);
         }
         free(elevation->walls);
+        free(elevation->facades);
+        free(elevation->shades);
         free(elevation->windows);
     }
     free(sheet->elevations);

@@ -42,6 +42,8 @@ struct pp_site_window {
     struct pp_vec3 out;       /* unit, horizontal, away from the room */
     double component, before; /* vertical sky component; before NAN: not known */
     const char *name;         /* NULL: no name */
+    const char *label;        /* name, or W1, W2 ... by its place in the file */
+    const char *room;         /* name of its room; NULL: it has none */
     int line;
     int storey; /* number of windows below it in the same wall */
 };
@@ -90,6 +92,7 @@ extern const double pp_site_sheet_levels[PP_SITE_LEVELS];
 /* An outer wall in elevation: u runs to the right seen from outside, from the sheet's
  * origin; v is z. */
 struct pp_elevation_wall {
+    const char *room; /* name of its room; NULL: it has none */
     struct pp_region outline;
     struct pp_curve_list below; /* areas below each level, as in pp_daylight_plan;
                                  * each curve has its level */
@@ -105,6 +108,10 @@ struct pp_site_elevation {
                                 * 0 to 2 pi */
     struct pp_elevation_wall *walls;
     int wall_count;
+    struct pp_bounds2 *facades; /* in u and v; walls are in front of them */
+    int facade_count;
+    struct pp_bounds2 *shades; /* parts of balconies and other shades of windows */
+    int shade_count;
     int *windows; /* indices of windows in `site` */
     int window_count;
     double low[2], high[2]; /* extent in u and v, including the ground */

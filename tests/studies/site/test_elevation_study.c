@@ -182,6 +182,43 @@ static void windows_stand_where_their_rooms_do(void **state)
     clear_made(&made);
 }
 
+/* In the south elevation u is x. The facade reaches the ground, z = 0, and 1.2 m beyond the
+ * wall on the left; the drawing includes it. The balcony is as wide as the window and
+ * 0.4 m on either side; its slab is 2.8 m above the floor of the room. */
+static void facades_and_balconies_are_in_the_elevation(void **state)
+{
+    (void)state;
+    struct made_sheet made;
+    const struct pp_elevation_sheet *sheet = &made.sheet;
+    make(&made,
+         "<building version='1'><room name='Flat' x='10' y='0' z='3'>"
+         "<plan width='4' depth='5' height='2.6'/>"
+         "<facade wall='south' left='1.2' right='0.7' up='0.5' down='3' depth='0.2'/>"
+         "<window wall='south' left='1' sill='0.8' width='2' height='1.5'>"
+         "<balcony depth='1.5' level='2.8' left='0.4' right='0.4'/></window></room>"
+         "</building>",
+         false);
+    const struct pp_site_elevation *south = &sheet->elevations[0];
+    assert_int_equal(south->facade_count, 1);
+    assert_near(south->facades[0].low[0], 10.0 - 1.2, 1e-9);
+    assert_near(south->facades[0].high[0], 14.0 + 0.7, 1e-9);
+    assert_near(south->facades[0].low[1], 0.0, 1e-9);
+    assert_near(south->facades[0].high[1], 3.0 + 2.6 + 0.5, 1e-9);
+    assert_near(south->low[0], 10.0 - 1.2, 1e-9);
+    assert_true(south->shade_count >= 1);
+    double low = INFINITY;
+    for (int i = 0; i < south->shade_count; i++) {
+        assert_true(south->shades[i].low[0] > 10.6 - 1e-9);
+        assert_true(south->shades[i].high[0] < 13.4 + 1e-9);
+        low = fmin(low, south->shades[i].low[1]);
+    }
+    assert_near(low, 3.0 + 2.8, 1e-9);
+    assert_string_equal(sheet->site.windows[0].label, "W1");
+    assert_string_equal(sheet->site.windows[0].room, "Flat");
+    assert_string_equal(south->walls[0].room, "Flat");
+    clear_made(&made);
+}
+
 /* Left of a door is as of a window, from outside; a dado is inside, and an inner wall's
  * door is in no elevation. */
 static void doors_of_outer_walls_stand_where_they_are(void **state)
@@ -259,6 +296,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contours_lie_where_the_house_opposite_leaves_their_component),
         cmocka_unit_test(windows_stand_where_their_rooms_do),
+        cmocka_unit_test(facades_and_balconies_are_in_the_elevation),
         cmocka_unit_test(doors_of_outer_walls_stand_where_they_are),
         cmocka_unit_test(elevations_go_round_from_north),
         cmocka_unit_test(what_goes_and_what_comes_is_told_apart),
