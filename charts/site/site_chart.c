@@ -4,24 +4,16 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "charts/room/contour_lines.h"
 #include "charts/room/plan_strip.h"
 #include "charts/room/room_plan.h"
 #include "charts/sheet/hatch.h"
-#include "charts/sheet/labels.h"
 #include "charts/sheet/page.h"
+#include "charts/site/site_names.h"
 #include "charts/site/site_shape.h"
+#include "charts/site/site_table.h"
 #include "charts/site/sky_bands.h"
-
-struct site_drawing {
-    cairo_t *cr;
-    struct pp_style style;
-    const struct pp_site_sheet *sheet;
-    struct pp_room_plan frame; /* of the site's x and y */
-    struct pp_labels *labels;
-};
 
 /* ---- extent ---- */
 
@@ -59,15 +51,21 @@ static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
     return box;
 }
 
-static struct pp_box frame_box(const struct pp_room_plan *frame)
+/* A common scale, or 1:300, 1:400, 1:600 ... of triangular rules, which fill the sheet
+ * better. */
+static double site_scale(double least)
 {
-    double width = (frame->extent.high[0] - frame->extent.low[0]) * frame->mm_per_m;
-    double height = (frame->extent.high[1] - frame->extent.low[1]) * frame->mm_per_m;
-    return (struct pp_box){frame->x, frame->y - height, width, height};
+    static const double more[] = {3.0, 4.0, 6.0};
+    double scale = pp_room_plan_usual_scale(least);
+    double power = pow(10.0, floor(log10(fmax(least, 100.0))));
+    for (int i = 0; i < 3; i++)
+        if (more[i] * power >= least * (1.0 - 1e-9))
+            scale = fmin(scale, more[i] * power);
+    return scale;
 }
 
 /* Largest common scale at which the site fits, with a border for windows' figures. */
-static void fit_site_scale(struct site_drawing *drawing, struct pp_box room)
+static void fit_site_scale(struct pp_site_drawing *drawing, struct pp_box room)
 {
     struct pp_room_plan *frame = &drawing->frame;
     double border = 3.0 * drawing->style.scale;
@@ -75,116 +73,21 @@ static void fit_site_scale(struct site_drawing *drawing, struct pp_box room)
     frame->scale = 20.0;
     for (int i = 0; i < 100; i++) {
         frame->mm_per_m = 1000.0 / frame->scale;
-        struct pp_box box = frame_box(frame);
+        struct pp_box box = pp_site_names_frame(frame);
         if (box.width + 2.0 * border <= room.width
             && box.height + 2.0 * border <= room.height)
             break;
-        frame->scale = pp_room_plan_usual_scale(frame->scale * 1.001);
+        frame->scale = site_scale(frame->scale * 1.001);
     }
-    struct pp_box box = frame_box(frame);
+    struct pp_box box = pp_site_names_frame(frame);
     frame->x = room.x + 0.5 * (room.width - box.width);
     frame->y = room.y + 0.5 * (room.height + box.height);
     drawing->labels->field = room;
 }
 
-/* ---- existing and proposed shapes ---- */
-
-/* True if it is the name of a room, which shapes of other rooms' outsides have. */
-static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
-{
-    for (int i = 0; i < sheet->shape_count; i++)
-        if (sheet->shapes[i].is_room && sheet->shapes[i].name
-            && strcmp(sheet->shapes[i].name, name) == 0)
-            return true;
-    return false;
-}
-
-/* Area of a shape seen from above, and its centroid in `middle`. */
-static double covered_m2(const struct pp_site_shape *shape, double middle[2])
-{
-    double area = 0.0;
-    middle[0] = middle[1] = 0.0;
-    for (int i = 0; i < shape->count; i++) {
-        const struct pp_vec3 *p = &shape->corners[i];
-        const struct pp_vec3 *q = &shape->corners[(i + 1) % shape->count];
-        area += 0.5 * (p->x * q->y - q->x * p->y);
-        middle[0] += p->x / shape->count;
-        middle[1] += p->y / shape->count;
-    }
-    return fabs(area);
-}
-
-/* Properties of all shapes with the same name together. */
-struct named_thing {
-    double area_m2, middle[2]; /* of the largest shape */
-    double top_m;
-    bool first; /* true for the first shape with the name */
-};
-
-static struct named_thing gather_named(const struct pp_site_sheet *sheet, int index)
-{
-    const struct pp_site_shape *asked = &sheet->shapes[index];
-    struct named_thing thing = {.area_m2 = -1.0, .top_m = -INFINITY, .first = true};
-    for (int i = 0; i < sheet->shape_count; i++) {
-        const struct pp_site_shape *shape = &sheet->shapes[i];
-        double middle[2];
-        if (!shape->name || shape->is_room || shape->when != asked->when
-            || strcmp(shape->name, asked->name) != 0)
-            continue;
-        thing.first &= i >= index;
-        thing.top_m = fmax(thing.top_m, shape->top_m);
-        double area = covered_m2(shape, middle);
-        if (area > thing.area_m2) {
-            thing.area_m2 = area;
-            thing.middle[0] = middle[0];
-            thing.middle[1] = middle[1];
-        }
-    }
-    return thing;
-}
-
-/* Writes name and height, once for all shapes of that name. */
-static void name_shape(struct site_drawing *drawing, int index)
-{
-    const struct pp_site_shape *shape = &drawing->sheet->shapes[index];
-    struct pp_box box = frame_box(&drawing->frame);
-    char words[96], height[32];
-    if (!shape->name || shape->is_room || is_room_name(drawing->sheet, shape->name))
-        return;
-    const struct named_thing thing = gather_named(drawing->sheet, index);
-    if (!thing.first)
-        return;
-    pp_style_metres(height, sizeof height, thing.top_m - drawing->sheet->ground_m);
-    snprintf(words, sizeof words, "%.40s%s\n%s", shape->name,
-             shape->when == PP_SITE_NEW    ? ", proposed"
-             : shape->when == PP_SITE_GONE ? ", existing"
-                                           : "",
-             height);
-    struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
-    double x = pp_room_plan_x(&drawing->frame, thing.middle[0]);
-    double y = pp_room_plan_y(&drawing->frame, thing.middle[1]);
-    bool is_off =
-        x < box.x || x > box.x + box.width || y < box.y || y > box.y + box.height;
-    if (is_off && drawing->sheet->cell_count > 0)
-        return;
-    x = fmin(fmax(x, box.x), box.x + box.width);
-    y = fmin(fmax(y, box.y), box.y + box.height);
-    double line = 1.5 * drawing->style.text[PP_TEXT_SMALL];
-    for (int tries = 0; tries < 6; tries++) {
-        struct pp_box said =
-            pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y, words);
-        if (pp_labels_is_free(drawing->labels, said))
-            break;
-        y += (tries % 2 ? -1.0 : 1.0) * (tries + 1) * line;
-    }
-    struct pp_box said =
-        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, x, y, words);
-    pp_labels_note_box(drawing->labels, said);
-}
-
 /* ---- gardens ---- */
 
-static void draw_garden(struct site_drawing *drawing,
+static void draw_garden(struct pp_site_drawing *drawing,
                         const struct pp_site_garden *garden)
 {
     cairo_t *cr = drawing->cr;
@@ -192,16 +95,13 @@ static void draw_garden(struct site_drawing *drawing,
     cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
     for (int i = 0; i < garden->dark.count; i++)
         pp_contour_lines_path(cr, &drawing->frame, &garden->dark.list[i]);
-    pp_hatch_path(cr, frame_box(&drawing->frame), 0.8 * style->scale, style->hair,
-                  PP_GREY_LINE);
-    double middle[2] = {0.0, 0.0}, dashes[] = {0.3 * style->scale, 0.9 * style->scale};
+    pp_hatch_path(cr, pp_site_names_frame(&drawing->frame), 0.8 * style->scale,
+                  style->hair, PP_GREY_LINE);
+    double dashes[] = {0.3 * style->scale, 0.9 * style->scale};
     cairo_new_path(cr);
-    for (int i = 0; i < garden->count; i++) {
-        for (int k = 0; k < 2; k++)
-            middle[k] += garden->corners[i][k] / garden->count;
+    for (int i = 0; i < garden->count; i++)
         cairo_line_to(cr, pp_room_plan_x(&drawing->frame, garden->corners[i][0]),
                       pp_room_plan_y(&drawing->frame, garden->corners[i][1]));
-    }
     cairo_close_path(cr);
     pp_style_line(cr, style->medium, PP_INK);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
@@ -209,26 +109,13 @@ static void draw_garden(struct site_drawing *drawing,
     cairo_stroke(cr);
     cairo_set_dash(cr, NULL, 0, 0.0);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
-    char words[96] = "";
-    if (garden->name)
-        pp_page_say(words, sizeof words, "%.40s", garden->name);
-    if (isfinite(garden->share))
-        pp_page_say(words, sizeof words, "%s%.0f\u00a0%%", garden->name ? "\n" : "",
-                    100.0 * garden->share);
-    struct pp_lettering set = {.size = PP_TEXT_SMALL, .across = 0.5, .down = 0.5};
-    if (words[0])
-        pp_labels_note_box(drawing->labels,
-                           pp_lettering_draw_on_white(
-                               cr, style, &set,
-                               pp_room_plan_x(&drawing->frame, middle[0]),
-                               pp_room_plan_y(&drawing->frame, middle[1]), words));
 }
 
 /* ---- a plot ---- */
 
 /* Writes the height in its cell, to a decimetre, to a metre, or not at all, depending
  * on the space. */
-static void say_height(struct site_drawing *drawing, const struct pp_site_cell *cell,
+static void say_height(struct pp_site_drawing *drawing, const struct pp_site_cell *cell,
                        double x, double y, double width)
 {
     static const char *const forms[] = {"%.1f", "%.0f"};
@@ -244,7 +131,7 @@ static void say_height(struct site_drawing *drawing, const struct pp_site_cell *
     }
 }
 
-static void draw_cells(struct site_drawing *drawing)
+static void draw_cells(struct pp_site_drawing *drawing)
 {
     const struct pp_site_sheet *sheet = drawing->sheet;
     cairo_t *cr = drawing->cr;
@@ -274,20 +161,80 @@ static void draw_cells(struct site_drawing *drawing)
 
 /* ---- windows ---- */
 
+/* Angle of a line as that of text which is not upside down. */
+static double upright_turn(double turn)
+{
+    if (turn > PP_PI / 2.0 + 1e-6)
+        turn -= PP_PI;
+    if (turn <= -PP_PI / 2.0 + 1e-6)
+        turn += PP_PI;
+    return turn;
+}
+
+/* True if the words fit into the window's strip. */
+static bool strip_fits(const struct pp_site_drawing *drawing,
+                       const struct pp_site_window *window, const char *words)
+{
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    double strip =
+        pp_vec_length(pp_vec_sub(window->to, window->from)) * drawing->frame.mm_per_m;
+    return pp_lettering_measure(drawing->cr, &drawing->style, &set, 0.0, 0.0, words)
+               .width
+           < strip - 0.4;
+}
+
+/* Words in a window's strip: its name, with its figure unless that is in the table; if
+ * both do not fit, the figure. */
+static void window_words(const struct pp_site_drawing *drawing,
+                         const struct pp_site_window *window, char *words, size_t room)
+{
+    double percent = 100.0 * window->component;
+    snprintf(words, room, "%s", window->label);
+    if (drawing->in_table)
+        return;
+    snprintf(words, room, "%s\u00a0\u00a0%.1f", window->label, percent);
+    if (!strip_fits(drawing, window, words))
+        snprintf(words, room, "%.1f", percent);
+}
+
+/* True if name and figure of every window fit into its strip. */
+static bool figures_fit(const struct pp_site_drawing *drawing)
+{
+    for (int i = 0; i < drawing->sheet->window_count; i++) {
+        const struct pp_site_window *window = &drawing->sheet->windows[i];
+        char words[48];
+        snprintf(words, sizeof words, "%s\u00a0\u00a0%.1f", window->label,
+                 100.0 * window->component);
+        if (!strip_fits(drawing, window, words))
+            return false;
+    }
+    return true;
+}
+
+/* True if the name of every window fits into its strip. */
+static bool names_fit(const struct pp_site_drawing *drawing)
+{
+    const struct pp_site_sheet *sheet = drawing->sheet;
+    for (int i = 0; i < sheet->window_count; i++)
+        if (!strip_fits(drawing, &sheet->windows[i], sheet->windows[i].label))
+            return false;
+    return true;
+}
+
 /* Draws a strip as long as the window in front of it, the lowest storey next to the
  * wall. */
-static void draw_window(struct site_drawing *drawing,
+static void draw_window(struct pp_site_drawing *drawing,
                         const struct pp_site_window *window)
 {
     cairo_t *cr = drawing->cr;
     const struct pp_style *style = &drawing->style;
-    double deep = 2.6 * style->scale;
+    double deep = pp_site_names_deep(style);
     double fx = pp_room_plan_x(&drawing->frame, window->from.x);
     double fy = pp_room_plan_y(&drawing->frame, window->from.y);
     double tx = pp_room_plan_x(&drawing->frame, window->to.x);
     double ty = pp_room_plan_y(&drawing->frame, window->to.y);
     double ox = window->out.x, oy = -window->out.y;
-    double near = 0.5 * style->medium + window->storey * deep;
+    double near = pp_site_names_near(style, window->storey);
     cairo_new_path(cr);
     cairo_move_to(cr, fx + near * ox, fy + near * oy);
     cairo_line_to(cr, tx + near * ox, ty + near * oy);
@@ -302,22 +249,17 @@ static void draw_window(struct site_drawing *drawing,
                   PP_INK);
     cairo_stroke(cr);
 
-    char words[16];
-    double turn = atan2(ty - fy, tx - fx);
-    if (turn > PP_PI / 2.0 + 1e-6)
-        turn -= PP_PI;
-    if (turn <= -PP_PI / 2.0 + 1e-6)
-        turn += PP_PI;
+    char words[48];
+    double x = 0.5 * (fx + tx) + (near + 0.5 * deep) * ox,
+           y = 0.5 * (fy + ty) + (near + 0.5 * deep) * oy;
     struct pp_lettering set = {.size = PP_TEXT_SMALL,
                                .across = 0.5,
                                .down = 0.5,
-                               .turn_rad = turn,
+                               .turn_rad = upright_turn(atan2(ty - fy, tx - fx)),
                                .grey = pp_sky_bands_is_dark(band) ? 1.0 : PP_INK};
-    snprintf(words, sizeof words, "%.1f", 100.0 * window->component);
-    struct pp_box size = pp_lettering_measure(cr, style, &set, 0.0, 0.0, words);
-    if (size.width < hypot(tx - fx, ty - fy))
-        pp_lettering_draw(cr, style, &set, 0.5 * (fx + tx) + (near + 0.5 * deep) * ox,
-                          0.5 * (fy + ty) + (near + 0.5 * deep) * oy, words);
+    window_words(drawing, window, words, sizeof words);
+    if (strip_fits(drawing, window, words) && !drawing->names_before)
+        pp_lettering_draw(cr, style, &set, x, y, words);
 }
 
 /* ---- the sheet ---- */
@@ -351,13 +293,16 @@ static int gather_keys(const struct pp_site_sheet *sheet, struct pp_key keys[8])
     return count;
 }
 
-static void draw_site(struct site_drawing *drawing)
+static void draw_site(struct pp_site_drawing *drawing)
 {
     const struct pp_site_sheet *sheet = drawing->sheet;
-    struct pp_box box = frame_box(&drawing->frame);
+    struct pp_box box = pp_site_names_frame(&drawing->frame);
     cairo_t *cr = drawing->cr;
     cairo_save(cr);
-    cairo_rectangle(cr, box.x, box.y, box.width, box.height);
+    /* Lines on the edge of the drawing are drawn whole. */
+    double line = drawing->style.hair;
+    cairo_rectangle(cr, box.x - line, box.y - line, box.width + 2.0 * line,
+                    box.height + 2.0 * line);
     cairo_clip(cr);
     for (int pass = 0; pass < 2; pass++)
         for (int i = 0; i < sheet->shape_count; i++)
@@ -370,21 +315,52 @@ static void draw_site(struct site_drawing *drawing)
     cairo_restore(cr);
     for (int i = 0; i < sheet->window_count; i++)
         draw_window(drawing, &sheet->windows[i]);
-    for (int pass = 0; pass < 2; pass++)
-        for (int i = 0; i < sheet->shape_count; i++)
-            if ((sheet->shapes[i].when == PP_SITE_GONE) == (pass == 1))
-                name_shape(drawing, i);
+    if (drawing->names_before)
+        pp_site_names_windows(drawing);
+    pp_site_names_draw(drawing);
 }
 
-static void draw_site_sheet(struct site_drawing *drawing, struct pp_canvas *canvas)
+/* ---- the figures of windows ---- */
+
+/* Places the site in the field. Figures of windows that do not all fit their strips go
+ * into a table beside or below the site; a table that is too large is left out. */
+static void lay_site(struct pp_site_drawing *drawing, struct pp_box field)
+{
+    double gap = 5.0 * drawing->style.scale;
+    fit_site_scale(drawing, field);
+    if (figures_fit(drawing))
+        return;
+    bool beside = field.width > 1.2 * field.height;
+    struct pp_box table =
+        pp_site_table_size(drawing, (beside ? 0.95 : 0.35) * field.height);
+    drawing->on_next = table.width > (beside ? 0.45 : 1.0) * field.width;
+    if (drawing->on_next)
+        return;
+    drawing->in_table = true;
+    if (beside) {
+        table.x = field.x + field.width - table.width;
+        table.y = field.y;
+        field.width -= table.width + gap;
+    } else {
+        table.x = field.x;
+        table.y = field.y + field.height - table.height;
+        field.height -= table.height + gap;
+    }
+    fit_site_scale(drawing, field);
+    pp_site_table_draw(drawing, table);
+    drawing->names_before = !names_fit(drawing);
+}
+
+static void draw_site_sheet(struct pp_site_drawing *drawing, struct pp_canvas *canvas)
 {
     const struct pp_style *style = &drawing->style;
     const struct pp_site_sheet *sheet = drawing->sheet;
     struct pp_key keys[8];
     char foot[768] = "";
-    pp_page_say(foot, sizeof foot,
-                "Figures in front of windows: vertical sky component in per cent, "
-                "lowest storey next to the wall. Heights are above the ground.");
+    pp_page_say(
+        foot, sizeof foot,
+        "Vertical sky component of windows in per cent. In front of windows the lowest "
+        "storey is next to the wall. Heights are above the ground.");
     if (sheet->french_m > 0.0)
         pp_page_say(foot, sizeof foot,
                     "Windows down to the floor: at %g m above the floor; all others at "
@@ -414,8 +390,8 @@ static void draw_site_sheet(struct site_drawing *drawing, struct pp_canvas *canv
     struct pp_box body = pp_page_draw(canvas, style, &page);
     int key_count = gather_keys(sheet, keys);
     double strip = pp_plan_strip_height(style, key_count);
-    fit_site_scale(drawing, (struct pp_box){body.x, body.y, body.width,
-                                            body.height - strip - 5.0 * style->scale});
+    lay_site(drawing, (struct pp_box){body.x, body.y, body.width,
+                                      body.height - strip - 5.0 * style->scale});
     draw_site(drawing);
     pp_plan_strip_draw(
         drawing->cr, style,
@@ -423,17 +399,35 @@ static void draw_site_sheet(struct site_drawing *drawing, struct pp_canvas *canv
         drawing->frame.scale, sheet->north_rad, keys, key_count);
 }
 
+/* Draws the table on a sheet of its own. */
+static enum pp_status draw_table_sheet(struct pp_site_drawing *drawing,
+                                       struct pp_canvas *canvas, struct pp_error *err)
+{
+    enum pp_status status = pp_canvas_next_sheet(canvas, err);
+    if (status != PP_OK)
+        return status;
+    const struct pp_page page = {drawing->sheet->title,
+                                 "Vertical sky component of windows, CIE overcast sky",
+                                 "In per cent. Bold: under 27\u00a0% and under 0.8 of "
+                                 "the existing value [BR209]."};
+    pp_site_table_draw(drawing, pp_page_draw(canvas, &drawing->style, &page));
+    return PP_OK;
+}
+
 enum pp_status pp_site_chart_draw(struct pp_canvas *canvas,
                                   const struct pp_site_sheet *sheet,
                                   struct pp_error *err)
 {
-    struct site_drawing drawing = {.cr = pp_canvas_cairo(canvas),
-                                   .style = pp_page_style(canvas),
-                                   .sheet = sheet,
-                                   .labels = calloc(1, sizeof *drawing.labels)};
+    struct pp_site_drawing drawing = {.cr = pp_canvas_cairo(canvas),
+                                      .style = pp_page_style(canvas),
+                                      .sheet = sheet,
+                                      .labels = calloc(1, sizeof *drawing.labels)};
     if (!drawing.labels)
         return pp_fail_memory(err);
+    enum pp_status status = PP_OK;
     draw_site_sheet(&drawing, canvas);
+    if (drawing.on_next && pp_canvas_has_sheets(canvas))
+        status = draw_table_sheet(&drawing, canvas, err);
     free(drawing.labels);
-    return PP_OK;
+    return status;
 }

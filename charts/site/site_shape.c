@@ -41,6 +41,23 @@ static void trace_edges(cairo_t *cr, const struct pp_room_plan *frame,
     }
 }
 
+/* Draws the edge of the drawing where it cuts the shape, so that the shape is closed. */
+static void close_at_edge(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_room_plan *frame, struct pp_box within,
+                          const struct pp_site_shape *shape)
+{
+    if (!shape->is_level)
+        return;
+    cairo_save(cr);
+    cairo_new_path(cr);
+    trace_shape(cr, frame, shape);
+    cairo_clip(cr);
+    cairo_rectangle(cr, within.x, within.y, within.width, within.height);
+    pp_style_line(cr, 1.5 * style->hair, PP_GREY_TEXT);
+    cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
 void pp_site_shape_draw(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *frame, struct pp_box within,
                         const struct pp_site_shape *shape)
@@ -77,4 +94,5 @@ void pp_site_shape_draw(cairo_t *cr, const struct pp_style *style,
         cairo_set_dash(cr, dashes, 2, 0.0);
     cairo_stroke(cr);
     cairo_set_dash(cr, NULL, 0, 0.0);
+    close_at_edge(cr, style, frame, within, shape);
 }

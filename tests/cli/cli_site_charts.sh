@@ -35,7 +35,17 @@ done
 check "each window's component" says "$scratch/elevation.pdf" "17.2"
 check "and what it was" says "$scratch/elevation.pdf" "27.1"
 check "what stands there, with its height" says "$scratch/site.pdf" "Tower, proposed"
+for word in "W1" "Living room" "Study"; do
+    check "the elevation names $word" says "$scratch/elevation.pdf" "$word"
+    check "and the plan" says "$scratch/site.pdf" "$word"
+done
+check "a table has what does not fit its strip: existing" says "$scratch/site.pdf" "27.1"
+check "and proposed" says "$scratch/site.pdf" "17.2"
 check "elevations have names" says "$scratch/elevation.pdf" "South elevation, 190"
+sed 's/name="Tower"/name="Proposed tower"/' "$site" >"$scratch/said.xml"
+check "a building called proposed" quietly chart site "$scratch/said.xml" -o "$scratch/said.pdf"
+check "is not called so twice" sh -c "! pdftotext '$scratch/said.pdf' - 2>/dev/null | grep -q 'ower, proposed'"
+check "but is there" says "$scratch/said.pdf" "Proposed tower, 19 m"
 check "two files have two sheets" sh -c '"$1" chart site "$2" "$3" -o "$4/two.svg" &&
     test -s "$4/two-1.svg" && test -s "$4/two-2.svg"' sh "$pepperpot" "$site" "$deep" "$scratch"
 
@@ -53,7 +63,7 @@ check "with its verdict" grep -qE '^ *Lawn +[0-9.]+ +[0-9.]+ +[0-9.]+ +met' "$sc
 check "in its JSON" shows '"gardens": [' assess --by-hand -c gardens --table -f json \
     "$scratch/lawn.xml"
 check "on the plan" quietly chart site "$scratch/lawn.xml" -o "$scratch/lawn.pdf"
-check "with its share" says "$scratch/lawn.pdf" "Lawn"
+check "with its share" says "$scratch/lawn.pdf" "Lawn 84"
 check "a room without one has no such criterion" nothing \
     "$("$pepperpot" assess --by-hand "$deep" | grep -i garden)"
 
