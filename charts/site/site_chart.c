@@ -12,7 +12,7 @@
 #include "charts/sheet/page.h"
 #include "charts/site/site_names.h"
 #include "charts/site/site_shape.h"
-#include "charts/site/site_table.h"
+#include "charts/site/strip_table.h"
 #include "charts/site/sky_bands.h"
 
 /* ---- extent ---- */
@@ -332,7 +332,7 @@ static void lay_site(struct pp_site_drawing *drawing, struct pp_box field)
         return;
     bool beside = field.width > 1.2 * field.height;
     struct pp_box table =
-        pp_site_table_size(drawing, (beside ? 0.95 : 0.35) * field.height);
+        pp_strip_table_size(drawing, (beside ? 0.95 : 0.35) * field.height);
     drawing->on_next = table.width > (beside ? 0.45 : 1.0) * field.width;
     if (drawing->on_next)
         return;
@@ -347,7 +347,7 @@ static void lay_site(struct pp_site_drawing *drawing, struct pp_box field)
         field.height -= table.height + gap;
     }
     fit_site_scale(drawing, field);
-    pp_site_table_draw(drawing, table);
+    pp_strip_table_draw(drawing, table);
     drawing->names_before = !names_fit(drawing);
 }
 
@@ -410,7 +410,7 @@ static enum pp_status draw_table_sheet(struct pp_site_drawing *drawing,
                                  "Vertical sky component of windows, CIE overcast sky",
                                  "In per cent. Bold: under 27\u00a0% and under 0.8 of "
                                  "the existing value [BR209]."};
-    pp_site_table_draw(drawing, pp_page_draw(canvas, &drawing->style, &page));
+    pp_strip_table_draw(drawing, pp_page_draw(canvas, &drawing->style, &page));
     return PP_OK;
 }
 

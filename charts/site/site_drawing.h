@@ -1,5 +1,5 @@
 /* site_drawing.h - state of a site plan while it is drawn: shared by its layout and
- * strips (site_chart.c), its names (site_names.c) and its table (site_table.c). */
+ * strips (site_chart.c), its names (site_names.c) and its table (strip_table.c). */
 #ifndef PP_CHARTS_SITE_SITE_DRAWING_H
 #define PP_CHARTS_SITE_SITE_DRAWING_H
 

@@ -295,8 +295,8 @@ static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
 static const double facade_beyond_m = 1.5;
 
 /* Includes facades and shades, which may be far larger than the walls. */
-static void extend(struct pp_site_elevation *elevation, const struct pp_bounds2 *boxes,
-                   int count)
+static void extend_elevation(struct pp_site_elevation *elevation,
+                             const struct pp_bounds2 *boxes, int count)
 {
     double low[2], high[2];
     for (int k = 0; k < 2; k++) {
@@ -320,8 +320,8 @@ static void measure_elevation(struct pp_site_elevation *elevation)
             elevation->high[k] = fmax(elevation->high[k], box.high[k]);
         }
     }
-    extend(elevation, elevation->facades, elevation->facade_count);
-    extend(elevation, elevation->shades, elevation->shade_count);
+    extend_elevation(elevation, elevation->facades, elevation->facade_count);
+    extend_elevation(elevation, elevation->shades, elevation->shade_count);
 }
 
 static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,

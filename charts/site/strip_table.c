@@ -1,5 +1,5 @@
-/* site_table.c - see site_table.h. */
-#include "charts/site/site_table.h"
+/* strip_table.c - see strip_table.h. */
+#include "charts/site/strip_table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -55,7 +55,7 @@ static int rows_in(const struct pp_site_drawing *drawing, double height)
     return rows > 1 ? rows : 1;
 }
 
-struct pp_box pp_site_table_size(const struct pp_site_drawing *drawing, double height)
+struct pp_box pp_strip_table_size(const struct pp_site_drawing *drawing, double height)
 {
     const struct table_widths widths = widths_of(drawing);
     int count = drawing->sheet->window_count, most = rows_in(drawing, height);
@@ -88,7 +88,7 @@ static void write_row(const struct pp_site_drawing *drawing,
     }
 }
 
-void pp_site_table_draw(const struct pp_site_drawing *drawing, struct pp_box box)
+void pp_strip_table_draw(const struct pp_site_drawing *drawing, struct pp_box box)
 {
     const struct pp_site_sheet *sheet = drawing->sheet;
     const struct table_widths widths = widths_of(drawing);
