@@ -24,7 +24,10 @@ void pp_room_chapter_verdict(struct pp_document *document,
                         : finding->verdict == PP_MET     ? PP_TONE_GOOD
                         : finding->verdict == PP_NOT_MET ? PP_TONE_BAD
                                                          : PP_TONE_PLAIN;
-    pp_document_cell(document, tone, "%s", word ? word : "");
+    pp_document_cell(document, tone, "%s",
+                     word                     ? word
+                     : isnan(finding->wanted) ? "no target"
+                                              : "–");
 }
 
 void pp_room_chapter_pictures(struct pp_document *document,

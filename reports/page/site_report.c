@@ -22,52 +22,37 @@ static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
 
 enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
 
-/* True for the criteria that pp_br209_count_of counts. */
-static bool is_counted(const struct pp_criterion *criterion)
-{
-    static const char *const names[] = {"vertical-sky", "former-sky", "obstruction",
-                                        "no-sky-line"};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (strcmp(criterion->name, names[i]) == 0)
-            return true;
-    return false;
-}
-
-/* Number of a room's findings with that verdict. others: findings of BR 209 are left
- * out. */
-static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict,
-                          bool others)
+/* Number of a room's findings with that verdict, without optional levels: the numbers of
+ * pepperpot assess. */
+static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict)
 {
     int count = 0;
     for (int k = 0; k < room->answer_count; k++) {
         const struct pp_finding_list *list = &room->answers[k].findings;
-        if (others && is_counted(room->answers[k].criterion))
-            continue;
         for (int n = 0; n < list->count; n++)
             count += list->list[n].verdict == verdict && !list->list[n].is_optional;
     }
     return count;
 }
 
-/* Adds the count of BR 209, if any windows or rooms were compared, and the count of all
- * other verdicts. */
+/* Windows and rooms that meet BR 209, if any are assessed, and the number of verdicts. */
 static void say_sum(struct pp_document *document, const struct pp_assessments *all)
 {
     char words[160] = "", br209_words[PP_BR209_WORDS];
     const struct pp_br209_count br209 = pp_br209_count_of(all->list, all->count);
     pp_br209_count_words(br209_words, &br209);
-    bool others = br209_words[0] != '\0';
+    bool by_br209 = br209_words[0] != '\0';
     for (int v = 0; v < VERDICTS; v++) {
         int count = 0;
         for (int i = 0; i < all->count; i++)
-            count += count_verdicts(&all->list[i], verdicts[v], others);
+            count += count_verdicts(&all->list[i], verdicts[v]);
         if (count > 0)
             pp_text_append(words, sizeof words, "%s%d %s", words[0] ? ", " : "", count,
                            pp_finding_word(verdicts[v]));
     }
-    if (others)
+    if (by_br209)
         pp_document_paragraph(document, PP_TONE_VERDICT, "%s.%s%s%s", br209_words,
-                              words[0] ? " Other criteria: " : "", words,
+                              words[0] ? " All verdicts: " : "", words,
                               words[0] ? "." : "");
     else
         pp_document_paragraph(document, PP_TONE_VERDICT, "%s of %d room%s",
@@ -97,8 +82,7 @@ static void put_verdicts(struct pp_document *document, const struct pp_assessmen
     if (rooms)
         pp_document_column(document, PP_COLUMN_NUMBERS, "lit area meets BR 209");
     for (int v = 0; v < VERDICTS; v++)
-        pp_document_column(document, PP_COLUMN_NUMBERS, "%s%s",
-                           windows || rooms ? "others " : "",
+        pp_document_column(document, PP_COLUMN_NUMBERS, "verdicts: %s",
                            pp_finding_word(verdicts[v]));
     for (int i = 0; i < all->count; i++) {
         const char *name = all->list[i].room->world->name;
@@ -113,9 +97,8 @@ static void put_verdicts(struct pp_document *document, const struct pp_assessmen
                              : own.rooms_met ? "yes"
                                              : "no");
         for (int v = 0; v < VERDICTS; v++)
-            pp_document_cell(
-                document, PP_TONE_PLAIN, "%d",
-                count_verdicts(&all->list[i], verdicts[v], windows || rooms));
+            pp_document_cell(document, PP_TONE_PLAIN, "%d",
+                             count_verdicts(&all->list[i], verdicts[v]));
     }
 }
 
