@@ -143,10 +143,6 @@ static void print_finding(const struct pp_finding *finding, const struct layout 
     }
     if (finding->note[0])
         put_note(finding->note, layout, out);
-    if (pp_finding_is_open(finding))
-        put_note("the true value may be on the other side of the limit, so hand "
-                 "figures cannot decide",
-                 layout, out);
 }
 
 static void print_answer(const struct pp_answer *answer, struct layout layout,

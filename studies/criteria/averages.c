@@ -55,7 +55,7 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
             finding = pp_finding_of(PP_FIGURE_FACTOR, average->value, minima[i].least,
                                     false, "%s", minima[i].room);
         if (column)
-            finding.band = column->average_band;
+            pp_finding_by_hand(&finding, column->average_band);
         if (average && average->std_error > 0.0)
             pp_finding_sampled(&finding, average->std_error,
                                pp_finding_probability_at_least(average->value,

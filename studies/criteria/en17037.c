@@ -73,11 +73,13 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
         finding =
             pp_finding_of(PP_FIGURE_FACTOR, share.level, wanted, false, "%s", what);
         finding.reached_over = share.over;
-        status = pp_factors_band(&finding.band, column,
-                                 inquiry->factors->receiver_count, target->part, err);
+        struct pp_band_ends band;
+        status = pp_factors_band(&band, column, inquiry->factors->receiver_count,
+                                 target->part, err);
         if (status != PP_OK)
             return status;
         pp_factors_judge_share(&finding, &share, &error, 1.0);
+        pp_finding_by_hand(&finding, band);
     }
     finding.is_optional = target->is_optional;
     return pp_finding_list_add(findings, &finding, err);

@@ -126,6 +126,16 @@ bool pp_finding_is_open(const struct pp_finding *finding)
            && finding->wanted < fmax(finding->band.high, finding->figure);
 }
 
+void pp_finding_by_hand(struct pp_finding *finding, struct pp_band_ends band)
+{
+    finding->band = band;
+    if (!pp_finding_is_open(finding))
+        return;
+    finding->verdict = PP_UNDECIDED;
+    pp_finding_note(finding, "the true value may be on the other side of the limit, so "
+                             "hand figures cannot decide");
+}
+
 void pp_finding_note(struct pp_finding *finding, const char *format, ...)
 {
     va_list arguments;

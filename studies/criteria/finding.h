@@ -99,6 +99,10 @@ void pp_finding_within(struct pp_finding *finding, double error);
 void pp_finding_sampled(struct pp_finding *finding, double std_error,
                         double probability);
 
+/* Sets the likely range of a hand figure. The verdict is PP_UNDECIDED, with a note, if
+ * the finding is open (pp_finding_is_open). */
+void pp_finding_by_hand(struct pp_finding *finding, struct pp_band_ends band);
+
 /* Probability that a quantity is `wanted` or more, if it is sampled as `value` with a
  * standard error (greater than 0), by the normal distribution. */
 double pp_finding_probability_at_least(double value, double std_error, double wanted);

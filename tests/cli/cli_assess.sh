@@ -199,6 +199,9 @@ check "and the share of before" shows " without the overhangs and balconies" \
 check "an average that is not met, with its bound between it and the band, is open" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
     grep -A 5 'kitchen ' | tr -s ' \n' ' ' | grep -q 'hand figures cannot decide'"
+check "its verdict is undecided, and counted as that" sh -c "
+    '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' >'$scratch/open' &&
+    grep -q 'kitchen .*undecided' '$scratch/open' && grep -q '1 undecided' '$scratch/open'"
 check "but not where it is met" sh -c "
     '$pepperpot' assess --by-hand -c average --room Bedroom '$examples/building.xml' |
     grep -A 1 'bedroom ' | grep -vq 'cannot decide'"

@@ -140,9 +140,16 @@ static void assert_finding(const struct room *room, const char *criterion,
         fail_msg("%s: %s of %g is too near to %g to tell", criterion, of, figure,
                  wanted);
     bool met = same || (at_most ? figure < wanted : figure > wanted);
-    /* A figure nearer to its bound than the coarse grid can tell is undecided. */
+    /* Undecided: a figure nearer to its bound than the coarse grid can tell, and a hand
+     * figure with its bound in the likely range or between range and figure. */
     bool close =
         fabs(said - wanted) < json_object_get_double(field(found, "grid-error"));
+    struct json_object *band = field(found, "band");
+    if (band) {
+        double low = json_object_get_double(json_object_array_get_idx(band, 0));
+        double high = json_object_get_double(json_object_array_get_idx(band, 1));
+        close |= wanted > fmin(low, said) && wanted < fmax(high, said);
+    }
     assert_string_equal(json_object_get_string(field(found, "verdict")),
                         close ? "undecided"
                         : met ? "met"
