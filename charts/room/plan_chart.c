@@ -12,6 +12,7 @@
 #include "charts/room/plan_figures.h"
 #include "charts/room/plan_fill.h"
 #include "charts/room/plan_strip.h"
+#include "charts/room/plan_table.h"
 #include "charts/sheet/legend.h"
 #include "charts/sheet/page.h"
 #include "charts/room/room_plan.h"
@@ -26,10 +27,14 @@ struct plan_drawing {
     struct pp_key keys[8];
     const char *quantity; /* "daylight factor" */
     int key_count;
+    bool in_table; /* values are too close for the plan */
 };
 
 /* Curve of style.c whose dash is used for the no-sky line. */
 enum { NO_SKY_LINE = 2 };
+
+/* Owner of the no-sky line in the labels; those of contours are their indices. */
+enum { NO_SKY_OWNER = PP_LABEL_MARKS - 1 };
 
 bool pp_plan_chart_landscape(const struct pp_world *world)
 {
@@ -41,6 +46,15 @@ bool pp_plan_chart_landscape(const struct pp_world *world)
 }
 
 /* ---- the plane ---- */
+
+/* True if no glass can be seen through: then no view of the sky is drawn. */
+static bool is_all_diffusing(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (!world->openings[i].glass.diffusing)
+            return false;
+    return world->opening_count > 0;
+}
 
 static void draw_dark(struct plan_drawing *drawing)
 {
@@ -59,7 +73,7 @@ static void draw_no_sky_line(struct plan_drawing *drawing)
     pp_style_pen(drawing->cr, &drawing->style, &look);
     for (int i = 0; i < lines->count; i++)
         pp_contour_lines_path(drawing->cr, &drawing->plan, &lines->list[i]);
-    pp_labels_note_path(drawing->labels, drawing->cr, -1);
+    pp_labels_note_path(drawing->labels, drawing->cr, NO_SKY_OWNER);
     cairo_stroke(drawing->cr);
 }
 
@@ -199,7 +213,7 @@ static void gather_keys(struct plan_drawing *drawing)
              100.0 * (1.0 - plan->sky_share));
     if (plan->no_sky.count)
         add_key(drawing, PP_KEY_LINE, NO_SKY_LINE, 1.0, PP_INK, "no-sky line");
-    if (plan->dark.count && tinted)
+    if (plan->dark.count && tinted && !is_all_diffusing(world))
         add_key(drawing, PP_KEY_TINT, 0, 1.0, PP_GREY_FILL, words);
     if (pp_room_plan_has_overhead(world)) {
         add_key(drawing, PP_KEY_LINE, 1, style->thin / style->medium, PP_GREY_LINE,
@@ -250,7 +264,10 @@ static void say_plan_foot(const struct plan_drawing *drawing, char *foot, size_t
         pp_page_say(foot, room, "Skyline of %.3g\u00b0 before wall %s.",
                     skyline->angle_rad / PP_RAD, wall ? wall : "of the window");
     }
-    if (plan->dark.count)
+    if (is_all_diffusing(chart->world))
+        pp_page_say(foot, room,
+                    "All glass is diffusing: a view of the sky is not judged.");
+    else if (plan->dark.count)
         pp_page_say(foot, room, "%.0f\u00a0%% of the plane has no view of the sky.",
                     100.0 * (1.0 - plan->sky_share));
     pp_page_assumptions(foot, room, chart->world, chart->light);
@@ -269,6 +286,51 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     double width = (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m;
     double height = (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m;
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
+}
+
+/* Part of the field that a table of values may take in one direction. */
+static const double table_most = 0.5;
+
+/* Places the plan in the field. Values of points that are too close go into a table
+ * beside or below the plan, wherever the plan is larger; a table that is too large is
+ * left out, and so are the values. The key of the points, the last one, says so. */
+static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
+{
+    const struct pp_plan_chart *chart = drawing->chart;
+    const struct pp_style *style = &drawing->style;
+    place_plan(drawing, field);
+    drawing->in_table = !pp_plan_figures_fit(drawing->cr, style, &drawing->plan, chart);
+    if (!drawing->in_table)
+        return;
+    double gap = 4.0 * style->scale, best = INFINITY;
+    struct pp_box table = pp_plan_table_draw(drawing->cr, style, chart, field, false);
+    struct pp_box rest[2] = {field, field}, chosen = field;
+    rest[0].width -= table.width + gap;
+    rest[1].height -= table.height + gap;
+    for (int below = 0; below < 2; below++) {
+        if (rest[below].width < table_most * field.width
+            || rest[below].height < table_most * field.height
+            || table.width > field.width || table.height > field.height)
+            continue;
+        place_plan(drawing, rest[below]);
+        if (drawing->plan.scale >= best)
+            continue;
+        best = drawing->plan.scale;
+        chosen = rest[below];
+    }
+    place_plan(drawing, chosen);
+    struct pp_key *points = &drawing->keys[drawing->key_count - 1];
+    snprintf(points->words, sizeof points->words, "calculation points%s",
+             isfinite(best) ? "; values in the table" : "");
+    if (!isfinite(best))
+        return;
+    table.x = field.x;
+    table.y = field.y + field.height - table.height;
+    if (chosen.width < field.width) {
+        table.x = field.x + field.width - table.width;
+        table.y = field.y;
+    }
+    pp_plan_table_draw(drawing->cr, style, chart, table, true);
 }
 
 /* Blanks fittings that pass through the plane: no daylight factor, no colour. */
@@ -296,7 +358,7 @@ static void draw_plane(struct plan_drawing *drawing)
     cairo_save(drawing->cr);
     pp_room_plan_path(drawing->cr, &drawing->plan);
     cairo_clip(drawing->cr);
-    if (chart->fill == PP_FILL_NONE)
+    if (chart->fill == PP_FILL_NONE && !is_all_diffusing(chart->world))
         draw_dark(drawing);
     pp_plan_fill_draw(drawing->cr, &drawing->plan, chart->plan, chart->fill);
     draw_bands(drawing);
@@ -346,11 +408,12 @@ static void draw_plan_sheet(struct plan_drawing *drawing, struct pp_canvas *canv
            gap = 5.0 * style->scale;
     double bar = filled ? pp_plan_fill_bar_mm(style) + 3.0 * style->scale : 0.0;
     double summary = draw_summary(drawing, body, false);
-    place_plan(drawing, (struct pp_box){body.x, body.y, body.width,
-                                        body.height - strip - bar - summary - gap});
+    lay_plan(drawing, (struct pp_box){body.x, body.y, body.width,
+                                      body.height - strip - bar - summary - gap});
     pp_plan_names_note(drawing->labels, drawing->cr, style, &drawing->plan);
     draw_plane(drawing);
-    pp_plan_figures_draw(drawing->cr, style, &drawing->plan, chart, drawing->labels);
+    pp_plan_figures_draw(drawing->cr, style, &drawing->plan, chart, drawing->labels,
+                         !drawing->in_table);
     if (chart->plan->contours.count == 0)
         say_flat(drawing);
     pp_room_plan_draw(drawing->cr, style, &drawing->plan);

@@ -10,74 +10,98 @@
 
 /* ---- at the points ---- */
 
-/* Owner of the marks' places in the label layout. */
-enum { MARKS = 1000000 };
-
-/* Formats like pp_style_percent, without the per cent sign. */
-static void to_words(char *words, size_t room, double fraction)
+bool pp_plan_figures_has(const struct pp_plan_chart *chart, int receiver)
 {
-    pp_style_percent(words, room, fraction);
+    const struct pp_receiver *at = &chart->report->receivers[receiver];
+    return chart->figures && at->normal.z > 1.0 - 1e-9
+           && fabs(at->position.z - chart->world->working_plane_m) < 1e-6
+           && isfinite(chart->figures->points[receiver].value);
+}
+
+void pp_plan_figures_value(char *words, size_t room, const struct pp_plan_chart *chart,
+                           int receiver)
+{
+    pp_style_percent(words, room, chart->figures->points[receiver].value);
     char *space = strstr(words, "\u00a0");
     if (space)
         *space = '\0';
 }
 
-static bool is_on_plane(const struct pp_world *world,
-                        const struct pp_receiver *receiver)
-{
-    return receiver->normal.z > 1.0 - 1e-9
-           && fabs(receiver->position.z - world->working_plane_m) < 1e-6;
-}
-
-/* The first box next to a mark that covers nothing; false: there is none. */
-static bool find_box(struct pp_box *box, const struct pp_labels *labels,
+/* A box next to a mark, as near as one covers nothing, or else no more than lines;
+ * false: there is none. *on_lines: it covers lines. */
+static bool find_box(struct pp_box *box, bool *on_lines, const struct pp_labels *labels,
                      struct pp_box size, double x, double y, double off)
 {
-    const double places[][2] = {{off, -0.5 * size.height},
-                                {-off - size.width, -0.5 * size.height},
-                                {-0.5 * size.width, -off - size.height},
-                                {-0.5 * size.width, off},
-                                {off, -size.height},
-                                {off, 0.0},
-                                {-off - size.width, -size.height},
-                                {-off - size.width, 0.0}};
-    for (int i = 0; i < 8; i++) {
-        *box = (struct pp_box){x + places[i][0], y + places[i][1], size.width,
-                               size.height};
-        if (pp_labels_is_free(labels, *box))
-            return true;
+    for (int ring = 0; ring < 3; ring++, off *= 2.0) {
+        const double places[][2] = {{off, -0.5 * size.height},
+                                    {-off - size.width, -0.5 * size.height},
+                                    {-0.5 * size.width, -off - size.height},
+                                    {-0.5 * size.width, off},
+                                    {off, -size.height},
+                                    {off, 0.0},
+                                    {-off - size.width, -size.height},
+                                    {-off - size.width, 0.0}};
+        for (int i = 0; i < 16; i++) {
+            *box = (struct pp_box){x + places[i % 8][0], y + places[i % 8][1],
+                                   size.width, size.height};
+            *on_lines = i >= 8;
+            if (*on_lines ? pp_labels_covers_lines_only(labels, *box)
+                          : ring == 0 && pp_labels_is_free(labels, *box))
+                return true;
+        }
     }
     return false;
 }
 
+bool pp_plan_figures_fit(cairo_t *cr, const struct pp_style *style,
+                         const struct pp_room_plan *plan,
+                         const struct pp_plan_chart *chart)
+{
+    const struct pp_report *report = chart->report;
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    struct pp_box size = pp_lettering_measure(cr, style, &set, 0, 0, "0.00");
+    double wide = size.width + 0.8 * style->scale,
+           high = size.height + 1.4 * style->scale;
+    for (int i = 0; report && i < report->receiver_count; i++)
+        for (int k = 0; k < i; k++) {
+            struct pp_vec3 to = pp_vec_sub(report->receivers[k].position,
+                                           report->receivers[i].position);
+            if (pp_plan_figures_has(chart, i) && pp_plan_figures_has(chart, k)
+                && fabs(to.x) * plan->mm_per_m < wide
+                && fabs(to.y) * plan->mm_per_m < high)
+                return false;
+        }
+    return true;
+}
+
 void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
-                          const struct pp_plan_chart *chart, struct pp_labels *labels)
+                          const struct pp_plan_chart *chart, struct pp_labels *labels,
+                          bool values)
 {
     const struct pp_report *report = chart->report;
     struct pp_lettering set = {.size = PP_TEXT_SMALL};
     for (int i = 0; report && i < report->receiver_count; i++) {
         double x = pp_room_plan_x(plan, report->receivers[i].position.x);
         double y = pp_room_plan_y(plan, report->receivers[i].position.y);
-        pp_labels_note(labels, MARKS, x, y, x, y);
+        pp_labels_note(labels, PP_LABEL_MARKS, x, y, x, y);
     }
     for (int i = 0; report && i < report->receiver_count; i++) {
-        const struct pp_receiver *receiver = &report->receivers[i];
-        double x = pp_room_plan_x(plan, receiver->position.x);
-        double y = pp_room_plan_y(plan, receiver->position.y);
-        bool hidden = pp_labels_is_near(labels, -1, x, y, 1.2 * style->scale);
-        if (!hidden)
-            pp_style_marker(cr, style, PP_POINT_MARK, x, y);
-        if (!chart->figures || !is_on_plane(chart->world, receiver)
-            || !isfinite(chart->figures->points[i].value))
-            continue;
+        double x = pp_room_plan_x(plan, report->receivers[i].position.x);
+        double y = pp_room_plan_y(plan, report->receivers[i].position.y);
+        bool hidden = pp_labels_is_near(labels, -1, x, y, 1.2 * style->scale), on_lines;
         char words[32];
         struct pp_box box;
-        to_words(words, sizeof words, chart->figures->points[i].value);
-        struct pp_box size = pp_lettering_measure(cr, style, &set, 0, 0, words);
-        if (!find_box(&box, labels, size, x, y, 0.8 * style->scale))
+        if (!hidden)
+            pp_style_marker(cr, style, PP_POINT_MARK, x, y);
+        if (!values || !pp_plan_figures_has(chart, i))
             continue;
-        pp_lettering_draw(cr, style, &set, box.x, box.y, words);
+        pp_plan_figures_value(words, sizeof words, chart, i);
+        struct pp_box size = pp_lettering_measure(cr, style, &set, 0, 0, words);
+        if (!find_box(&box, &on_lines, labels, size, x, y, 0.8 * style->scale))
+            continue;
+        (on_lines ? pp_lettering_draw_on_white
+                  : pp_lettering_draw)(cr, style, &set, box.x, box.y, words);
         pp_labels_note_box(labels, box);
     }
 }

@@ -7,12 +7,24 @@
 #include "charts/room/room_plan.h"
 #include "charts/sheet/labels.h"
 
-/* Writes the figure at each receiver of the report that faces up on the working plane,
- * beside a mark, if there is space between the lines and the other figures; else draws
- * the mark alone. */
+/* True if the receiver faces up on the working plane and has a value. */
+bool pp_plan_figures_has(const struct pp_plan_chart *chart, int receiver);
+
+/* Its value in per cent, without the sign. */
+void pp_plan_figures_value(char *words, size_t room, const struct pp_plan_chart *chart,
+                           int receiver);
+
+/* True if the points are far enough from each other on paper for values beside them. */
+bool pp_plan_figures_fit(cairo_t *cr, const struct pp_style *style,
+                         const struct pp_room_plan *plan,
+                         const struct pp_plan_chart *chart);
+
+/* Draws the points and, with `values`, writes the values of those on the working plane
+ * beside them. A value for which there is no other place covers lines. */
 void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
-                          const struct pp_plan_chart *chart, struct pp_labels *labels);
+                          const struct pp_plan_chart *chart, struct pp_labels *labels,
+                          bool values);
 
 /* Minimum, median, mean, uniformity and shares over the levels, as a sentence or two;
  * empty if there are none. */

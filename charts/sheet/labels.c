@@ -65,7 +65,7 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
 /* True if the box is at least `pad` from all noted places with other owners, and at
  * least pad/4 from those of its owner. */
 static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner,
-                    double pad)
+                    double pad, bool covers_lines)
 {
     const struct pp_box *field = &labels->field;
     if (box.x < field->x || box.y < field->y
@@ -75,6 +75,8 @@ static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner
     for (int i = 0; i < labels->count; i++) {
         const struct pp_label_place *p = &labels->places[i];
         double off = p->owner == owner ? 0.25 * pad : pad;
+        if (covers_lines && p->owner >= 0 && p->owner < PP_LABEL_MARKS)
+            continue;
         if (p->x > box.x - off && p->x < box.x + box.width + off && p->y > box.y - off
             && p->y < box.y + box.height + off)
             return false;
@@ -84,7 +86,12 @@ static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner
 
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box)
 {
-    return is_free(labels, box, -2, 0.5);
+    return is_free(labels, box, -2, 0.5, false);
+}
+
+bool pp_labels_covers_lines_only(const struct pp_labels *labels, struct pp_box box)
+{
+    return is_free(labels, box, -2, 0.3, true);
 }
 
 /* Distance from the line a-b to the nearest place of another owner. */
@@ -146,7 +153,7 @@ bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style
                     height};
                 double end[2];
                 nearest_in_box(box, at, end);
-                if (!is_free(labels, box, owner, 1.6 * unit)
+                if (!is_free(labels, box, owner, 1.6 * unit, false)
                     || (ring && clearance(labels, at, end, owner) < 0.3 * unit))
                     continue;
                 best = cost;

@@ -42,6 +42,13 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
 /* True if a box is within the field and free of all registered places. */
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 
+/* Owner of marks of points: unlike lines they are never covered. */
+enum { PP_LABEL_MARKS = 1000000 };
+
+/* The same, but lines, which have owners from 0 to below PP_LABEL_MARKS, may be
+ * covered. */
+bool pp_labels_covers_lines_only(const struct pp_labels *labels, struct pp_box box);
+
 /* Finds a place for a box next to one of the owner's places, farther from places of
  * other owners than from the owner's. *anchor: the end of a leader. False: there is no
  * place. */

@@ -355,6 +355,35 @@ check_words "under a balcony the sky ends at its slab" "$scratch/balcony.pdf" \
 if command -v pdftotext >/dev/null; then
     check "and no line of sight passes through it" lacks "line of sight" "$scratch/balcony.pdf"
 fi
+# Every point has its value: on the plan where values fit, else in a table by x and y.
+cat >"$scratch/grid.xml" <<'EOF'
+<room version="1" name="Grid"><plan width="7" depth="6" height="3"/>
+<window wall="south" left="1" sill="0.9" width="4" height="1.6"/>
+<grid spacing="SPACING" margin="0.5"/></room>
+EOF
+# values FILE.pdf: its numbers with a decimal point and no unit, one a line.
+values() {
+    pdftotext -layout "$1" - | tr -s ' ÷+' '\n' | grep -cE '^[0-9]+(\.[0-9]+)?$'
+}
+for spacing in 1 0.4; do
+    sed "s/SPACING/$spacing/" "$scratch/grid.xml" >"$scratch/grid-$spacing.xml"
+    run chart plan --paper a5 -o "$scratch/grid-$spacing.pdf" "$scratch/grid-$spacing.xml"
+done
+if command -v pdftotext >/dev/null; then
+    check "30 values are at their points" has_words "$scratch/grid-1.pdf" "points, with values"
+    check "and all are there" test "$(values "$scratch/grid-1.pdf")" -ge 30
+    check "180 values are in a table" has_words "$scratch/grid-0.4.pdf" "values in the table"
+    check "and all are there" test "$(values "$scratch/grid-0.4.pdf")" -ge 180
+fi
+# Opal glass shows no sky: the plan is not grey.
+sed 's/spacing="SPACING"/spacing="1"/; s/height="1.6"/height="1.6" glazing="opal-acrylic"/' \
+    "$scratch/grid.xml" >"$scratch/opal.xml"
+run chart plan -m exact+split-flux -o "$scratch/opal.pdf" "$scratch/opal.xml"
+check_words "a view of the sky through opal glass is not judged" "$scratch/opal.pdf" \
+    "All glass is diffusing"
+if command -v pdftotext >/dev/null; then
+    check "nor drawn" lacks "no direct sky" "$scratch/opal.pdf"
+fi
 # Where a section is cut: at x, at y, through an opening; the plan has its mark.
 cat >"$scratch/wells.xml" <<'EOF'
 <room version="1" name="Wells"><plan width="9.5" depth="6.1" height="3.3"/>
