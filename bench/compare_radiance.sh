@@ -272,24 +272,24 @@ compare() {
     theirs_s=$(limit=600 && rays "$scratch/theirs" "$scratch/few.pts" $paths -ad "$fine")
     apart=$(paste -d' ' "$scratch/ours" "$scratch/theirs" |
         awk '{ d = $1 / $3 - 1; s += d; q += d * d; own += $2 / $1 ^ 2 }
-            END { printf "%+.2f ± %.2f %% in the mean, %.2f %% RMS, of which ours has %.2f %%",
+            END { printf "%+.2f ± %.2f %% on average and %.2f %% RMS, including %.2f %% noise of df",
                 100 * s / NR, 100 * sqrt((q - s * s / NR) / (NR - 1) / NR), 100 * sqrt(q / NR),
                 100 * sqrt(own / NR) }')
 
     printf '\n### %s: %d points\n\n' "$(sed -n 's/.*<room [^>]*name="\([^"]*\)".*/\1/p' \
         "$scratch/room.xml")$([ "$scene" = triangles ] && echo ', 100,000 triangles')" "$count"
-    printf 'References at %d of the points: the mean of eight runs of `df --simulate --error 0.2%%`\n' \
+    printf 'The references at %d points are the mean of eight runs of `df --simulate --error 0.2%%`\n' \
         "$number"
-    printf '(%.1f s) and `rtrace %s -ad %d` (%.1f s);\nthey differ by %s. ' \
+    printf '(%.1f s) and `rtrace %s -ad %d` (%.1f s).\nThe references differ by %s. ' \
         "$ours_s" "$paths" "$fine" "$theirs_s" "$apart"
-    printf 'Error: RMS, relative, per cent;\nagainst ours its own noise is taken off.\n\n'
-    echo '| run | processor s | error | mean error | against rtrace |'
+    printf 'Errors are relative\nRMS errors in per cent, without the noise of the reference of df.\n\n'
+    echo '| run | processor time, s | error | mean error | error against rtrace |'
     echo '| --- | ---: | ---: | ---: | ---: |'
     for error in 2% 1% 0.4%; do
         for seed in $seeds; do
             traced "$scratch/found.$seed" "$error" "$seed" "$scratch/room.xml"
         done | awk '{ sum += $1 } END { print sum / NR }' >"$scratch/taken"
-        row "ours $error" "\`df --simulate --error $error\`, the mean of four" \
+        row "ours $error" "\`df --simulate --error $error\`, mean of four" \
             "$(cat "$scratch/taken")" "$scratch"/found.[1-4]
     done
     for number in $few $many; do
@@ -311,7 +311,7 @@ compare() {
 # finished WORDS: whether the run was; a line that says so where it was not.
 finished() {
     [ "$taken" != 0.000 ] || {
-        printf '| %s | not done after %d s | | | |\n' "$1" "$limit"
+        printf '| %s | not finished after %d s | | | |\n' "$1" "$limit"
         false
     }
 }

@@ -40,9 +40,9 @@ about() {
 cat <<END
 # Performance
 
-Written by \`make bench\`, which wants a machine that does nothing else; do not edit. A rate or a
-time says little elsewhere, a ratio more. Times are of the processor, all threads together,
-unless they are said to be by the clock. What is \`wanted\` stands beside what was found.
+\`make bench\` writes this page; do not edit. Run the benchmarks on an otherwise idle machine. Rates
+and times depend on the machine, ratios less so. Times are processor times of all threads together,
+unless marked as clock times. Results are shown next to their target, called \`wanted\`.
 
 | | |
 | --- | --- |
@@ -70,27 +70,26 @@ cat <<'END'
 
 ## Against Radiance
 
-`bench/compare_radiance.sh`: the same rooms, written by `pepperpot export`, by Radiance and by `df
---simulate`, each on one processor and in turn, in one run. Radiance runs in two ways. `rtrace`
-follows every path to its end without a cache, as the exported script has it: nothing is shared
-between points, and nothing is biased. And as an expert would run it: panes in parts of 0.3 m, whose
-light `mkillum` gathers at low cost; plain materials; the ground beyond 60 m a glow; an overture and a
-second pass with the same ambient file, with fine `-ds`. Its seconds are those of `mkillum` and of both
-passes. Its cache is biased.
+`bench/compare_radiance.sh` calculates the same rooms, exported by `pepperpot export`, with Radiance
+and with `df --simulate`. All runs use one processor, one after the other. Radiance runs in two ways.
+First, `rtrace` traces every path to its end without a cache, as in the exported script: points share
+nothing, and the results are unbiased. Second, an expert would use these settings: panes in parts of
+0.3 m, whose light `mkillum` gathers at low cost; plain materials; the ground beyond 60 m as a glow; an
+overture and a second pass with the same ambient file and fine `-ds`. These times include `mkillum` and
+both passes. The ambient cache causes a bias.
 
-The error is that of the points' daylight factors: the root of the mean square of (found -
-true)/true; beside it stands the mean of (found - true)/true, the bias where it is larger than the
-noise. What is true is the mean of eight fine runs of `df --simulate`, whose own noise, by how
-far they are apart, is taken off. That all of ours might be off together is asked of a fine run of
-`rtrace`: how far both references are apart in the mean stands above each table with its standard
-error, and the error against that run, with its noise, beside the other.
+The error is the root mean square of (found - true)/true over the points. The mean of (found -
+true)/true is also given; it is the bias where it exceeds the noise. The true values are the means of
+eight fine runs of `df --simulate`; their own noise, from the spread of the runs, is subtracted. A fine
+run of `rtrace` tests for a common error of all our runs. Above each table is the mean difference of the
+two references with its standard error; the last column is the error against `rtrace`, including its
+noise.
 
-Below each table stands how many times as long Radiance takes. An expert's run counts as it was
-measured, against the cheapest of ours that was measured with no larger an error. For runs without a
-cache equal errors are had by the law of unbiased estimates, time times the square of the error; such
-figures are marked as extrapolated, and from where. `df` leaves a point at a standard error of 0.002 %
-daylight factor whatever is asked: one of 0.14 %, as there are behind leaves, at 1.4 % of it, so that an
-error of 0.4 % is not what it works for there.
+Below each table is the ratio of times. An expert run is compared, as measured, with our fastest run of
+no larger error. Runs without a cache are compared at equal error, by the law of unbiased estimates: time
+times squared error is constant. Such figures are marked as extrapolated. `df` stops at a standard error
+of 0.002 % daylight factor. For a point of 0.14 %, as behind leaves, this is 1.4 % of the value, so such
+points do not reach an error of 0.4 %.
 END
 # shellcheck disable=SC2086 # several words, or none: all scenes
 sh "$here/compare_radiance.sh" "$program" ${SCENES:-}
@@ -99,8 +98,8 @@ cat <<'END'
 
 ## Against rpict
 
-`bench/compare_rpict.sh`: one view of the deep office by `render` and by Radiance's `rpict`, each
-on one processor, with `rpict` as an expert would run it (above), the overture with a sixteenth of the
-pixels.
+`bench/compare_rpict.sh` calculates one view of the deep office with `render` and with Radiance's
+`rpict`, each on one processor. `rpict` has the expert settings above, with a sixteenth of the pixels in
+the overture.
 END
 sh "$here/compare_rpict.sh" "$program"
