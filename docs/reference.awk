@@ -15,7 +15,7 @@ function put_code() {
 }
 BEGIN {
     print "# pepperpot.h, function by function"
-    print "\nMade from the header by `make reference`; [library.md](library.md) tells how they go together."
+    print "\nGenerated from the header by `make reference`; [library.md](library.md) explains their use."
 }
 /^#ifdef __cplusplus/ { skipping = 1 }
 skipping { if (/^#endif/) skipping = 0; next }
