@@ -93,6 +93,8 @@ struct pp_chart_choice {
     bool line_said;        /* plan: lit area instead of contours */
     enum pp_lit_line line; /* boundary of the lit area, if line_said */
 
+    const struct pp_report *known; /* the room's averages, which a plan prints in place
+                                    * of its own; NULL: not known; not owned */
     struct pp_section_place cut;   /* of a section, and its mark on a plan */
     enum pp_section_scale scale;   /* scale of the daylight factors in a section */
     enum pp_plan_fill fill;        /* filling between the contours of a plan */

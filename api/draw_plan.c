@@ -1,6 +1,8 @@
 /* draw_plan.c - contours of the daylight factor and the no-sky line on the room's plan,
  * or its lit area at present and before. */
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "api/chart_kind.h"
 #include "charts/room/lit_area_chart.h"
@@ -62,6 +64,17 @@ static enum pp_status find_mark(struct pp_plan_mark *mark, bool *found,
     return status;
 }
 
+/* Replaces the average by that of the same column of a report, so that both agree. */
+static void take_average(struct pp_column *figures, const struct pp_report *known)
+{
+    for (int i = 0; known && i < known->column_count; i++) {
+        const struct pp_column *column = &known->columns[i];
+        if (column->component == PP_DF && isfinite(column->average.value)
+            && strcmp(column->name, figures->name) == 0)
+            figures->average = column->average;
+    }
+}
+
 static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
                                       struct pp_study_room *room,
                                       const struct pp_study_options *study,
@@ -81,6 +94,7 @@ static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
         status = pp_plan_study_make(&made, room, study, &by_clock, err);
     if (status != PP_OK)
         return status;
+    take_average(&made.figures, choice->known);
     enum { NOTE_BYTES = 640 };
     char doubts[NOTE_BYTES];
     const char *notes[] = {made.note, doubts};

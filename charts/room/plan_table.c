@@ -76,7 +76,7 @@ static void write_cell(const struct plan_table *table, struct pp_box box, int co
                       box.y + row * table->row, words);
 }
 
-static int index_of(const double *list, int count, double value)
+static int place_in(const double *list, int count, double value)
 {
     int i = 0;
     while (i + 1 < count && fabs(list[i] - value) > same_place_m)
@@ -100,8 +100,8 @@ static void write_grid(const struct plan_table *table, struct pp_box box)
         const struct pp_vec3 *at =
             &table->chart->report->receivers[table->points[i]].position;
         pp_plan_figures_value(words, sizeof words, table->chart, table->points[i]);
-        write_cell(table, box, 1 + index_of(table->x, table->x_count, at->x),
-                   table->y_count - index_of(table->y, table->y_count, at->y), PP_INK,
+        write_cell(table, box, 1 + place_in(table->x, table->x_count, at->x),
+                   table->y_count - place_in(table->y, table->y_count, at->y), PP_INK,
                    words);
     }
 }

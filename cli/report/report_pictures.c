@@ -201,7 +201,8 @@ static enum pp_status check_cut(const struct drawing_task *task, int room,
 static enum pp_status draw_room(struct drawing_task *task, int room,
                                 struct pp_error *err)
 {
-    const struct pp_chart_choice alone = {.cut = task->run->words->cut},
+    const struct pp_chart_choice alone = {.cut = task->run->words->cut,
+                                          .known = &task->run->all.list[room].report},
                                  compared = {.site = {&task->run->rooms->list[room],
                                                       &task->before[room], 1,
                                                       task->run->words->french_m}};

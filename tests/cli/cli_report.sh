@@ -165,6 +165,19 @@ check "simulated as PDF" quietly report --error 5% -c average "$scratch/pair.xml
 check_words "with standard errors and the seed" "$scratch/traced.pdf" "^± standard error$" \
     "^traced$" "seed 1"
 
+# The plan and the table of averages print one average; the section is cut where it is told.
+if command -v pdftotext >/dev/null; then
+    average=$(pdftotext -layout "$scratch/traced.pdf" - | sed -n 's/^traced  *\([0-9.]*\).*/\1/p')
+    check "an average in the table" test -n "$average"
+    check "is that of the plan" says "$scratch/traced.pdf" "whole plane $average"
+fi
+check "a section at a place" quietly report --by-hand --cut y=1.5 --room Scullery \
+    "$scratch/pair.xml" -o "$scratch/cut.pdf"
+check "is in the command that makes the report again" says "$scratch/cut.pdf" "cut y=1.5"
+check "a place outside the room" refuses 1 "is outside the room" report --by-hand \
+    --cut x=55 --room Scullery "$scratch/pair.xml" -o "$scratch/none.pdf"
+check "leaves no report" test ! -e "$scratch/none.pdf"
+
 check "a file is needed" refuses 2 "expected a room file" report
 check "a wrong room leaves no page" sh -c "
     echo '<room version=\"1\"/>' >'$scratch/wrong.xml'
