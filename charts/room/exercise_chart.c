@@ -4,7 +4,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "charts/room/block_plan.h"
+#include "charts/room/plan_names.h"
 
 #include "charts/room/room_elevation.h"
 #include "charts/room/room_plan.h"
@@ -12,7 +16,7 @@
 #include "charts/room/room_words.h"
 #include "charts/sheet/page.h"
 
-enum { ELEVATIONS_MOST = 4, ANSWER_LINES = 3 };
+enum { ELEVATIONS_MOST = 4, ANSWER_LINES = 4 /* the first for name and date */ };
 
 struct exercise_drawing {
     cairo_t *cr;
@@ -48,6 +52,12 @@ static double caption_mm(const struct pp_style *style)
     return 1.8 * style->text[PP_TEXT_SMALL];
 }
 
+/* Height of the scale bar below the plan, and of dimensions below an elevation. */
+static double bar_mm(const struct pp_style *style)
+{
+    return 6.5 * style->scale;
+}
+
 /* Writes a caption below a drawing, centred on x. */
 static void write_caption(const struct exercise_drawing *drawing, double x, double y,
                           double width, const char *words)
@@ -66,9 +76,12 @@ static void write_caption(const struct exercise_drawing *drawing, double x, doub
 }
 
 /* Space beside the section for obstructions. */
-static double outside_mm(const struct exercise_drawing *drawing)
+static double outside_mm(const struct exercise_drawing *drawing, bool near)
 {
-    return 14.0 * drawing->style.scale;
+    struct pp_room_section section = {.world = drawing->exercise->world,
+                                      .cut = &drawing->cut};
+    bool obstructed = pp_room_section_has_outside(&section, near);
+    return (obstructed ? 22.0 : 12.0) * drawing->style.scale;
 }
 
 static struct pp_room_section fitted_section(const struct exercise_drawing *drawing,
@@ -79,15 +92,15 @@ static struct pp_room_section fitted_section(const struct exercise_drawing *draw
                                       .report = &drawing->report,
                                       .least_scale = drawing->scale,
                                       .named = true,
-                                      .no_sights = true};
-    double outside = outside_mm(drawing);
-    pp_room_section_fit(&section, &drawing->style, box.width - 2.0 * outside,
+                                      .no_angles = true};
+    double left = outside_mm(drawing, true), right = outside_mm(drawing, false);
+    pp_room_section_fit(&section, &drawing->style, box.width - left - right,
                         box.height - 3.0 * drawing->style.scale);
-    section.x = box.x + outside;
+    section.x = box.x + left;
     section.y = box.y + 3.0 * drawing->style.scale;
-    section.left_mm = outside - 1.0;
+    section.left_mm = left - 1.0;
     section.right_mm =
-        box.width - outside - drawing->cut.length_m * section.mm_per_m - 1.0;
+        box.width - left - drawing->cut.length_m * section.mm_per_m - 1.0;
     section.head_mm = 3.0 * drawing->style.scale;
     return section;
 }
@@ -95,9 +108,9 @@ static struct pp_room_section fitted_section(const struct exercise_drawing *draw
 static struct pp_room_plan fitted_plan(const struct exercise_drawing *drawing,
                                        struct pp_box box)
 {
-    struct pp_room_plan plan = {.least_scale = drawing->scale};
+    struct pp_room_plan plan = {.least_scale = drawing->scale, .named = true};
     pp_room_plan_fit(&plan, drawing->exercise->world, &drawing->style, box.width,
-                     box.height - caption_mm(&drawing->style));
+                     box.height - bar_mm(&drawing->style));
     pp_room_plan_place(&plan, &drawing->style, box, true);
     return plan;
 }
@@ -106,14 +119,15 @@ static struct pp_room_plan fitted_plan(const struct exercise_drawing *drawing,
 static double elevations_scale(const struct exercise_drawing *drawing,
                                struct pp_box box)
 {
-    double width = 0.0, height = 0.0, gaps = 6.0 * drawing->style.scale;
+    double width = 0.0, height = 0.0, gaps = 14.0 * drawing->style.scale;
     for (int i = 0; i < drawing->elevation_count; i++) {
         const struct pp_bounds2 *extent = &drawing->elevations[i].extent;
         width += extent->high[0] - extent->low[0];
         height = fmax(height, extent->high[1] - extent->low[1]);
     }
-    double most = fmin((box.width - gaps * drawing->elevation_count) / width,
-                       (box.height - caption_mm(&drawing->style)) / height);
+    double most = fmin(
+        (box.width - gaps * drawing->elevation_count) / width,
+        (box.height - caption_mm(&drawing->style) - bar_mm(&drawing->style)) / height);
     return pp_room_plan_usual_scale(1000.0 / most);
 }
 
@@ -144,12 +158,91 @@ static void draw_exercise_plan(const struct exercise_drawing *drawing,
     struct pp_room_plan plan = fitted_plan(drawing, box);
     char words[64];
     pp_room_plan_draw(drawing->cr, style, &plan);
-    pp_style_marker(drawing->cr, style, PP_DISC, pp_room_plan_x(&plan, point.x),
-                    pp_room_plan_y(&plan, point.y));
+    const struct pp_plan_mark mark = {
+        {drawing->cut.origin[0], drawing->cut.origin[1]},
+        {drawing->cut.origin[0] + drawing->cut.length_m * drawing->cut.along[0],
+         drawing->cut.origin[1] + drawing->cut.length_m * drawing->cut.along[1]}};
+    pp_plan_names_draw(drawing->cr, style, &plan, &mark);
+    pp_block_plan_axes(drawing->cr, style, &plan);
+    double x = pp_room_plan_x(&plan, point.x), y = pp_room_plan_y(&plan, point.y);
+    pp_style_marker(drawing->cr, style, PP_DISC, x, y);
+    const struct pp_lettering at = {.size = PP_TEXT_SMALL, .down = 0.5};
+    snprintf(words, sizeof words, "P (%.4g, %.4g)", point.x, point.y);
+    pp_lettering_draw(drawing->cr, style, &at, x + 1.5 * style->scale, y, words);
     snprintf(words, sizeof words, "Plan 1:%g", plan.scale);
-    write_caption(drawing, box.x + 0.5 * box.width,
-                  plan.y + pp_room_plan_border(&plan, style, PP_PLAN_BELOW), box.width,
-                  words);
+    double below = plan.y + pp_room_plan_border(&plan, style, PP_PLAN_BELOW);
+    double bar =
+        fmin(plan.x + 20.0 * style->scale, box.x + box.width - 62.0 * style->scale);
+    bar = fmax(bar, box.x + 20.0 * style->scale);
+    write_caption(drawing, bar - 12.0 * style->scale, below, box.width, words);
+    pp_room_plan_scale_bar(drawing->cr, style, plan.mm_per_m, bar,
+                           below + 0.4 * style->scale);
+}
+
+static int compare_edges(const void *a, const void *b)
+{
+    const double *p = a, *q = b;
+    return (*p > *q) - (*p < *q);
+}
+
+static void dimension(const struct exercise_drawing *drawing, double x0, double y0,
+                      double x1, double y1, double mm_per_m)
+{
+    double length = hypot(x1 - x0, y1 - y0);
+    if (length > 0.1)
+        pp_plan_names_dimension(drawing->cr, &drawing->style, x0, y0, x1, y1,
+                                length / mm_per_m, false);
+}
+
+/* Draws a chain of dimensions below the wall, at the jambs of its openings, and one on
+ * its left, at sill and head of the lowest and highest. */
+static void draw_elevation_dimensions(const struct exercise_drawing *drawing,
+                                      const struct pp_room_elevation *elevation)
+{
+    enum { EDGES_MOST = 24 };
+    const struct pp_world *world = elevation->world;
+    const struct pp_polygon *wall = &world->surfaces[elevation->first->face].outline;
+    double across[EDGES_MOST], up[4] = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    int count = 0;
+    across[0] = INFINITY;
+    across[1] = -INFINITY;
+    for (int i = 0; i < wall->count; i++) {
+        double x, y;
+        pp_room_elevation_place(elevation, wall->vertices[i], &x, &y);
+        across[0] = fmin(across[0], x);
+        across[1] = fmax(across[1], x);
+        up[0] = fmin(up[0], -y);
+        up[3] = fmax(up[3], -y);
+    }
+    count = 2;
+    for (int i = 0; i < world->opening_count && count + 2 <= EDGES_MOST; i++) {
+        const struct pp_polygon *outline = &world->openings[i].inner;
+        double low = INFINITY, high = -INFINITY, top = INFINITY;
+        if (world->openings[i].face != elevation->first->face)
+            continue;
+        for (int k = 0; k < outline->count; k++) {
+            double x, y;
+            pp_room_elevation_place(elevation, outline->vertices[k], &x, &y);
+            low = fmin(low, x);
+            high = fmax(high, x);
+            top = fmin(top, y);
+            up[1] = fmin(up[1], -y);
+            up[2] = fmax(up[2], -y);
+        }
+        across[count++] = low;
+        across[count++] = high;
+        const struct pp_lettering name = {
+            .size = PP_TEXT_SMALL, .bold = true, .across = 0.5};
+        pp_lettering_draw(drawing->cr, &drawing->style, &name, 0.5 * (low + high),
+                          top + 0.6 * drawing->style.scale, world->openings[i].label);
+    }
+    qsort(across, (size_t)count, sizeof *across, compare_edges);
+    double y = -up[0] + 0.42 * bar_mm(&drawing->style),
+           x = across[0] - 0.6 * bar_mm(&drawing->style);
+    for (int i = 0; i + 1 < count; i++)
+        dimension(drawing, across[i], y, across[i + 1], y, elevation->mm_per_m);
+    for (int i = 0; i < 3; i++)
+        dimension(drawing, x, -up[i], x, -up[i + 1], elevation->mm_per_m);
 }
 
 static void draw_elevations(struct exercise_drawing *drawing, struct pp_box box)
@@ -169,6 +262,7 @@ static void draw_elevations(struct exercise_drawing *drawing, struct pp_box box)
                        - extent->low[0] * elevation->mm_per_m;
         elevation->y = box.y + extent->high[1] * elevation->mm_per_m;
         pp_room_elevation_draw(drawing->cr, &drawing->style, elevation);
+        draw_elevation_dimensions(drawing, elevation);
         snprintf(words, sizeof words, "%s%.60s from inside, %.2f\u00a0m away, ",
                  wall ? "Wall " : "Face", wall ? wall : "", elevation->distance_m);
         size_t length = strlen(words);
@@ -176,7 +270,9 @@ static void draw_elevations(struct exercise_drawing *drawing, struct pp_box box)
                  exercise->viewing_mm > 0.0 ? "1\u00a0m is %.2f\u00a0mm" : "1:%g",
                  exercise->viewing_mm > 0.0 ? elevation->mm_per_m : drawing->scale);
         write_caption(drawing, box.x + (i + 0.5) * part,
-                      elevation->y - extent->low[1] * elevation->mm_per_m, part, words);
+                      elevation->y - extent->low[1] * elevation->mm_per_m
+                          + bar_mm(&drawing->style),
+                      part, words);
     }
 }
 
@@ -187,10 +283,11 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
     const char *unit = drawing->exercise->unit;
     double step = box.height / ANSWER_LINES;
     char words[ANSWER_LINES][96];
-    snprintf(words[0], sizeof words[0], "Sky component: %s",
+    snprintf(words[0], sizeof words[0], "Name, date");
+    snprintf(words[1], sizeof words[1], "Sky component: %s",
              unit ? unit : "readings \u00d7 corrections");
-    snprintf(words[1], sizeof words[1], "Externally reflected component");
-    snprintf(words[2], sizeof words[2], "With glass, frame and dirt, together");
+    snprintf(words[2], sizeof words[2], "Externally reflected component");
+    snprintf(words[3], sizeof words[3], "With glass, frame and dirt, together");
     for (int i = 0; i < ANSWER_LINES; i++) {
         const struct pp_lettering set = {.size = PP_TEXT_BODY, .down = 1.0};
         double y = box.y + (i + 1) * step - 1.0;
@@ -213,41 +310,104 @@ static double elevations_height(const struct exercise_drawing *drawing, double m
         tallest = fmax(tallest, (e->extent.high[1] - e->extent.low[1]) * viewing
                                     / fmax(e->distance_m, 1e-3));
     }
-    return viewing > 0.0 ? tallest + 1.6 * caption_mm(&drawing->style) : 0.4 * most;
+    return viewing > 0.0
+               ? tallest + 1.6 * caption_mm(&drawing->style) + bar_mm(&drawing->style)
+               : 0.4 * most;
+}
+
+/* Boxes of the drawings on the sheet. */
+struct exercise_layout {
+    struct pp_box section, plan, elevations;
+    struct pp_box blocks; /* width 0: no blocks */
+};
+
+/* Lays out the sheet above the answers with elevations `below` high. */
+static struct exercise_layout lay_out(const struct exercise_drawing *drawing,
+                                      struct pp_box body, double below)
+{
+    double gap = 4.0 * drawing->style.scale, above = body.height - below - 2.0 * gap;
+    bool blocks = drawing->exercise->world->block_count > 0;
+    bool at_diagram = drawing->exercise->viewing_mm > 0.0;
+    struct pp_box elevations = {body.x, body.y + above + gap, body.width, below};
+    struct exercise_layout layout = {.elevations = elevations};
+    /* The section's caption is 90 mm wide; on a narrow sheet the plan is below the
+     * section. */
+    if (0.6 * body.width < (90.0 + 14.0) * drawing->style.scale) {
+        layout.section = (struct pp_box){body.x, body.y, body.width, 0.4 * above - gap};
+        layout.plan =
+            (struct pp_box){body.x, body.y + 0.4 * above, body.width, 0.6 * above};
+        if (blocks) {
+            layout.blocks = layout.plan;
+            layout.plan.width = layout.blocks.width = 0.5 * (body.width - gap);
+            layout.blocks.x += 0.5 * (body.width + gap);
+        }
+        return layout;
+    }
+    layout.section = (struct pp_box){body.x, body.y, 0.6 * body.width - gap, above};
+    layout.plan =
+        (struct pp_box){body.x + 0.6 * body.width, body.y, 0.4 * body.width, above};
+    if (blocks && at_diagram) {
+        layout.blocks = layout.section;
+        layout.section.height *= 0.5;
+        layout.blocks.height *= 0.5;
+        layout.blocks.y += layout.section.height;
+    } else if (blocks) {
+        layout.elevations.width = layout.section.width;
+        layout.blocks =
+            (struct pp_box){layout.plan.x, elevations.y, layout.plan.width, below};
+    }
+    return layout;
+}
+
+/* Lays out the sheet at the largest scale: with elevations as high as a diagram
+ * requires, or else as high as suits all drawings. */
+static struct exercise_layout best_layout(struct exercise_drawing *drawing,
+                                          struct pp_box body)
+{
+    static const double shares[] = {0.45, 0.4, 0.35, 0.3, 0.25};
+    double diagram = elevations_height(drawing, body.height), best = INFINITY;
+    struct exercise_layout chosen = lay_out(drawing, body, 0.4 * body.height);
+    for (int i = 0; i < (drawing->exercise->viewing_mm > 0.0 ? 1 : 5); i++) {
+        const struct exercise_layout layout = lay_out(
+            drawing, body,
+            drawing->exercise->viewing_mm > 0.0 ? diagram : shares[i] * body.height);
+        choose_scale(drawing, layout.section, layout.plan, layout.elevations);
+        if (drawing->scale < best) {
+            best = drawing->scale;
+            chosen = layout;
+        }
+    }
+    drawing->scale = best;
+    return chosen;
 }
 
 static enum pp_status draw_body(struct exercise_drawing *drawing, struct pp_box body,
                                 struct pp_error *err)
 {
-    double gap = 4.0 * drawing->style.scale;
-    double answers = ANSWER_LINES * 2.6 * drawing->style.text[PP_TEXT_BODY];
-    double below = elevations_height(drawing, body.height - answers);
-    double above = body.height - answers - below - 2.0 * gap, width = 0.0;
+    const struct pp_exercise *exercise = drawing->exercise;
+    double answers = ANSWER_LINES * 2.4 * drawing->style.text[PP_TEXT_BODY];
+    double width = 0.0;
     for (int i = 0; i < drawing->elevation_count; i++) {
         const struct pp_room_elevation *e = &drawing->elevations[i];
         width = fmax(width, (e->extent.high[0] - e->extent.low[0])
-                                * drawing->exercise->viewing_mm / e->distance_m);
+                                * exercise->viewing_mm / e->distance_m);
     }
-    if (above < 25.0 * drawing->style.scale
-        || width * drawing->elevation_count > body.width)
+    struct pp_box drawings = body;
+    drawings.height -= answers;
+    if (exercise->viewing_mm > 0.0
+        && (drawings.height - elevations_height(drawing, drawings.height)
+                < 33.0 * drawing->style.scale
+            || width * drawing->elevation_count > body.width))
         return pp_fail(err, PP_BAD_INPUT,
                        "the elevations do not fit on the sheet at the diagram's scale; "
                        "expected a larger --paper or a shorter --viewing-distance");
-    /* The section's caption is 90 mm wide; on a narrow sheet the plan is below the
-     * section. */
-    bool narrow = 0.6 * body.width < (90.0 + 14.0) * drawing->style.scale;
-    struct pp_box section = {body.x, body.y, body.width, 0.5 * above - gap};
-    struct pp_box plan = {body.x, body.y + 0.5 * above, body.width, 0.5 * above};
-    if (!narrow) {
-        section = (struct pp_box){body.x, body.y, 0.6 * body.width - gap, above};
-        plan =
-            (struct pp_box){body.x + 0.6 * body.width, body.y, 0.4 * body.width, above};
-    }
-    struct pp_box elevations = {body.x, body.y + above + gap, body.width, below};
-    choose_scale(drawing, section, plan, elevations);
-    draw_section(drawing, section);
-    draw_exercise_plan(drawing, plan);
-    draw_elevations(drawing, elevations);
+    const struct exercise_layout layout = best_layout(drawing, drawings);
+    draw_section(drawing, layout.section);
+    draw_exercise_plan(drawing, layout.plan);
+    if (layout.blocks.width > 0.0)
+        pp_block_plan_draw(drawing->cr, &drawing->style, exercise->world,
+                           layout.blocks);
+    draw_elevations(drawing, layout.elevations);
     draw_answers(drawing, (struct pp_box){body.x, body.y + body.height - answers,
                                           body.width, answers});
     return PP_OK;

@@ -174,7 +174,8 @@ static void name_overhead(struct name_drawing *drawing)
 /* ---- dimensions ---- */
 
 void pp_plan_names_dimension(cairo_t *cr, const struct pp_style *style, double x0,
-                             double y0, double x1, double y1, double metres)
+                             double y0, double x1, double y1, double metres,
+                             bool with_unit)
 {
     double tick = 0.9 * style->scale;
     char words[32];
@@ -192,9 +193,15 @@ void pp_plan_names_dimension(cairo_t *cr, const struct pp_style *style, double x
     }
     cairo_stroke(cr);
     pp_style_metres(words, sizeof words, metres);
+    if (!with_unit)
+        words[strcspn(words, "\u00a0 ")] = '\0';
     struct pp_box box = pp_lettering_measure(cr, style, &set, x, y, words);
     double wide = upright ? box.height : box.width + 1.6 * style->scale;
     double high = upright ? box.width + 1.6 * style->scale : box.height;
+    if (box.width + 1.6 * style->scale > hypot(x1 - x0, y1 - y0)) {
+        x -= upright ? 0.8 * box.height : 0.0;
+        y += upright ? 0.0 : 0.8 * box.height;
+    }
     pp_style_grey(cr, 1.0);
     cairo_rectangle(cr, x - 0.5 * wide, y - 0.5 * high, wide, high);
     cairo_fill(cr);
@@ -215,9 +222,9 @@ static void draw_dimensions(struct name_drawing *drawing)
     double x =
         left - pp_room_plan_walls_mm(plan, style, PP_PLAN_LEFT) - 1.5 * strip_mm(style);
     pp_plan_names_dimension(drawing->cr, style, left, y, right, y,
-                            room->high[0] - room->low[0]);
+                            room->high[0] - room->low[0], true);
     pp_plan_names_dimension(drawing->cr, style, x, below, x, top,
-                            room->high[1] - room->low[1]);
+                            room->high[1] - room->low[1], true);
 }
 
 /* ---- section marks ---- */

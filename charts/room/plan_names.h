@@ -30,8 +30,9 @@ void pp_plan_names_note(struct pp_labels *labels, cairo_t *cr,
                         const struct pp_style *style, const struct pp_room_plan *plan);
 
 /* Draws a dimension line from x0, y0 to x1, y1, level or upright, with its length in
- * metres on white in the middle. */
+ * metres on white in the middle, or beside a line that is too short for it. */
 void pp_plan_names_dimension(cairo_t *cr, const struct pp_style *style, double x0,
-                             double y0, double x1, double y1, double metres);
+                             double y0, double x1, double y1, double metres,
+                             bool with_unit);
 
 #endif

@@ -30,6 +30,15 @@ void pp_room_elevation_init(struct pp_room_elevation *elevation,
     }
 }
 
+void pp_room_elevation_place(const struct pp_room_elevation *elevation,
+                             struct pp_vec3 point, double *x, double *y)
+{
+    double xy[2];
+    elevation_xy(elevation, point, xy);
+    *x = elevation->x + xy[0] * elevation->mm_per_m;
+    *y = elevation->y - xy[1] * elevation->mm_per_m;
+}
+
 static void trace_outline(cairo_t *cr, const struct pp_room_elevation *elevation,
                           const struct pp_polygon *outline)
 {

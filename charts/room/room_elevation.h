@@ -26,6 +26,10 @@ void pp_room_elevation_init(struct pp_room_elevation *elevation,
                             const struct pp_world *world,
                             const struct pp_opening *opening, struct pp_vec3 eye);
 
+/* Position on paper of a place in the wall's plane. */
+void pp_room_elevation_place(const struct pp_room_elevation *elevation,
+                             struct pp_vec3 point, double *x, double *y);
+
 void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
                             const struct pp_room_elevation *elevation);
 

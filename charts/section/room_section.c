@@ -398,6 +398,8 @@ static void write_caption(const struct section_drawing *drawing, int behind)
     }
     pp_text_append(text, sizeof text, ".%s",
                    behind ? " Dashed: openings outside the section." : "");
+    for (int near = 1; near >= 0 && section->no_angles; near--)
+        pp_section_outside_say(text, sizeof text, section, near);
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
     double left = section->x, right = at_s(drawing, section->cut->length_m);
     /* A caption wider than the room begins to the left of the room if necessary. */
@@ -405,7 +407,7 @@ static void write_caption(const struct section_drawing *drawing, int behind)
     if (section->most_x > 0.0)
         left = fmin(left,
                     fmax(section->most_x - set.width, section->x - section->left_mm));
-    set.lines = 2;
+    set.lines = section->no_angles ? 3 : 2;
     /* A facade and the ground may continue below the floor. */
     pp_lettering_draw_on_white(
         drawing->cr, drawing->style, &set, left,

@@ -14,6 +14,8 @@ struct pp_room_section {
     double least_scale;             /* scale is 1 to this or smaller; 0: any */
     bool named;                     /* with names and dimensions (section_words.h) */
     bool no_sights;                 /* leave out the obstructions' angles */
+    bool no_angles;                 /* obstructions without lines of sight: their angles
+                                     * are to be found */
     bool no_caption;                /* leave out the caption, which is at least 90 mm
                                      * wide */
 

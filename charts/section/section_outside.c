@@ -123,16 +123,38 @@ static double facade_mm(const struct outside_drawing *drawing)
     return fmin(farthest, 0.5 * drawing->reach);
 }
 
+/* Name of the obstruction with this surface; NULL: it has none. */
+static const char *obstruction_name(const struct pp_world *world, int surface)
+{
+    if (surface < 0)
+        return NULL;
+    return world->surfaces[surface].role == PP_BLOCK
+               ? world->blocks[world->surfaces[surface].owner].name
+               : world->surfaces[surface].name;
+}
+
+void pp_section_outside_say(char *text, size_t room,
+                            const struct pp_room_section *section, bool near)
+{
+    struct pp_section_sight sight =
+        pp_section_sight_of(section->cut, section->world, near);
+    const char *name = obstruction_name(section->world, sight.of);
+    if (!(sight.angle_rad > 0.0) || !isfinite(sight.distance_m))
+        return;
+    pp_text_append(text, room,
+                   " %.40s: %.3g\u00a0m away, top %.3g\u00a0m above the floor (not to "
+                   "scale).",
+                   name ? name : "Obstruction", sight.distance_m,
+                   sight.z + sight.distance_m * tan(sight.angle_rad));
+}
+
 /* Writes name, angle and distance below the horizontal, between the obstruction and
  * the room's own facade. */
 static void write_sight_words(const struct outside_drawing *drawing)
 {
     const struct pp_style *style = drawing->style;
     const struct pp_section_sight *sight = &drawing->sight;
-    const struct pp_world *world = drawing->section->world;
-    const char *name = sight->of >= 0 ? world->surfaces[sight->of].name : NULL;
-    if (sight->of >= 0 && world->surfaces[sight->of].role == PP_BLOCK)
-        name = world->blocks[world->surfaces[sight->of].owner].name;
+    const char *name = obstruction_name(drawing->section->world, sight->of);
     char words[160] = "", far[32] = "";
     if (isfinite(sight->distance_m) && sight->distance_m > 0.0)
         pp_style_metres(far, sizeof far, sight->distance_m);
@@ -160,6 +182,8 @@ static void draw_line_of_sight(const struct outside_drawing *drawing)
     double end = is_moved(drawing) ? drawing->run : drawing->reach;
     if (is_moved(drawing))
         draw_building(drawing);
+    if (drawing->section->no_angles)
+        return;
     pp_style_line(cr, style->thin, PP_INK);
     cairo_move_to(cr, x, y);
     cairo_line_to(cr, x + drawing->out * drawing->run, y - drawing->run * tan(angle));
@@ -193,7 +217,7 @@ void pp_section_outside_draw(cairo_t *cr, const struct pp_style *style,
     const struct pp_section_sight *sight = &drawing.sight;
     drawing.x = pp_room_section_x(section, sight->s);
     drawing.y = pp_room_section_y(section, sight->z);
-    if (sight->overhang_rad < 0.5 * PP_PI)
+    if (sight->overhang_rad < 0.5 * PP_PI && !section->no_angles)
         draw_overhang(&drawing);
     if (!(sight->angle_rad > 0.0))
         return;

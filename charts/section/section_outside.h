@@ -12,4 +12,9 @@
 void pp_section_outside_draw(cairo_t *cr, const struct pp_style *style,
                              const struct pp_room_section *section, bool near);
 
+/* Adds a sentence on distance and height of the obstruction at that end, for sections
+ * without lines of sight; nothing if there is none. */
+void pp_section_outside_say(char *text, size_t room,
+                            const struct pp_room_section *section, bool near);
+
 #endif

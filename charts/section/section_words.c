@@ -54,7 +54,7 @@ static void draw_height(cairo_t *cr, const struct pp_style *style,
     if (best_s >= 0.0)
         pp_plan_names_dimension(cr, style, x, pp_room_section_y(section, best_low), x,
                                 pp_room_section_y(section, best_high),
-                                best_high - best_low);
+                                best_high - best_low, true);
 }
 
 /* Writes the name of the room in the upper middle of the section. */
@@ -157,8 +157,8 @@ void pp_section_words_draw(cairo_t *cr, const struct pp_style *style,
         if (cut->list[i].kind == PP_CUT_OPENING)
             name_cut(cr, style, section, &cut->list[i]);
     pp_plan_names_dimension(cr, style, section->x, y,
-                            pp_room_section_x(section, cut->length_m), y,
-                            cut->length_m);
+                            pp_room_section_x(section, cut->length_m), y, cut->length_m,
+                            true);
     name_wall(cr, style, section, true, y);
     name_wall(cr, style, section, false, y);
 }

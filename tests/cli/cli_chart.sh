@@ -384,6 +384,21 @@ check_words "a view of the sky through opal glass is not judged" "$scratch/opal.
 if command -v pdftotext >/dev/null; then
     check "nor drawn" lacks "no direct sky" "$scratch/opal.pdf"
 fi
+# An exercise is solved from its sheet alone: origin and axes, lengths, blocks, a line for
+# the name. The ridge is 6 + 4 tan 45 = 10 m above the floor, the wall 10 m away.
+cat >"$scratch/lecture.xml" <<'EOF'
+<room version="1" name="Lecture"><plan width="6.3" depth="5.1" height="3.2"/>
+<window name="Left" wall="south" left="0.7" sill="0.9" width="1.8" height="1.6"/>
+<window name="Right" wall="south" left="3.4" sill="0.9" width="1.8" height="1.6"/>
+<block name="House" x="-3" y="-18" width="12" depth="8" height="6" roof="gable" pitch="45"/></room>
+EOF
+run chart waldram --unsolved --points 3,2.5 -o "$scratch/exercise.pdf" "$scratch/lecture.xml"
+check_words "an exercise has its data on the sheet" "$scratch/exercise.pdf" \
+    "Name, date" "x -3 to 9, y -18 to -10" "eaves 6, ridge 10 m above the floor" \
+    "P (3, 2.5)" "6.3 m" "5.1 m" "3.2 m" "^0.7$" "^1.8$" "^0.9$" "Left" "Right" "House"
+if command -v pdftotext >/dev/null; then
+    check "but no angle" lacks "line of sight" "$scratch/exercise.pdf"
+fi
 # Where a section is cut: at x, at y, through an opening; the plan has its mark.
 cat >"$scratch/wells.xml" <<'EOF'
 <room version="1" name="Wells"><plan width="9.5" depth="6.1" height="3.3"/>
