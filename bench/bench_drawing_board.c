@@ -1,9 +1,8 @@
 /* bench_drawing_board.c - deviation of the drawing-board diagrams from the integral
  * that they approximate, by the shape of the window: the tables of the manual.
  *
- * Windows of clear single glass under the overcast sky, of every shape. Sills are up to
- * half the height of the head; positions range from straight ahead to one distance to
- * the side.
+ * Windows of all shapes with clear single glass under the overcast sky. Sills are at up
+ * to half the head height. The sideways offset is at most the distance of the point.
  */
 #include <math.h>
 #include <stdint.h>
