@@ -123,6 +123,19 @@ const struct pp_option pp_room_cut_option[] = {
     {0},
 };
 
+#define FACT(member) offsetof(struct pp_project, member)
+
+const struct pp_option pp_room_project_options[] = {
+    {"project", 0, "NAME", "Name of the project, in place of the file's <project>.",
+     pp_options_read_text, FACT(name)},
+    {"client", 0, "NAME", "Client.", pp_options_read_text, FACT(client)},
+    {"author", 0, "NAME", "Author.", pp_options_read_text, FACT(author)},
+    {"checked", 0, "NAME", "Who checked it.", pp_options_read_text, FACT(checked)},
+    {"date", 0, "DATE", "Date.", pp_options_read_text, FACT(date)},
+    {"revision", 0, "TEXT", "Revision.", pp_options_read_text, FACT(revision)},
+    {0},
+};
+
 /* Reads "S", "S,MARGIN" or "largest". */
 static enum pp_status read_spacing(const char *text, void *place, struct pp_error *err)
 {

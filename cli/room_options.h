@@ -7,6 +7,7 @@
 
 #include "cli/options.h"
 #include "model/base/ranks.h"
+#include "model/room/project.h"
 #include "model/room/world.h"
 #include "studies/study_options.h"
 #include "studies/sweep.h"
@@ -38,6 +39,8 @@ extern const struct pp_option pp_room_sky_options[]; /* sky, room */
 extern const struct pp_option pp_room_external_option[];
 /* vsc-point-french. Its value is one double, 0 if the option is not given. */
 extern const struct pp_option pp_room_french_option[];
+/* Facts of the title block, except its number; values are a struct pp_project. */
+extern const struct pp_option pp_room_project_options[];
 /* cut. Its value is a struct pp_section_place (section_line.h). */
 extern const struct pp_option pp_room_cut_option[];
 /* spacing. Its value is a struct pp_grid_choice, empty if the option is not given. */

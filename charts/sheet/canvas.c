@@ -31,6 +31,7 @@ struct pp_canvas {
     struct pp_sheet sheet; /* its texts are owned here */
     char *title, *description;
     char imprint[160];
+    struct pp_project project;
     double width_mm, height_mm, dpi;
     int width_px, height_px; /* of PNG */
     bool in_bands;           /* index of the last outline entry of each level; [0]: the
@@ -261,6 +262,16 @@ void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words)
 const char *pp_canvas_imprint(const struct pp_canvas *canvas)
 {
     return canvas->imprint;
+}
+
+void pp_canvas_set_project(struct pp_canvas *canvas, const struct pp_project *project)
+{
+    canvas->project = *project;
+}
+
+const struct pp_project *pp_canvas_project(const struct pp_canvas *canvas)
+{
+    return &canvas->project;
 }
 
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err)

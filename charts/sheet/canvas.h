@@ -23,6 +23,7 @@
 
 #include "pepperpot.h"
 #include "model/base/error.h"
+#include "model/room/project.h"
 
 struct pp_sheet {
     enum pp_chart_format format;
@@ -58,6 +59,11 @@ void pp_canvas_lacks_memory(cairo_t *cr);
  * cut at 160 bytes. None at first. */
 void pp_canvas_set_imprint(struct pp_canvas *canvas, const char *words);
 const char *pp_canvas_imprint(const struct pp_canvas *canvas);
+
+/* Sets the facts of the title block of later sheets; its texts are not owned. None at
+ * first. */
+void pp_canvas_set_project(struct pp_canvas *canvas, const struct pp_project *project);
+const struct pp_project *pp_canvas_project(const struct pp_canvas *canvas);
 
 /* True if the format allows further sheets. */
 bool pp_canvas_has_sheets(const struct pp_canvas *canvas);

@@ -1,6 +1,7 @@
 /* page.c - title, subtitle and notes of a sheet, and sentences common to the notes of
  * several charts. */
 #include "charts/sheet/page.h"
+#include "charts/sheet/title_block.h"
 #include "model/base/text.h"
 #include "model/light/photographs/sky_picture.h"
 
@@ -154,6 +155,10 @@ static struct pp_box lay_page(struct pp_canvas *canvas, const struct pp_style *s
         pp_lettering_draw(cr, style, &small, margin + width,
                           bottom + 0.5 * style->text[PP_TEXT_SMALL], imprint);
     }
+
+    double block = pp_title_block_draw(cr, style, pp_canvas_project(canvas), margin,
+                                       bottom - 0.5 * style->scale, width, drawn);
+    bottom -= block > 0.0 ? block + 2.0 * style->scale : 0.0;
 
     if (page->title) {
         /* A long name is set in smaller type, in up to four lines. */

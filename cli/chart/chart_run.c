@@ -161,6 +161,19 @@ static enum pp_status draw_sheets(struct chart_task *task, struct pp_canvas *can
     return status;
 }
 
+/* Facts of the title block: those typed, else those of the room's file. */
+static struct pp_project project_of(const struct chart_task *task,
+                                    const struct pp_study_room *room)
+{
+    struct pp_project project = {0};
+    if (room && room->building)
+        project = *pp_building_project(room->building);
+    for (int i = 0; i < PP_PROJECT_FACTS; i++)
+        if (pp_project_at(&task->options->project, i))
+            *pp_project_place(&project, i) = pp_project_at(&task->options->project, i);
+    return project;
+}
+
 static enum pp_status draw_charts(struct chart_task *task, int first, int end,
                                   FILE *out, struct pp_error *err)
 {
@@ -188,6 +201,8 @@ static enum pp_status draw_charts(struct chart_task *task, int first, int end,
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)
         return status;
+    const struct pp_project project = project_of(task, room);
+    pp_canvas_set_project(canvas, &project);
     status = draw_sheets(task, canvas, first, end, err);
     if (status == PP_OK)
         status = pp_canvas_write(canvas, pp_output_put, out, err);

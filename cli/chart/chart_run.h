@@ -17,6 +17,7 @@ struct pp_chart_words {
                            * NULL: none */
     bool before_is_state; /* the former rooms are those of the same file in its other
                            * state */
+    struct pp_project project; /* in place of the file's facts */
     struct pp_chart_choice choice;
 };
 

@@ -326,6 +326,7 @@ static const struct pp_option_group groups[] = {
     {"Sheet", sheet_options, PLACE(chart)},
     {"Sheet", pp_room_cut_option, PLACE(chart.choice.cut)},
     {"Sheet", pp_room_french_option, PLACE(chart.choice.site.french_m)},
+    {"Title block", pp_room_project_options, PLACE(chart.project)},
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
     {"Overlay", overlay_options, PLACE(chart.choice.board.overlay)},
     {"Scale model", model_options, PLACE(chart.choice.model)},

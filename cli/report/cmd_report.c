@@ -46,19 +46,9 @@ static const struct pp_option format_option[] = {
     {0},
 };
 
-#define PROJECT(member) offsetof(struct pp_assess_words, project.member)
-
-static const struct pp_option project_options[] = {
-    {"project", 0, "NAME", "Name of the project, in place of the file's <project>.",
-     pp_options_read_text, PROJECT(name)},
-    {"client", 0, "NAME", "Client.", pp_options_read_text, PROJECT(client)},
-    {"number", 0, "TEXT", "Project number.", pp_options_read_text, PROJECT(number)},
-    {"author", 0, "NAME", "Author of the report.", pp_options_read_text,
-     PROJECT(author)},
-    {"checked", 0, "NAME", "Who checked it.", pp_options_read_text, PROJECT(checked)},
-    {"date", 0, "DATE", "Date of the report.", pp_options_read_text, PROJECT(date)},
-    {"revision", 0, "TEXT", "Revision of the report.", pp_options_read_text,
-     PROJECT(revision)},
+static const struct pp_option number_option[] = {
+    {"number", 0, "TEXT", "Project number.", pp_options_read_text,
+     PLACE(project.number)},
     {0},
 };
 
@@ -147,9 +137,10 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     if (words->french_m > 0.0)
         fprintf(out, " --vsc-point-french %.10g", words->french_m);
     put_cut(&words->cut, out);
-    for (int i = 0; project_options[i].name; i++) {
+    for (int i = 0; i < PP_PROJECT_FACTS; i++) {
         char option[24];
-        snprintf(option, sizeof option, "--%s", project_options[i].name);
+        snprintf(option, sizeof option, "--%s",
+                 i == 0 ? "project" : pp_project_facts[i].name);
         put_option(option, pp_project_at(&words->project, i), out);
     }
     if (words->full)
@@ -328,7 +319,8 @@ static const struct pp_option_group groups[] = {
     {"Criteria", pp_room_french_option, PLACE(french_m)},
     {"Criteria", pp_room_spacing_option, PLACE(grid)},
     PP_ROOM_BY_HAND_GROUPS(PLACE(room)),
-    {"Title block", project_options, 0},
+    {"Title block", pp_room_project_options, PLACE(project)},
+    {"Title block", number_option, 0},
     {"Output", pp_room_cut_option, PLACE(cut)},
     {"Output", full_option, 0},
     {"Output", format_option, 0},

@@ -399,6 +399,19 @@ check_words "an exercise has its data on the sheet" "$scratch/exercise.pdf" \
 if command -v pdftotext >/dev/null; then
     check "but no angle" lacks "line of sight" "$scratch/exercise.pdf"
 fi
+# A title block of the file's project, of which options replace facts.
+sed 's|<plan|<project client="Smith and Co" revision="A" number="1234"/>&|' \
+    "$scratch/lecture.xml" >"$scratch/titled.xml"
+for kind in section plan site elevation; do
+    run chart $kind --revision "B, final" --author "A. Nother" -o "$scratch/titled.pdf" \
+        "$scratch/titled.xml"
+    check_words "chart $kind has a title block" "$scratch/titled.pdf" \
+        "client" "Smith and Co" "B, final" "1234" "A. Nother"
+done
+if command -v pdftotext >/dev/null; then
+    check "without the fact replaced" lacks "^A$" "$scratch/titled.pdf"
+    check "and no block without facts" lacks "client" "$scratch/exercise.pdf"
+fi
 # Where a section is cut: at x, at y, through an opening; the plan has its mark.
 cat >"$scratch/wells.xml" <<'EOF'
 <room version="1" name="Wells"><plan width="9.5" depth="6.1" height="3.3"/>
