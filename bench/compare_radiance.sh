@@ -330,7 +330,7 @@ ratios() {
                 if (e[i] <= $3 && (!best || t[i] < t[best])) best = i
             sub(/^expert-/, "")
             if (best)
-                printf "Expert, %s: %.2g s to %.2g %% (bias %s %%); ours %.2g s to %.2g %%: %.0f times, both measured.  \n",
+                printf "Expert, %s: %.3g s for an error of %.2g %% (bias %s %%), df %.2g s for %.2g %%; ratio %.0f, as measured.  \n",
                     $1, $2, $3, $4, t[best], e[best], $2 / t[best]
             else
                 printf "Expert, %s: %.2g s to %.2g %% (bias %s %%): none of ours has so small an error.  \n",
@@ -345,7 +345,7 @@ ratios() {
                     if (!best || s < least) { best = j; least = s }
                 }
                 if (best && own > 0)
-                    printf "Unbiased, at %g %%: %.3g s (extrapolated from %.2g %%) and %.3g s (extrapolated from %.2g %%): %.0f times.  \n",
+                    printf "Unbiased, at %g %%: df %.3g s (extrapolated from %.2g %%), rtrace %.3g s (extrapolated from %.2g %%); ratio %.0f.  \n",
                         wanted[i], own, e[i], least, re[best], least / own
             }
         }' "$scratch/runs"
