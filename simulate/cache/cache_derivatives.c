@@ -96,7 +96,8 @@ static void add_cell_edge(struct pp_irradiance_change *change,
     }
 }
 
-/* The edge between two cells from direction p to q, ccw round the first. */
+/* Adds the edge between two cells, from direction p to q, counter-clockwise about the
+ * first cell. */
 static void add_direction_edge(struct pp_irradiance_change *change,
                                const struct pp_cache_hemisphere *h,
                                struct pp_cache_hemisphere_cell *first,

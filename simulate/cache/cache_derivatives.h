@@ -35,21 +35,22 @@
 
 #include "simulate/cache/cache_hemisphere.h"
 
-/* Derivatives in the frame (a, b) of the hemisphere. */
+/* Derivatives in the frame (a, b, normal) of the hemisphere. */
 struct pp_irradiance_change {
-    double along[3][2];  /* of red, green, blue: gradient with the place, 1/m */
-    double turned[3][2]; /* with the normal, 1/rad */
+    double along[3][2];  /* red, green, blue: gradient with the position, 1/m */
+    double turned[3][2]; /* gradient with the direction of the normal, 1/rad */
     double curvature[3]; /* luminance's second derivatives aa, ab, bb, 1/m2 */
-    /* Noise, if the noise of cells is independent: that of the gradient on either axis
-     * over that of the irradiance (1/m), and that of the curvature (1/m2). */
+    /* Noise per noise of the irradiance, if the noise of cells is independent: of the
+     * gradient along either axis (1/m), and of the curvature (1/m2). */
     double along_noise, curvature_noise;
 };
 
 void pp_cache_derivatives_hemisphere(struct pp_cache_hemisphere *hemisphere,
                                      struct pp_irradiance_change *change);
 
-/* (1) to (3) of one edge from r0 to r1 (from the place), in the frame where n is z:
- * gradient and aa, ab, bb. Both 0 for an edge collinear with the place. */
+/* Terms (1) to (3) of one edge from r0 to r1 (relative to the place), in the frame
+ * whose z is n: the gradient and aa, ab, bb of the Hessian. Both are 0 for an edge
+ * collinear with the place. */
 void pp_cache_derivatives_edge(struct pp_vec3 r0, struct pp_vec3 r1, double gradient[2],
                                double hessian[3]);
 

@@ -1,11 +1,11 @@
-/* cache_entry.h - a record as the cache keeps it, and the irradiance that it gives a
- * place near by. Inside simulate/ only.
+/* cache_entry.h - a record in the form stored in the cache, and the irradiance that is
+ * extrapolated from it to a nearby place. Inside simulate/ only.
  *
- * Its weight falls from 1 at its own place to 0 at the edge of its ellipse: there is no
- * jump between neighbouring records. It is valid only for places on the same side of
- * things: with a similar normal, in the same space, not behind it, and with no obstacle
- * between: `horizon_m` is how far the surface is clear in each direction, by the lowest
- * rays of the hemisphere.
+ * The weight of a record falls from 1 at its own place to 0 at the edge of its ellipse,
+ * so that there is no jump between neighbouring records. The record is valid only for
+ * places with a similar normal, in the same space, not behind the record's surface, and
+ * without an obstacle in between. horizon_m is the distance to the next surface in each
+ * direction, by the lowest rays of the hemisphere.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_ENTRY_H
 #define PP_SIMULATE_CACHE_CACHE_ENTRY_H

@@ -1,22 +1,22 @@
 /* cache_file.h - a cache's records as a file.
  *
- * All little-endian, 8 bytes each but the first 16:
+ * All numbers are little-endian; each field except the first (16 bytes) has 8 bytes:
  *
- *     "pepperpot cache\n", version, the scene's hash, the light's, the options',
+ *     "pepperpot cache\n", version, hashes of the scene, the light and the options,
  *     number of records of depth 0, of depth 1,
- *     each record: 38 + PP_CACHE_SECTORS doubles (cache_file.c has their order),
+ *     each record: 38 + PP_CACHE_SECTORS doubles (in the order of cache_file.c),
  *     a checksum of all bytes before it
  *
- * The radii are those after neighbours have limited each other, values and gradients
- * those before smoothing (cache_smooth.h). Smoothing is repeated after reading, with
- * the same sums in the same order.
+ * Radii are stored after neighbours have limited each other, values and gradients
+ * before smoothing (cache_smooth.h). Smoothing is repeated after reading, with the same
+ * sums in the same order.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_FILE_H
 #define PP_SIMULATE_CACHE_CACHE_FILE_H
 
 #include "simulate/cache/irradiance_cache.h"
 
-/* The records as a file has them; *bytes is the caller's to free. */
+/* Converts the records to the bytes of a file. The caller frees *bytes. */
 enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char **bytes,
                                   size_t *length, struct pp_error *err);
 

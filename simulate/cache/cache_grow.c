@@ -260,7 +260,7 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
 
 /* ---- growing ---- */
 
-/* The record that is being calculated, for the cache reads of its hemisphere's rays. */
+/* The record being calculated, for the cache look-ups by the rays of its hemisphere. */
 struct asking_record {
     struct pp_irradiance_cache *cache;
     int depth; /* of the record */

@@ -128,11 +128,11 @@ static int passes_by(const struct pp_cache_hemisphere *h, int first)
     return (int)fmax(fmin(more * more, PASSES_MOST), 1.0);
 }
 
-/* Sends more rays into all cells if a few rays carry most of the light, as they do far
- * from a window. The odd rows decide the passes over the even ones, and vice versa. If
- * a row's own rays decided, it would have more of them where they happen to vary much,
- * and so are bright. That would bias the mean low (by 1.0 % in a dark corner of the
- * deep office, with 256 cells). */
+/* Sends more rays into all cells if a few rays carry most of the light, as is usual far
+ * from a window. The odd rows decide the number of passes over the even rows, and vice
+ * versa. If a row's own rays decided, rows whose rays happened to vary much, and so
+ * were bright, would get more rays, and the mean would be biased low (by 1.0 % in a
+ * dark corner of the deep office, with 256 cells). */
 static void add_passes(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                        const struct pp_cache_place *place, const int passes[2],
                        uint32_t index)

@@ -1,10 +1,11 @@
-/* cache_hemisphere.h - the irradiance of a surface, by a hemisphere of rays.
+/* cache_hemisphere.h - the irradiance of a surface, calculated with a hemisphere of
+ * rays.
  *
- * Stratified: the unit square is cut into side x side cells and laid on the hemisphere
- * [SC97], so that every cell has the same weight in the irradiance. Each cell gets one
- * ray, cells that differ from their neighbours get more, and so do all while the
- * irradiance is too uncertain. Cells are adjacent as in the square, as the derivatives
- * require (cache_derivatives.h).
+ * Stratified sampling: the unit square is divided into side x side cells and mapped to
+ * the hemisphere [SC97] so that every cell has the same weight in the irradiance. Each
+ * cell gets one ray. Cells that differ from their neighbours get more rays, and so do
+ * all cells while the irradiance is too uncertain. Cells are adjacent as in the square,
+ * which the derivatives require (cache_derivatives.h).
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
 #define PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
@@ -13,16 +14,16 @@
 #include "simulate/cache/cache_entry.h"
 #include "simulate/transport/radiance.h"
 
-/* The radiance of one cell, and the surface that its first ray meets. Vectors in the
- * record's frame. */
+/* The radiance of one cell, and the surface that its first ray meets. Vectors are in
+ * the record's frame. */
 struct pp_cache_hemisphere_cell {
-    struct pp_rgb radiance; /* mean of its rays */
-    struct pp_vec3 to;      /* unit: of its first ray */
-    double distance_m;      /* of the surface that it met; INFINITY: none */
+    struct pp_rgb radiance; /* mean over the cell's rays */
+    struct pp_vec3 to;      /* unit direction of the first ray */
+    double distance_m;      /* distance of the surface met; INFINITY: none */
     struct pp_vec3 facing;  /* normal of that surface */
-    uint32_t path;          /* of its first ray */
+    uint32_t path;          /* path index of the first ray */
     double samples;
-    double contrast; /* of its neighbours: more rays go where this is large */
+    double contrast; /* of the neighbours; cells with a large one get more rays */
     double gradient_per_radiance[2]; /* d(gradient)/dL, 1/m */
     double hessian_per_radiance[3];  /* d(second derivatives aa, ab, bb)/dL, 1/m2 */
 };
@@ -34,14 +35,16 @@ struct pp_cache_hemisphere {
     struct pp_cache_hemisphere_cell *cells; /* side^2, row by row */
     double
         nearest_m; /* surfaces nearer than this count as this far for the derivatives */
-    struct pp_frame frame; /* z: the normal */
+    struct pp_frame frame; /* z: normal of the surface */
     struct pp_rgb irradiance;
 };
 
-/* The corners of all hemispheres of that side; to be freed. NULL: no memory. */
+/* The corners of the cells of a hemisphere of that side, freed by the caller. NULL: out
+ * of memory. */
 struct pp_vec3 *pp_cache_hemisphere_corners(int side);
 
-/* Fills cells and irradiance. The caller sets all of `state` but its index. */
+/* Fills the cells and the irradiance. The caller sets all members of `state` except the
+ * index. */
 void pp_cache_hemisphere_sample(struct pp_cache_hemisphere *hemisphere,
                                 struct pp_radiance_state *state,
                                 const struct pp_cache_place *place, int supersamples);

@@ -6,7 +6,7 @@
 
 #include "model/base/array.h"
 
-/* A record is read where its weight is more than this: not at the edge of its
+/* Least weight with which a record is used, so that it is not used at the edge of its
  * ellipse. */
 static const double LEAST_WEIGHT = 1e-6;
 

@@ -56,8 +56,8 @@ bool pp_cache_layer_read(const struct pp_cache_layer *layer,
 bool pp_cache_layer_covers(const struct pp_cache_layer *layer,
                            const struct pp_cache_place *place);
 
-/* The radius expected of a record at the place: the smaller radius of the nearest
- * record in its normalised distance; 0: there is no record. */
+/* Expected radius of a record at the place: the smaller radius of the record that is
+ * nearest in normalised distance; 0: there is no record. */
 double pp_cache_layer_guess(const struct pp_cache_layer *layer,
                             const struct pp_cache_place *place);
 

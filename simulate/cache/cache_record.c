@@ -5,7 +5,7 @@
 
 #include "simulate/cache/cache_derivatives.h"
 
-/* An ellipse is no longer than this many times its width. Chosen by trial. */
+/* Largest ratio of the axes of a record's ellipse. Chosen by trial. */
 static const double LONGEST = 3.0;
 
 /* Least distance of surfaces in the derivatives, over the smallest radius. For nearer

@@ -24,8 +24,8 @@ static const double THIRD_FALL = 2.0;
  * light not found. */
 enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
 
-/* A pilot whose error exceeds the target by this factor is too small: then even the
- * value, to which the target is relative, is uncertain. A pilot at the limit takes a
+/* A pilot whose error exceeds the target by this factor is too small, because the value
+ * to which the target is relative is itself uncertain. A pilot at the limit takes a
  * sixth of the work of a good plan. */
 static const double VAGUE = 5.0;
 

@@ -1,19 +1,19 @@
 /* plan.h - number of paths that a point needs, estimated from a pilot.
  *
- * The plan is the cheapest numbers of paths of each estimator with which the value's
- * variance reaches the target. There are two more conditions, without which a standard
- * error is worth little:
+ * The plan is the number of paths of each estimator for which the value's variance
+ * reaches the target at the lowest cost. Two more conditions make the standard error
+ * reliable:
  *
- *     - the randomisations are near normal: their skewness is below 1.2. With
- *       more, mean and standard deviation of 32 are so correlated that intervals of two
- *       standard errors cover less than 94 %
+ *     - the randomisations are nearly normal: their skewness is below 1.2. With
+ *       more, the mean and the standard deviation of 32 are so correlated that
+ *       intervals of two standard errors cover less than 94 %
  *     - the bound on light not found is below half of the target error
  *
  * A pilot that is too small for a plan grows first. All decisions are based on paths
  * that do not enter the value, so that values are not selected by their size. If the
- * result falls short, randomisations of even number are added by the variance of the
- * odd ones, and vice versa. Each half's mean is then independent of its size, and so is
- * the mean of both.
+ * result falls short, even-numbered randomisations are added, as many as the variance
+ * of the odd-numbered ones requires, and vice versa. The mean of each half is then
+ * independent of the half's size, and so is the mean of both.
  */
 #ifndef PP_SIMULATE_ESTIMATE_PLAN_H
 #define PP_SIMULATE_ESTIMATE_PLAN_H

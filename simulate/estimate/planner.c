@@ -1,8 +1,9 @@
-/* planner.c - the stages and passes of a sampler's work.
+/* planner.c - the stages and passes of a sampler's calculation.
  *
- * A stage goes by passes: every randomisation that is not done gets a step, in any
- * order and by any thread. Its sums are its own, and values are added up in index
- * order. */
+ * A stage consists of passes. In a pass every unfinished randomisation gets a step, in
+ * any order and on any thread. Each randomisation has its own sums, which are added in
+ * index order.
+ */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

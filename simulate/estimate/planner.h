@@ -1,16 +1,17 @@
-/* planner.h - the stages, passes and threads of a sampler's work.
+/* planner.h - the stages, passes and threads of a sampler's calculation.
  *
- * To reach an error, a pilot of a few paths at every point estimates its variance,
- * grows if it is too small, and is discarded; the planned paths (plan.h) are then run
- * with fresh seeds. So values are not selected by their own error, and neither they nor
- * their stated errors are biased. The error may be larger or smaller than the target.
- * If run by the caller's clock, rounds of twice the paths follow as long as the caller
- * continues, each planned by the pilot alone.
+ * To reach a target error, a pilot of a few paths at every point estimates the
+ * variance, grows if it is too small, and is discarded; the planned paths (plan.h) are
+ * then run with fresh seeds. Values are therefore not selected by their own error, and
+ * neither they nor their stated errors are biased. The error may be larger or smaller
+ * than the target. If the calculation is limited by the caller's clock, further rounds
+ * of twice the paths follow as long as the caller continues, each planned by the pilot
+ * alone.
  *
- * The caller holds the loop: advance until done. By error or by samples the values
- * depend on the sampler alone, to the bit, whatever the number of threads and the
- * length of the slices; a point's do not depend on the other points, except through the
- * greatest value if `least_share` is set.
+ * The caller runs the loop: advance until done. With a target error or a number of
+ * samples the values depend on the sampler alone, bit by bit, for any number of threads
+ * and any length of the slices. A point's values do not depend on the other points,
+ * except through the greatest value if least_share is set.
  */
 #ifndef PP_SIMULATE_ESTIMATE_PLANNER_H
 #define PP_SIMULATE_ESTIMATE_PLANNER_H

@@ -1,11 +1,11 @@
 /* sampler.h - interface of sampled quantities: points whose values are sums of
  * expectations, each the mean over random paths. The daylight factors of a room's
  * points, the irradiances of sensors and the pixels of a picture are samplers; the
- * planner (planner.h) gives each of them its paths.
+ * planner (planner.h) assigns paths to each.
  *
- * A randomisation of a point is one scramble of the Sobol net (sobol.h) for each
- * estimator. Randomisations are independent and alike, so that their spread is the
- * standard error. (Point, randomisation) is the unit of work.
+ * A randomisation of a point is one scramble of the Sobol sequence (sobol.h) for each
+ * estimator. Randomisations are independent and identically distributed, so that their
+ * spread gives the standard error. The unit of work is one randomisation of one point.
  */
 #ifndef PP_SIMULATE_ESTIMATE_SAMPLER_H
 #define PP_SIMULATE_ESTIMATE_SAMPLER_H
@@ -90,12 +90,13 @@ struct pp_sampler {
     double (*value)(const void *client, int point,
                     const struct pp_randomisation *randomisation, int value);
 
-    /* The share of one estimator in the last value; NULL where there is only one. */
+    /* The contribution of one estimator to the last value; NULL if there is only one
+     * estimator. */
     double (*part)(const void *client, int point,
                    const struct pp_randomisation *randomisation, int estimator);
 
-    /* Upper bound on light that this many paths of each estimator, over all
-     * randomisations, may have missed so that the spread of a value does not show it.
+    /* Upper bound on light that all these paths of each estimator, over all
+     * randomisations, may have missed, which the spread of a value does not show.
      * found: bit i is set if the randomisations of value i differ. NULL: no bound. */
     double (*bound)(const void *client, int point, int value, unsigned found,
                     const double *paths);

@@ -1,17 +1,18 @@
-/* spread.h - from randomisations to a value and its standard error.
+/* spread.h - the value and the standard error from the randomisations.
  *
- * The value is the mean of R randomisations, and its standard error
+ * The value is the mean of R randomisations, and its standard error is
  *
- *     sqrt(s^2/R (R - 1)/(R - 3) + b^2),
+ *     sqrt(s^2/R (R - 1)/(R - 3) + b^2)
  *
- * s their standard deviation: the fraction is the variance of Student's t with R - 1
- * degrees of freedom, so that one and two standard errors hold 69 and 95 % although s
- * is itself estimated. b is the sampler's bound on light that no path has found, which
- * no spread shows.
+ * with s their standard deviation. The fraction is the variance of Student's t with R -
+ * 1 degrees of freedom; with it, intervals of one and two standard errors cover 69 and
+ * 95 % although s is itself estimated. b is the sampler's bound on light that no path
+ * has found and that no spread shows.
  *
- * If the planner has added to one half of the randomisations, those of even or of odd
- * number, by the variance of the other half, the value is the mean of the two halves'
- * means, whatever their sizes: so neither half's weight depends on its own value.
+ * If the planner has added randomisations to one half (those with even or those with
+ * odd numbers) by the variance of the other half, the value is the mean of the means of
+ * the halves, whatever their sizes, so that the weight of a half does not depend on its
+ * own value.
  */
 #ifndef PP_SIMULATE_ESTIMATE_SPREAD_H
 #define PP_SIMULATE_ESTIMATE_SPREAD_H
@@ -57,9 +58,9 @@ struct pp_path_work {
 /* Adds the work of all randomisations. */
 void pp_spread_add_work(const struct pp_sampled *sampled, struct pp_path_work *work);
 
-/* Correlated share of the variance of the last value over `count` points, 0 to 1
- * (common_error.h), by the randomisations that all of them have: 0 for fewer than eight
- * of these or fewer than two points. */
+/* Correlated share, 0 to 1, of the variance of the last value over `count` points
+ * (common_error.h), from the randomisations that all points have. 0 with fewer than
+ * eight of these or fewer than two points. */
 double pp_spread_common(const struct pp_sampled *points, int count);
 
 /* The factor sqrt((R - 1)/(R - 3)) above, for R > 3. */

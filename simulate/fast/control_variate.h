@@ -32,7 +32,8 @@ struct pp_control_variate {
 void pp_control_variate_destroy(
     struct pp_control_variate *variate); /* NULL is allowed */
 
-/* The exitance where a ray has met something, over Eh; 0 where there are no patches. */
+/* Exitance, over Eh, of the surface at a ray's hit point; 0 if the surface has no
+ * patches. */
 double pp_control_variate_at(const struct pp_control_variate *variate,
                              const struct pp_light_scene *scene,
                              const struct pp_light_hit *hit);

@@ -22,7 +22,7 @@ enum {
     MOST_ALONG = 64,      /* patches along one edge */
 };
 
-/* A patch while the exchange is worked out. */
+/* A patch during the solution. */
 struct variate_patch {
     struct pp_vec3 point;
     int part;
@@ -56,7 +56,7 @@ static bool in_polygon(const struct pp_polygon *polygon,
     return odd;
 }
 
-/* The rectangle round the outline along the part's a and b. */
+/* Bounding rectangle of the outline along the part's axes a and b. */
 static struct pp_bounds2 part_bounds(const struct pp_polygon *polygon,
                                      const struct pp_light_part *part,
                                      struct pp_vec3 centre)
@@ -207,8 +207,8 @@ static double exchanged(const struct variate_patch *patch, const double *values)
     return sum / LOBE_SAMPLES + sides;
 }
 
-/* Gauss-Seidel iteration: each patch gathers from those that its rays meet, in turn,
- * until the solution changes by less than 1e-4. */
+/* Gauss-Seidel iteration: each patch in order gathers light from the patches that its
+ * rays meet, until the solution changes by less than 1e-4. */
 static void exchange(double *values, const struct variate_patch *patches, int count,
                      const struct pp_light_scene *scene)
 {
@@ -273,8 +273,8 @@ static void smooth(struct pp_control_variate *variate, struct variate_patch *pat
     }
 }
 
-/* Gives patches outside the figure (beyond the corner of an L) the mean of those in it,
- * for interpolation. */
+/* Gives patches outside the figure (in the notch of an L-shaped face) the mean of the
+ * patches inside, for interpolation. */
 static void fill_beside(struct pp_control_variate *variate,
                         const struct variate_patch *patches,
                         const struct pp_control_variate_grid *grid)

@@ -106,9 +106,10 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
     return e;
 }
 
-/* Adds light through the openings for the paths from the present index on, one or a
- * run. The existing sum is divided by the number of paths, a power of two, before and
- * multiplied after: the result is bit-identical to adding every path by itself. */
+/* Adds light through the openings for one path or a run of paths from the present index
+ * on. The existing sum is divided by the number of paths, a power of two, before the
+ * addition and multiplied by it afterwards, so that the result is bit-identical to
+ * adding the paths one by one. */
 static void add_direct(struct pp_path_state *state, const struct pp_start *start,
                        struct pp_vec3 point, int paths, struct pp_light *light)
 {
@@ -182,7 +183,7 @@ static double gathered(struct pp_path_state *state, const struct pp_light_ray *r
     return cells ? pp_gather_cells_left(state->cells, ray, &met, guess) : guess;
 }
 
-/* Gathers over a run of path indices, of which state->light.index is the first. */
+/* Gathers over a run of path indices that begins at state->light.index. */
 static void gather_run(struct pp_path_state *state, const struct pp_start *start,
                        const struct pp_frame *frame, int count, double *sum)
 {

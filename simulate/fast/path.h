@@ -1,48 +1,51 @@
 /* path.h - the daylight factor at a point, by random paths.
  *
- * It is the sum of three expectations, each sampled on its own. With B the true
- * exitance of the room's surfaces,
+ * The daylight factor is the sum of three expectations, each sampled separately. Let B
+ * be the true exitance of the room's surfaces,
  *
  *     B = M + rho (E + K B)                                                        (1)
  *
- * (M their own, E the irradiance by the openings, K the irradiance by other surfaces'
- * exitance), and a coarse radiosity solution G (control_variate.h) as control variate:
+ * with M their emission, E the irradiance from the openings and K the operator that
+ * gives the irradiance from the exitance of other surfaces, and let G be a coarse
+ * radiosity solution (control_variate.h), used as control variate:
  *
- *     direct      light that comes in by an opening straight to the point, by
- *                 next-event estimation
- *     gather      the mean of G over the cosine lobe of the point, in a convex
- *                 room by cells (gather_cells.h) except for their remainder
+ *     direct      light that enters by an opening and reaches the point without
+ *                 reflection, by next-event estimation
+ *     gather      the mean of G over the cosine lobe of the point; in a convex room
+ *                 by cells (gather_cells.h), and their remainder by rays
  *     correction  the mean of B - G over that lobe, with
  *
  *                     B - G = (M - G) + rho (E + K G) + rho K (B - G)              (2)
  *
- *                 followed along a path: at each surface met the first two terms of
- *                 (2) by several directions, K G by cells too, then by one of these
+ *                 followed along a path: at each surface met, several directions
+ *                 sample the first two terms of (2), K G also by cells, and one of
+ *                 them continues
  *
- * Their sum is unbiased whatever G; a good G leaves a correction of little variance.
- * That variance is the noise of the samples at each surface, and grows with the light
+ * The sum is unbiased for any G; with a good G the correction has little variance. That
+ * variance is the noise of the samples at each surface, which grows with the light
  * there. So the direction that continues is drawn in proportion to G at the surface
- * that it meets, as in the importance resampling of [TCE05]. Russian roulette ends it
- * by its expected contribution according to G.
+ * that it meets, as in the importance resampling of [TCE05]. Russian roulette ends a
+ * path by its expected contribution according to G.
  *
- * Without G the correction is plain path tracing. Where receivers share light
+ * Without G the correction is plain path tracing. If receivers share light
  * (shared_density.h) most of the correction comes from shared points, and a path
  * continues only with the remainder.
  *
- * Directions to the openings of an empty convex room are directions to the mouths of
- * their niches: those that end on a side add its G to the direct light, and rays from
- * the room that reach a side add none. Since sides are small and bright, few rays found
- * them: rooms with reveals took up to ten times longer.
+ * In an empty convex room directions to the openings are directions to the mouths of
+ * their niches. A direction that ends on a side of a niche adds the side's G to the
+ * direct light, and rays from the room that reach a side add nothing. Sides are small
+ * and bright, so that few rays met them: rooms with reveals took up to ten times
+ * longer.
  *
  * Paths are those of the light transport (transport/light_path.h), in the scene of a
- * world with every finish diffuse: indoors, every surface gets the light of the
+ * world with diffuse finishes only. Indoors, every surface gets the light of the
  * openings by next-event estimation; a ray of the cosine lobe that reaches an opening
- * counts nothing for light that comes in by it, and is reflected by glass and frame.
+ * adds nothing for light that enters by it, and is reflected by glass and frame.
  *
- * Light of other openings reflected by glass to the point itself is sampled with the
- * direct light, by the openings' images, and excluded from the correction's own rays.
- * Rays found it so seldom that, in rooms with windows in several walls, one point in a
- * hundred had three to fifteen times the target error.
+ * Light of other openings that glass reflects to the point itself is sampled with the
+ * direct light, by the images of the openings, and excluded from the correction's own
+ * rays. Rays met it so seldom that, in rooms with windows in several walls, one point
+ * in a hundred had three to fifteen times the target error.
  *
  * All light is over Eh.
  */

@@ -7,26 +7,27 @@
 #include "simulate/fast/path_parts.h"
 
 enum {
-    /* Directions from each surface met. Several are needed, since with the control
+    /* Directions from each surface met. Several are needed, because with the control
      * variate a step is a small difference of large numbers. Measured in two rooms:
-     * half or twice as many lose 10 to 40 % of the efficiency, one of each loses two
-     * thirds. In rooms with cells half or twice as many lobe rays lose up to 10 %,
-     * twice as many to openings a fifth. */
+     * half or twice as many reduce the efficiency by 10 to 40 %, a single one by two
+     * thirds. In rooms with cells half or twice as many lobe rays reduce it by up to 10
+     * %, twice as many rays to openings by a fifth. */
     OPENINGS = 4,
     LOBES = 8,
-    FIRST_LOBES = 4,    /* from the point itself, where nothing is shared */
-    MOST_LOBES = LOBES, /* all of these must be a power of two, PP_RUN_MOST or less */
+    FIRST_LOBES = 4,    /* from the point itself, if no light is shared */
+    MOST_LOBES = LOBES, /* all numbers above must be powers of two, at most
+                         * PP_RUN_MOST */
     /* Limit of bounces for an enclosure in which nothing absorbs. With a reflectance of
      * 0.99 one path in 10^70 reaches it. */
     MOST_BOUNCES = 1 << 14
 };
 
-/* Probability with which a path continues, for the remaining share of its importance at
- * its first surface. Measured: 0.6 and 1 are equally good without shared points; with
- * them 1 takes 8 % longer. */
+/* Probability with which a path continues, relative to the remaining share of the
+ * importance at its first surface. Measured: 0.6 and 1 are equally good without shared
+ * points; with shared points 1 takes 8 % longer. */
 static const double GOING_ON = 0.6;
 
-/* Defensive sampling: for the choice of an arm, G counts as at least this share of its
+/* Defensive sampling: in the choice of an arm, G counts as at least this share of its
  * mean over the arms of the fan. */
 static const double LEAST_SHARE = 0.5;
 
@@ -34,23 +35,23 @@ static const double LEAST_SHARE = 0.5;
 struct path_arm {
     struct pp_light_ray ray;
     double throughput;
-    double importance; /* estimated contribution, by G */
+    double importance; /* estimated contribution, according to G */
     struct pp_light_hit met;
-    bool at_once; /* true if it got there without meeting an opening */
+    bool at_once; /* true if the arm has reached a surface without meeting an opening */
 };
 
-/* Arms that leave one point together. */
+/* Arms that start together from one point. */
 struct path_fan {
     struct pp_vec3 from;
-    struct pp_frame frame; /* z: of their cosine lobe */
+    struct pp_frame frame; /* z: axis of the cosine lobe */
     uint32_t lobes;        /* how many */
     double throughput;     /* of all */
-    bool gathers; /* true if G is also gathered by arms that reach a surface at once */
-    bool cells;   /* gathered by cells as well */
-    bool glass;   /* openings are sampled from there by their images in glass */
+    bool gathers;          /* true if arms that reach a surface at once also gather G */
+    bool cells;            /* true if cells gather G as well */
+    bool glass; /* true if openings are also sampled by their images in glass */
 };
 
-/* The rays of the fans of a run of paths, one fan behind another. */
+/* The rays of the fans of a run of paths, fan after fan. */
 struct fan_rays {
     struct pp_lanes_directions to;
     struct pp_convex_nearest nearest[PP_RUN_MOST];
@@ -58,7 +59,7 @@ struct fan_rays {
 };
 
 /* Draws the rays of paths from the present index on, as many as there is space for. All
- * leave from one place. */
+ * start from one place. */
 static void draw_rays(const struct pp_path_state *state, const struct path_fan *fan,
                       int vertex, int paths, struct fan_rays *rays)
 {
@@ -71,8 +72,8 @@ static void draw_rays(const struct pp_path_state *state, const struct path_fan *
                                          count, rays->nearest);
 }
 
-/* Excludes an opening's light from a path that the glass of the pane has mirrored to
- * the opening. */
+/* Excludes the light of an opening from a path that the glass of the pane has reflected
+ * to that opening. */
 static void leave_out_image(const struct pp_light_scene *scene, int pane,
                             const struct pp_light_hit *met, struct pp_light_path *path)
 {
@@ -82,10 +83,10 @@ static void leave_out_image(const struct pp_light_scene *scene, int pane,
         path->sampled = PP_DIRECTLY_SAMPLED_ALL;
 }
 
-/* Follows the ray to a surface of the room, past glass and frames; false if the path
+/* Follows the ray through glass and frames to a surface of the room; false if the path
  * ends before. Light that enters on the way is added to *sum. nearest: the plane that
- * the ray meets first; NULL: unknown. glass: exclude openings that are mirrored in the
- * first glass that it meets. */
+ * the ray meets first; NULL: unknown. glass: excludes openings mirrored in the first
+ * glass that the ray meets. */
 static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
                        const struct pp_convex_nearest *nearest, bool glass, int vertex,
                        double *sum)
@@ -118,9 +119,9 @@ static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
     return there;
 }
 
-/* Chooses one arm by u in (0, 1), which continues for all arms. The noise of a path at
- * a surface grows with the light there. So an arm's probability is proportional to its
- * contribution by G, and each choice contributes about equal noise. */
+/* Chooses by u in (0, 1) the arm that continues for all arms. The noise of a path at a
+ * surface grows with the light there, so an arm's probability is proportional to its
+ * contribution according to G, and all choices contribute about equal noise. */
 static struct path_arm choose_path_arm(const struct path_arm *arms, int count, double u)
 {
     double mean = 0.0, total = 0.0, below = 0.0, share[MOST_LOBES];
@@ -153,8 +154,8 @@ static double gathered(const struct pp_path_state *state, const struct path_fan 
                       : guess;
 }
 
-/* Adds K G from the arms of the fan, whose rays begin at `first`. One of them continues
- * as *arm with the throughput of all. False if none does. */
+/* Adds K G from the arms of the fan, whose rays begin at index `first`. One arm
+ * continues as *arm with the throughput of all. False if none continues. */
 static bool spread(struct pp_path_state *state, const struct path_fan *fan,
                    const struct fan_rays *rays, int first, int vertex,
                    struct path_arm *arm, double *sum)
@@ -190,8 +191,8 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan,
     return count > 0;
 }
 
-/* E + K G of a surface, over several directions. One of these continues as *arm with
- * the whole throughput; false if it ends before. */
+/* Samples E + K G of a surface over several directions. One of these continues as *arm
+ * with the whole throughput; false if it ends before. */
 static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex,
                    uint32_t openings, uint32_t lobes, double *sum)
 {
@@ -233,7 +234,7 @@ static bool survives(const struct pp_path_state *state, struct path_arm *arm,
     return u < chance;
 }
 
-/* Adds one step of (2) at the arm's vertex, times its throughput, and turns the arm to
+/* Adds one step of (2) at the arm's vertex, times the throughput, and turns the arm to
  * its next surface. False if the arm ends before. */
 static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
                  double *sum)
@@ -248,7 +249,7 @@ static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
     return arm->throughput > 0.0 && bounce(state, arm, vertex, openings, lobes, sum);
 }
 
-/* B - G at the arm's vertex, times its throughput. */
+/* B - G at the arm's vertex, times the arm's throughput. */
 static double residual(struct pp_path_state *state, struct path_arm *arm, int vertex)
 {
     double sum = 0.0, first = arm->importance;

@@ -28,7 +28,7 @@ struct pp_shared_density {
     const struct pp_control_variate *variate; /* not owned */
     struct density_patch *patches;
     double *values; /* p by patch, 1/m2 */
-    double *below;  /* by patch: the cumulative probability of those before it */
+    double *below;  /* cumulative probability of all patches before each patch */
 };
 
 /* All patches are on front sides, since the room is convex. */

@@ -2,25 +2,25 @@
  * share, and the weight of a point at a receiver.
  *
  * The residual of the control variate G of path.h, D = B - G, is noise at each surface
- * met, and would be sampled anew for each receiver. So it is sampled once, at points y
- * on the room's surfaces of density p (1/m2). With an unbiased estimate D(y) at every
- * one of them (shared_light.h) a receiver at x gets
+ * met, and would be sampled again for each receiver. It is therefore sampled once, at
+ * points y on the room's surfaces with density p (1/m2). With an unbiased estimate D(y)
+ * at each point (shared_light.h) a receiver at x gets
  *
  *     min(k(x, y)/p(y), c) D(y),        k = cos cos' / (pi r2)                      (1)
  *
- * whose mean over p is the mean of D over the cosine lobe at x, except for the part
- * that the bound c cuts off where x and y are near. That part is sampled by the lobe's
- * own rays: a ray that has met y continues with the probability
+ * The mean of (1) over p is the mean of D over the cosine lobe at x, except for the
+ * part that the bound c cuts off if x and y are near each other. That part is sampled
+ * by the lobe's own rays: a ray that has met y continues with the probability
  *
  *     1 - c p(y)/k(x, y)                                                            (2)
  *
- * where that is positive. Both together have no bias, whatever p and c. These are the
- * many lights of [KELLER97], bounded as in [KK06].
+ * if that is positive. The sum of both is unbiased for all p and c. These are the many
+ * lights of [KELLER97], bounded as in [KK06].
  *
- * Only where any two points of the room see each other (convex_room.h): there (1) needs
- * no ray. The sides of niches are not visible from everywhere: no points lie there,
- * their light is sampled by the lobe's rays, and nothing is shared with receivers in a
- * niche.
+ * The method is used only in rooms where any two points see each other (convex_room.h),
+ * so that (1) needs no ray. The sides of niches are not visible from everywhere: they
+ * have no points, their light is sampled by the lobe's rays, and receivers in a niche
+ * share no light.
  */
 #ifndef PP_SIMULATE_FAST_SHARED_DENSITY_H
 #define PP_SIMULATE_FAST_SHARED_DENSITY_H
@@ -28,35 +28,36 @@
 #include "model/base/error.h"
 #include "simulate/fast/control_variate.h"
 
-/* Greatest weight c in (1). Measured: from 6 to 25 the work to an error changes by less
- * than a tenth. But of 6,000 points in random rooms 0.08, 0.2 and 0.6 % end with more
- * than twice the target standard error with 6, 12 and 25. */
+/* Greatest weight c in (1). Measured: from 6 to 25 the work for a given error changes
+ * by less than a tenth. But of 6,000 points in random rooms, 0.08, 0.2 and 0.6 % end
+ * with more than twice the target standard error with c = 6, 12 and 25. */
 #define PP_SHARED_DENSITY_MOST_WEIGHT 6.0
 
-/* A point y with its light. */
+/* A shared point y with its light. */
 struct pp_shared_light {
     struct pp_vec3 point, normal; /* in the scene's coordinates */
     double per_density;           /* 1/(pi p), m2 */
-    double light;                 /* D(y) over Eh; 0 where there is no surface */
+    double light;                 /* D(y) over Eh; 0 if there is no surface at y */
 };
 
 struct pp_shared_density;
 
-/* Makes the density for a scene with a known G; both must outlive *density. On success
- * *density is the caller's; NULL if the room does not allow sharing. */
+/* Makes the density for a scene with a known G; both must outlive *density. The caller
+ * destroys *density, which is NULL if the room does not allow sharing. */
 enum pp_status pp_shared_density_create(struct pp_shared_density **density,
                                         const struct pp_light_scene *scene,
                                         const struct pp_control_variate *variate,
                                         struct pp_error *err);
 void pp_shared_density_destroy(struct pp_shared_density *density); /* NULL is allowed */
 
-/* True if a receiver there sees all points. Nothing is shared with others. */
+/* True if a receiver at this point sees all shared points. Other receivers share no
+ * light. */
 bool pp_shared_density_serves(const struct pp_shared_density *density,
                               struct pp_vec3 point);
 
-/* Place drawn by three numbers in (0, 1), with 1/(pi p), and the ray to it from the
- * middle of the room. If the ray meets another part there is no surface there: it is a
- * pane, or outside the figure. */
+/* A place drawn by three numbers in (0, 1), with 1/(pi p), and the ray to it from the
+ * middle of the room. If the ray meets another part, there is no surface at the place:
+ * it is on a pane, or outside the figure. */
 struct pp_shared_place {
     int part;
     struct pp_light_ray sight;

@@ -1,13 +1,13 @@
 /* shared_light.h - the points of each randomisation whose light all receivers share.
  *
- * Each has an unbiased estimate of the control variate's residual there (path.h). It
- * comes from one step along a path and, for more than one reflection, from points of
- * earlier nets, which are independent of it and treat it like a receiver
- * (shared_density.h).
+ * Each point has an unbiased estimate of the control variate's residual (path.h) at the
+ * point. The estimate comes from one step along a path and, for more than one
+ * reflection, from the points of earlier nets, which are independent of the point and
+ * treat it like a receiver (shared_density.h).
  *
  * A point depends on the room, the light, the seed, the stage, the randomisation and
  * its own number, so that a receiver's value does not depend on the other receivers;
- * errors of receivers of one run are correlated.
+ * the errors of receivers of one run are correlated.
  */
 #ifndef PP_SIMULATE_FAST_SHARED_LIGHT_H
 #define PP_SIMULATE_FAST_SHARED_LIGHT_H
@@ -18,28 +18,28 @@
 
 struct pp_shared_lights;
 
-/* Makes the shared light for paths like `path`. Its scene, light, control variate,
- * cells and density (path->shared, not NULL) must outlive *lights, as must sobol. On
- * success *lights is the caller's. */
+/* Makes the shared light for paths like `path`. The scene, light, control variate,
+ * cells and density of that path (path->shared, not NULL) must outlive *lights, as must
+ * sobol. On success the caller destroys *lights. */
 enum pp_status pp_shared_light_create(struct pp_shared_lights **lights,
                                       const struct pp_path_state *path,
                                       const struct pp_sobol *sobol, uint64_t seed,
                                       struct pp_error *err);
 void pp_shared_light_destroy(struct pp_shared_lights *lights); /* NULL is allowed */
 
-/* Gives randomisations `first` to first + count - 1 of a stage `wanted` points each;
- * forgets those of other stages, or from another `first`. */
+/* Extends randomisations `first` to first + count - 1 of a stage to `wanted` points
+ * each; points of other stages, or of calls with another `first`, are discarded. */
 enum pp_status pp_shared_light_extend(struct pp_shared_lights *lights, int stage,
                                       int first, int count, const uint32_t *wanted,
                                       struct pp_thread_pool *pool,
                                       struct pp_error *err);
 
-/* Points of one of these randomisations. */
+/* The points of one of these randomisations. */
 const struct pp_shared_light *pp_shared_light_list(
     const struct pp_shared_lights *lights, int randomisation);
 
-/* Net of the path's cells (gather_cells.h) in one of these randomisations; NULL if the
- * path has none, or no points were requested. */
+/* The cell points (gather_cells.h) of one of these randomisations; NULL if the path has
+ * no cells, or no points were requested. */
 const double *pp_shared_light_net(const struct pp_shared_lights *lights,
                                   int randomisation);
 

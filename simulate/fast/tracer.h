@@ -1,13 +1,13 @@
 /* tracer.h - daylight factors of a room by unbiased path tracing.
  *
- * The caller holds the loop: create, then advance until done, looking at the readings
- * whenever it likes, then destroy.
+ * The caller runs the loop: create, advance until done, with readings at any time, then
+ * destroy.
  *
  *     while (!pp_tracer_done(tracer))
  *         if (pp_tracer_advance(tracer, 0.1, err) != PP_OK) ...
  *
- * With --error or --samples the answer depends on world, light, receivers and seed alone, to
- * the bit, whatever the number of threads and the length of the slices.
+ * With --error or --samples the result depends on the world, light, receivers and seed
+ * alone, bit by bit, for any number of threads and any length of the slices.
  */
 #ifndef PP_SIMULATE_FAST_TRACER_H
 #define PP_SIMULATE_FAST_TRACER_H

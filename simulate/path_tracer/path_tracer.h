@@ -1,16 +1,16 @@
 /* path_tracer.h - daylight factors of a room by plain path tracing.
  *
- * It has the same expectations, options and readings as the tracer
- * (simulate/fast/tracer.h), but uses only the loop of path_trace.c: slower, and easy to
- * check. Tests compare the tracer with it.
+ * This tracer has the same expectations, options and readings as the main one
+ * (simulate/fast/tracer.h), but uses only the loop of path_trace.c: it is slower and
+ * easy to verify. Tests compare the two.
  *
- * At a point in a room the daylight factor is
+ * At a point in a room the daylight factor is the sum of
  *
  *     direct     irradiance through the openings, by next-event estimation: sky
- *                component or externally reflected component, by the first thing that
+ *                component or externally reflected component, by the first object that
  *                the path meets outside
  *     reflected  pi times the mean radiance over the cosine lobe of the point, without
- *                that light: internally reflected component
+ *                the direct light: internally reflected component
  *
  * Without a room all light is sampled by the cosine lobe.
  */

@@ -42,9 +42,9 @@ enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
 struct pp_lobes pp_path_walk_lobes(const struct pp_path_walk *walk,
                                    const struct pp_light_hit *hit, struct pp_vec3 wo);
 
-/* Turns the ray from the surface it has met into a direction wi of one of its lobes, drawn
- * in proportion to their albedos, and multiplies beta by BSDF x cosine / pdf. Returns the
- * lobe; PP_LOBE_COUNT: nothing is scattered. */
+/* Turns the ray from the surface met into a direction wi of one of the surface's lobes,
+ * drawn in proportion to their albedos, and multiplies beta by BSDF x cosine / pdf.
+ * Returns the lobe; PP_LOBE_COUNT: nothing is scattered. */
 enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
                                   const struct pp_lobes *lobes,
                                   const struct pp_light_hit *hit,

@@ -1,5 +1,5 @@
-/* cache_warm_up.c - requests the rays of a picture's pixels from the cache, part by
- * part. */
+/* cache_warm_up.c - requests the rays of a picture's pixels from the cache, one part of
+ * the pixels after another. */
 #include "simulate/render/cache_warm_up.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "simulate/cache/cache_grow.h"
 #include "simulate/render/render_parts.h"
 
-/* Pixels of a part by default: some 100 MB of requests. */
+/* Default number of pixels in a part: some 100 MB of requests. */
 enum { PART_PIXELS = 1 << 20 };
 
 /* Share of the progress for the first round of parts. */
@@ -19,9 +19,10 @@ struct pp_cache_warm_up {
     struct pp_irradiance_cache *cache;
     struct pp_render view; /* camera and scene, without a picture */
     int step;              /* a part has every step-th pixel of every step-th row */
-    int part;              /* the next part to show; step^2 of them are a round */
-    bool first;            /* the first round */
-    size_t before;         /* records when the round began */
+    int part;              /* index of the next part to request; a round has step^2
+                            * parts */
+    bool first;            /* true during the first round */
+    size_t before;         /* number of records when the round began */
     bool done;
 };
 
@@ -53,14 +54,14 @@ void pp_cache_warm_up_destroy(struct pp_cache_warm_up *warm_up)
     free(warm_up);
 }
 
-/* A part of the picture: every step-th pixel of every step-th row, from x, y on. */
+/* A part of the picture: every step-th pixel of every step-th row, starting at x, y. */
 struct picture_part {
     const struct pp_render *view;
     int x, y, step;
     size_t across; /* pixels in a row of the part */
 };
 
-/* The ray through the middle of a part's pixel, row by row. */
+/* The ray through the middle of a pixel of a part; pixels are numbered row by row. */
 static bool ray_of(const void *list, size_t number, struct pp_light_ray *ray)
 {
     const struct picture_part *part = list;
@@ -70,7 +71,7 @@ static bool ray_of(const void *list, size_t number, struct pp_light_ray *ray)
     return pp_render_camera_ray(part->view, middle, ray);
 }
 
-/* Number of pixels from `first` on, with `step` from one to the next. */
+/* Number of pixels from `first` to end - 1, in steps of `step`. */
 static size_t pixels(int first, int end, int step)
 {
     return first < end ? (size_t)((end - first + step - 1) / step) : 0;
@@ -89,9 +90,9 @@ static enum pp_status show(const struct pp_cache_warm_up *warm_up, int number,
     return pp_cache_grow_request_rays(warm_up->cache, ray_of, &part, count, err);
 }
 
-/* Requests the next part once the cache covers the current one; after the last part
- * another round, unless this round made no record. A single part needs no second round:
- * the cache has checked all its requests again. */
+/* Requests the next part once the cache covers the current one. After the last part
+ * another round begins unless the round made no record. A single part needs no second
+ * round, since the cache has checked all its requests again. */
 static enum pp_status show_next_part(struct pp_cache_warm_up *warm_up,
                                      struct pp_error *err)
 {

@@ -33,7 +33,7 @@ static uint64_t hash_light(uint64_t hash, const struct pp_radiance_options *ligh
     return pp_hash_double(hash, light->least);
 }
 
-/* A hash of all that the pixels depend on: scene, options, ambient store. */
+/* A hash of everything that the pixels depend on: scene, options, ambient store. */
 static uint64_t hash_render(const struct pp_render *render)
 {
     const struct pp_render_options *options = &render->options;
@@ -78,7 +78,7 @@ static size_t tile_pixels(const struct pp_render *render, int tile)
     return (size_t)(box.x1 - box.x0) * (size_t)(box.y1 - box.y0);
 }
 
-/* The size of a file with these tiles done and no cache. */
+/* Size (bytes) of a file with these tiles done, without a cache. */
 static size_t size_of(const struct pp_render *render, const unsigned char *done)
 {
     size_t pixels = 0;
@@ -193,8 +193,8 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
     return status;
 }
 
-/* Checks that the checkpoint is of this render. *at: after the version on entry, after
- * the counts on return. */
+/* Checks that the checkpoint belongs to this render. *at: after the version on entry,
+ * after the counts on return. */
 static enum pp_status check_checkpoint_head(const struct pp_render *render,
                                             const unsigned char **at, long long work[2],
                                             struct pp_error *err)

@@ -68,10 +68,10 @@ bool pp_render_done(const struct pp_render *render);
 /* Share of the tiles that are done. */
 double pp_render_progress(const struct pp_render *render);
 
-/* Picture so far, owned by the render; unfinished parts are black. A pixel without a
- * value is NAN: outside a fisheye's circle, outside a room that is cut and, in pictures
- * of irradiance, where most of it shows glass or sky. In a pixel on the circle's edge
- * the part outside is black. */
+/* The picture so far, owned by the render; unfinished parts are black. A pixel without
+ * a value is NAN: outside the circle of a fisheye view, outside a room that is cut and,
+ * in pictures of irradiance, where most of the pixel shows glass or sky. In a pixel on
+ * the edge of the circle the part outside is black. */
 const struct pp_picture *pp_render_picture(const struct pp_render *render);
 
 /* Standard errors of its pixels, by channel; NULL if there are none. Errors of a cache
@@ -100,7 +100,8 @@ struct pp_render_tile {
 };
 struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile);
 
-/* The camera's ray at a place in the picture, in pixels; false where it has none. */
+/* The camera's ray through a position in the picture (pixels); false if the camera has
+ * no ray there. */
 bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
                           struct pp_light_ray *ray);
 

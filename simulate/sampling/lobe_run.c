@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The magnitude of each: all bits but the sign. */
+/* Absolute values of the lanes: the sign bit is cleared. */
 #define LANES_MAGNITUDE(a) ((pp_lanes)((pp_lanes_mask)(a)&INT64_C(0x7fffffffffffffff)))
 
 PP_LANES_BODY void sample(const struct pp_frame *frame, const double *u1,

@@ -416,7 +416,8 @@ static double rectangle_pdf(const struct pp_polygon_sampler *sampler,
     return (left + u * (right - left)) / size;
 }
 
-/* True if the point of its plane is in the triangle, but for rounding. */
+/* True if a point of the triangle's plane is in the triangle, with a tolerance for
+ * rounding. */
 static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 p)
 {
     double sum = 0.0;

@@ -1,12 +1,12 @@
 /* sample_polygon.h - directions towards an opening, by importance sampling.
  *
  * A rectangle is sampled uniformly in solid angle by the area-preserving map of Ureña,
- * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; where the opening looks
- * small both by area. On top of the map a bilinear density over the unit square [PJH23]
- * makes the sampling follow, corner to corner, the cosine at the receiving surface and
- * the brightness behind the opening (importance sampling). The estimate of that
- * brightness affects the variance alone: the inverse density of a direction is exact,
- * and every direction to the opening has one.
+ * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; an opening of small
+ * angular size is sampled by area. A bilinear density over the unit square [PJH23] then
+ * makes the samples follow, from corner to corner, the cosine at the receiving surface
+ * and the brightness behind the opening. The estimate of that brightness affects the
+ * variance alone: the density of each direction is exact, and every direction to the
+ * opening has one.
  */
 #ifndef PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
 #define PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H

@@ -38,7 +38,7 @@ struct pp_lobes {
     const struct pp_gloss *gloss; /* NULL: none, or a mirror; not owned */
 };
 
-/* gloss: the material's; NULL where it has none, or is a mirror. */
+/* gloss: gloss of the material; NULL if it has none or is a mirror. */
 void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      const struct pp_gloss *gloss, struct pp_vec3 n,
                      struct pp_vec3 eye);
@@ -56,12 +56,13 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
  * 1/sr. */
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
-/* The density with which pp_scatter_sample gives direction o (unit, any side) to the
- * gloss of that side, per steradian. */
+/* Density (per steradian) of direction o (unit, any side) in the gloss lobe of that
+ * side when drawn by pp_scatter_sample. */
 double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
-/* Samples a direction of that lobe from two numbers in (0, 1). *factor: BRDF times
- * cosine over density and share. False if the direction would go into the surface. */
+/* Samples a direction of the lobe from two numbers in (0, 1). *factor: BRDF times
+ * cosine over density and share. False if the direction would point into the
+ * surface. */
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
                        double v, struct pp_vec3 *o, double *factor);
 

@@ -1,7 +1,8 @@
-/* round.h - spheres, cones, cylinders and rings: where a ray meets them, exactly.
+/* round.h - exact intersections of rays with spheres, cones, cylinders and rings.
  *
- * These are the round shapes of model/light/scene_description.h, met from either side:
- * geometry in double precision, which rays.c calls from the ray kernels.
+ * These are the round shapes of model/light/scene_description.h, which rays may meet
+ * from either side. The calculation is in double precision; rays.c calls it from the
+ * ray kernels.
  */
 #ifndef PP_SIMULATE_SCENE_ROUND_H
 #define PP_SIMULATE_SCENE_ROUND_H

@@ -1,12 +1,12 @@
-/* scene_skylines.h - a world's skylines without a distance as rays meet them. (One with a
+/* scene_skylines.h - skylines without a distance, as met by rays. (A skyline with a
  * distance is a surface.)
  *
  * Such a skyline hides the directions u with
  *
  *     0 < u.z < tan(angle) (u.o)
  *
- * o the horizontal outward direction of its wall: the limit of an infinitely wide
- * upright face at increasing distance and height. Its light is part of the environment
+ * where o is the horizontal outward normal of its wall: the limit of an infinitely wide
+ * vertical face at increasing distance and height. Its light is part of the environment
  * (environment.h).
  */
 #ifndef PP_SIMULATE_SCENE_SCENE_SKYLINES_H

@@ -27,7 +27,7 @@ static enum pp_status append_triangle(struct pp_triangles *list, struct pp_vec3 
     return PP_OK;
 }
 
-/* True if the outline turns left at every corner, and once round in all. */
+/* True if the outline turns left at every corner, by 360 degrees in total. */
 static bool outline_is_convex(const struct pp_polygon *polygon)
 {
     int n = polygon->count;

@@ -24,8 +24,8 @@ enum pp_status pp_triangles_of_surface(struct pp_triangles *list,
                                        const struct pp_world *world, int surface,
                                        struct pp_vec3 centre, struct pp_error *err);
 
-/* Triangulates any polygon, by crossings where it touches or crosses itself
- * (clipper.h); the enclosed area may be empty. */
+/* Triangulates any polygon. One that touches or crosses itself is cut at the crossings
+ * (clipper.h). The enclosed area may be empty. */
 enum pp_status pp_triangles_of_polygon(struct pp_triangles *list,
                                        struct pp_clipper *clipper,
                                        const struct pp_polygon *polygon, int facet,

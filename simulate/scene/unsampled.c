@@ -15,8 +15,8 @@ static struct pp_rgb greater(struct pp_rgb a, struct pp_rgb b)
     return pp_rgb(fmax(a.r, b.r), fmax(a.g, b.g), fmax(a.b, b.b));
 }
 
-/* Adds one emitter of some size (sr), with the share of it that is found only by
- * chance. */
+/* Adds one emitter with a solid angle of `solid` sr and the share of its light that is
+ * found only by chance. */
 static void add_emitter(struct pp_unsampled *light, struct pp_rgb radiance,
                         double solid, double share)
 {
@@ -94,8 +94,9 @@ static int mirrors_met(const struct pp_light_scene *scene, const int *met, int c
     return path;
 }
 
-/* Follows the emitter's light by mirrors and clear surfaces; *most becomes the greatest
- * share of it that arrives by ways not sampled by next-event estimation. */
+/* Follows the emitter's light by mirrors and clear surfaces. *most: the greatest share
+ * of the light that arrives by reflections which next-event estimation does not
+ * sample. */
 static void probe(const struct pp_light_scene *scene, struct pp_light_ray ray,
                   double share, const int *met, int count, int events, double *most)
 {

@@ -1,11 +1,12 @@
 /* unsampled.h - upper bounds on the light that paths may have missed.
  *
- * Next-event estimation misses no emitter and no opening that it samples, unless no
- * path found any light: a slit may then have been missed, and one path more might have
- * found the light of all openings. Other light is found only by chance, from a small
- * extended emitter or from a lamp in a curved mirror. If all paths miss it, their
- * spread does not show it. The bound is the contribution of one path that finds the
- * brightest such emitter, or all light that they can give if that is less.
+ * Next-event estimation misses no emitter and no opening that it samples, except if no
+ * path has found any light: all paths may then have missed a slit through which one
+ * more path would have found the light of all openings. Other light, from a small
+ * extended emitter or from a lamp in a curved mirror, is found only by chance. If all
+ * paths miss it, their spread does not show it. The bound is the contribution of one
+ * path that finds the brightest such emitter, or the light of all of them if that is
+ * less.
  */
 #ifndef PP_SIMULATE_SCENE_UNSAMPLED_H
 #define PP_SIMULATE_SCENE_UNSAMPLED_H
@@ -18,19 +19,19 @@
 void pp_unsampled_find_glow(struct pp_light_scene *scene);
 
 /* Share of an emitter's light that may arrive by reflections which next-event
- * estimation does not sample. For a distant emitter it is found by 4,096 of its rays
- * over the whole scene; if none of them is reflected in that way, the share is that of
- * one ray. Call once the scene is made. */
+ * estimation does not sample. For a distant emitter it is determined with 4,096 of its
+ * rays over the whole scene; if none of them is reflected in that way, the share is
+ * that of one ray. Called once, after the scene is complete. */
 double pp_unsampled_probe(const struct pp_light_scene *scene,
                           const struct pp_emitter *emitter);
 
 /* Irradiances at a point of a scene: of light found only by chance, with the radiance
- * of the brightest emitter of it; and of all emitters and the sky, if nothing
+ * of the brightest emitter of such light; and of all emitters and the sky, if nothing
  * obstructed them. Found only by chance are extended emitters (except skies with a
- * pattern), and concentrated ones by reflections that next-event estimation does not
- * sample, with curved mirrors treated as plane ones. With `by_chance`, where there is
- * no next-event estimation, all concentrated emitters are included. shares: each
- * emitter's by pp_unsampled_probe. */
+ * pattern), and concentrated emitters by reflections that next-event estimation does
+ * not sample, with curved mirrors treated as plane ones. With by_chance there is no
+ * next-event estimation, and all concentrated emitters are included. shares:
+ * pp_unsampled_probe of each emitter. */
 struct pp_unsampled {
     struct pp_rgb by_chance, brightest, all;
 };
@@ -39,7 +40,7 @@ struct pp_unsampled pp_unsampled_at(const struct pp_light_scene *scene,
                                     struct pp_vec3 point, bool by_chance,
                                     const double *shares);
 
-/* Bound after this many paths. found: the light differs between randomisations;
+/* Bound after this many paths. found: true if the light differs between randomisations;
  * otherwise even sampled light may have been missed. */
 struct pp_rgb pp_unsampled_bound(const struct pp_unsampled *unsampled, bool found,
                                  double paths);
@@ -55,9 +56,9 @@ struct pp_room_bound pp_unsampled_of_room(const struct pp_light_scene *scene,
                                           const struct pp_vec3 *position,
                                           struct pp_vec3 normal);
 
-/* Bound on a component, or on their sum, after this many paths of direct and of
- * reflected light, for components that no path has found. Bit i of `found` is set if
- * component i was found. */
+/* Bound on a component, or on the sum of all, for components that no path has found,
+ * after `straight` paths of direct and `reflected` paths of reflected light. Bit i of
+ * `found` is set if component i was found. */
 double pp_unsampled_of_component(const struct pp_room_bound *most, int component,
                                  unsigned found, double straight, double reflected);
 

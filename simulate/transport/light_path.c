@@ -15,15 +15,15 @@
 enum {
     /* Limit of bounces for scenes without absorption. */
     MOST_BOUNCES = 1 << 14,
-    /* Most bounces, up to the first surface that scatters, for which gloss and mirror
-     * are separate paths beside the diffuse one. */
+    /* Most bounces up to the first scattering surface for which the path splits into
+     * separate paths of gloss, mirror and diffuse reflection. */
     FIRST_FEW = 3,
-    /* Directions from the ground, where it is the first surface that scatters, for each
-     * to a window: no cache smooths its light. */
+    /* Directions from the ground to each window if the ground is the first surface that
+     * scatters: no cache smooths its light. */
     GROUND_DIRECTIONS = 4,
-    /* Directions of a strong gloss, and to each window, if it is the first surface that
-     * scatters: edges of windows may be visible in them, and no cache smooths their
-     * light. */
+    /* Directions of a strong gloss, and to each window, if the glossy surface is the
+     * first that scatters: edges of windows may be visible in it, and no cache smooths
+     * its light. */
     GLOSS_DIRECTIONS = 4,
 };
 
@@ -36,9 +36,9 @@ static const double STRONG_GLOSS = 0.1;
  * floor at 16 paths a pixel had an RMS error of 10 % instead of 41 %, in 36 % more
  * time. */
 static const double LEAST_GLOSS = 0.1;
-/* The same for the ground, from which rays reach the sky: with a share of 1 the light
- * reflected by a block and the ground in front of it had an error of 1.7 %, now 0.7
- * %. */
+/* The same for the ground, whose rays reach the sky. With a share of 1 the light
+ * reflected by a block and the ground in front of it had an error of 1.7 %, with 0.1 it
+ * has 0.7 %. */
 static const double LEAST_GROUND = 0.1;
 
 struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
@@ -385,9 +385,9 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
 }
 
 /* Scatters at the ground, a diffuse surface outdoors. No cache is read for it, and it
- * does not count among the limited number of diffuse reflections unless requested: most
- * of its light is the sky's. If the path splits into many directions, all but one are
- * separate paths. */
+ * does not count among the limited number of diffuse reflections unless requested,
+ * since most of its light comes from the sky. If the path splits into many directions,
+ * all but one are separate paths. */
 static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path *path,
                            const struct pp_light_hit *hit, struct pp_rgb *total)
 {

@@ -1,8 +1,8 @@
 /* opening_store.h - the radiance outside each opening of a room, calculated once for a
  * given light from outside.
  *
- * Paths that leave by a opening then need no more than one ray outside: whether that
- * meets a surface is still traced, so that silhouettes stay sharp, but the surface's
+ * A path that leaves by an opening then needs at most one ray outside. The ray is still
+ * traced to the first surface, so that silhouettes stay sharp, but the surface's
  * radiance is read from the opening's table (opening_table.h).
  */
 #ifndef PP_SIMULATE_TRANSPORT_OPENING_STORE_H
@@ -18,7 +18,7 @@
 struct pp_opening_store {
     struct pp_opening_table *tables; /* by opening */
     int count;
-    uint32_t samples; /* paths of each bin */
+    uint32_t samples; /* number of paths for each bin */
 };
 
 /* environment: as in struct pp_radiance_state. *store is NULL if there is nothing to

@@ -40,9 +40,9 @@ enum pp_directly_sampled {
                                 * light */
 };
 
-/* The weight of a sample among two estimators of the same light, by the densities (per
- * steradian, times the number of samples) of its direction in its own and in the other:
- * the power heuristic of [VG95]. */
+/* The power heuristic of [VG95]: weight of a sample for light that two estimators
+ * sample, from the densities of its direction (per steradian, times the number of
+ * samples) in its own estimator and in the other. */
 static inline double pp_path_vertex_mis(double own, double other)
 {
     return own > 0.0 ? 1.0 / (1.0 + other / own * (other / own)) : 0.0;
@@ -175,9 +175,10 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
     return (struct pp_light_ray){shading->point, shading->normal, to, shading->space};
 }
 
-/* Number of strata, with a direction each, in next-event estimation of a source or
- * window of that angular size. The power of two, at most options.source_most, for which
- * a stratum's angular size is below options.source_size; 1 if the path is not split. */
+/* Number of strata, with one direction each, in next-event estimation of a source or
+ * window of that angular size: the smallest power of two for which a stratum's angular
+ * size is below options.source_size, at most options.source_most; 1 if the path is not
+ * split. */
 static inline uint32_t pp_path_vertex_direction_count(
     const struct pp_radiance_state *state, bool split, double angular_size)
 {

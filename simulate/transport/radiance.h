@@ -1,21 +1,21 @@
 /* radiance.h - light along a ray and on a surface, by unbiased path tracing.
  *
- * A path is one sample: the wanted light is the mean over paths index = 0, 1, 2, ... of
- * one sequence (sobol.h), best over a power of two of them. Sequences with other seeds
- * are independent: their spread is the standard error.
+ * A path is one sample: the light is the mean over paths index = 0, 1, 2, ... of one
+ * sequence (sobol.h), best over a number that is a power of two. Sequences with
+ * different seeds are independent, and their spread gives the standard error.
  *
- * Each kind of light has its estimator. At every surface that scatters,
+ * Each kind of light has its own estimator. At every surface that scatters,
  *
- *     sources   concentrated emitters and the sun, by next-event estimation: the nearer
- *               and larger one is, the more strata of directions it gets (the power of
- *               two that makes each look smaller than `source_size`)
+ *     sources   concentrated emitters and the sun, by next-event estimation, with more
+ *               strata of directions for nearer and larger ones (the power of two that
+ *               makes the angular size of a stratum less than `source_size`)
  *     windows   the panes of a world's openings, likewise, as lamps that emit the light
  *               of sky, ground and obstructions that passes through them
- *     the rest  extended emitters, sky, ground and all surfaces, by rays that go where
- *               the surface scatters
+ *     the rest  extended emitters, sky, ground and all surfaces, by rays in directions
+ *               drawn from the surface's lobes
  *
- * Each of the first two can be switched off: then rays find that light too. The mean is
- * the same; noise and time are not.
+ * The first two can each be switched off; rays then find their light too. The mean is
+ * the same; noise and time differ.
  *
  * Diffuse inter-reflection, the most expensive part, may come from a cache: see struct
  * pp_ambient.
@@ -39,9 +39,9 @@ struct pp_rgb pp_radiance_indirect(struct pp_radiance_state *state,
                                    struct pp_light_hit *hit);
 
 /* Irradiance at a point, one sample of each part. normal: unit; space:
- * pp_light_scene_space of the point. `direct` gives sources, sky and outside only. With
- * `ambient`, `rest` is still sampled at the point itself; the ambient store is read
- * from the next surface on (depth 1). */
+ * pp_light_scene_space of the point. pp_radiance_direct gives the light of sources, sky
+ * and outside only. With `ambient`, `rest` is still sampled at the point itself; the
+ * ambient store is read from the next surface on (depth 1). */
 struct pp_irradiance pp_radiance_direct(struct pp_radiance_state *state,
                                         struct pp_vec3 point, struct pp_vec3 normal,
                                         enum pp_space space);

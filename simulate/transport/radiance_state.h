@@ -25,23 +25,24 @@ struct pp_radiance_options {
     int bounces;        /* diffuse reflections of a path, at most; -1: no limit but
                          * Russian roulette, which has no bias */
     bool ground_counts; /* the ground's reflection is among them */
-    double least;       /* Russian roulette begins where the throughput falls below
-                         * this; after gloss, mirror and clear glass below a tenth of
-                         * it; greater than 0 */
+    double least;       /* throughput below which Russian roulette begins; after
+                         * gloss, mirror and clear glass a tenth of it; greater than
+                         * 0 */
 };
 
 /* All estimators on, no limit of bounces, unbiased except for `stored`: size 0.2, at
  * most 64 directions, roulette below 0.3. */
 struct pp_radiance_options pp_radiance_state_defaults(void);
 
-/* Indirect irradiance of diffuse surfaces from elsewhere (a cache).
+/* Indirect irradiance of diffuse surfaces from an external store such as a cache.
  *
- * `irradiance` is called at a hit whose material is diffuse (on the side of its normal,
- * or, of a translucent material, on the far side: then `normal` is turned) for the
- * irradiance from all light that is not sampled directly: the light that
- * pp_radiance_indirect gives the hemispherical integral of. `depth` is how many diffuse
- * reflections the path has behind it, 0 at the first surface. It returns false if the
- * path has to sample that light itself. Called by many threads at a time. */
+ * `irradiance` is called at a hit whose material is diffuse, on the side of its normal,
+ * or on the far side of a translucent material, with `normal` reversed. It gives the
+ * irradiance by all light that is not sampled directly, whose hemispherical integral
+ * pp_radiance_indirect samples. `depth` is the number of diffuse reflections of the
+ * path before this hit, 0 at the first surface. It returns false if the path has to
+ * sample that light itself. Called by several threads at once.
+ */
 struct pp_ambient {
     bool (*irradiance)(void *store, const struct pp_light_hit *hit,
                        struct pp_vec3 normal, int depth, struct pp_rgb *value);

@@ -14,7 +14,7 @@
 
 #include "simulate/transport/path_vertex.h"
 
-/* A direction to a opening, or to the mouth of its niche. */
+/* A direction to an opening, or to the mouth of its niche. */
 struct pp_opening_sample {
     int opening;
     struct pp_light_ray ray;  /* leaves it to the outside */
@@ -27,7 +27,8 @@ struct pp_opening_sample {
 /* The directions to all openings that are sampled at one shading point. */
 struct pp_opening_sampling {
     const struct pp_shading_point *shading; /* not owned */
-    bool all;                               /* all openings in turn; else one of them */
+    bool all;                               /* true: all openings in order; false:
+                                             * one of them */
     int opening, end;                       /* present index, and end of the list */
     uint32_t direction, count;              /* present direction to that opening, and
                                              * their number */

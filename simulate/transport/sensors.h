@@ -1,18 +1,17 @@
 /* sensors.h - irradiance at sensor points of any light scene, by unbiased path tracing.
  *
- * As with the tracer the caller holds the loop: create, then advance until done,
- * looking at the readings whenever it likes, then destroy. The answer depends on scene,
- * points, options and seed alone, to the bit, whatever the number of threads and the
- * slices.
+ * The caller runs the loop, as with the tracer: create, advance until done, with
+ * readings at any time, then destroy. The result depends on the scene, points, options
+ * and seed alone, bit by bit, for any number of threads and any length of the slices.
  *
  * The planner of simulate/estimate plans each point for a standard error of the
  * luminance-weighted irradiance of the largest of
  *
  *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
  *
- * Seeds depend on a point's position in space, not on its index in the list. A bound on
- * the light that all paths may have missed because rays must find it (a small glow, a
- * lamp in a curved mirror: unsampled.h) is part of the stated error.
+ * Seeds depend on a point's position in space, not on its index in the list. The stated
+ * error includes a bound on the light that all paths may have missed because only rays
+ * can find it (a small glow, a lamp in a curved mirror: unsampled.h).
  */
 #ifndef PP_SIMULATE_TRANSPORT_SENSORS_H
 #define PP_SIMULATE_TRANSPORT_SENSORS_H

@@ -23,9 +23,9 @@ enum pp_status pp_plain_year_create(struct pp_plain_year **plain,
                                     int paths, uint64_t seed, struct pp_error *err);
 void pp_plain_year_destroy(struct pp_plain_year *plain); /* NULL is allowed */
 
-/* Fills both parts of a point (lx): all light of sky and ground, direct light included;
- * and sunlight reflected by surfaces. by_patch: each patch of the sky has the luminance
- * of its centre, on the same paths. */
+/* Fills both parts of a point (lx): all light of sky and ground, including direct
+ * light, and sunlight reflected by surfaces. by_patch: the sky's luminance is uniform
+ * in each patch, with the value at the patch's centre, on the same paths. */
 enum pp_status pp_plain_year_point(const struct pp_plain_year *plain, int receiver,
                                    const struct pp_light_columns *light, bool by_patch,
                                    struct pp_year_point *point, struct pp_error *err);

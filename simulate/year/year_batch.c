@@ -304,7 +304,7 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
     return status;
 }
 
-/* ---- all of it ---- */
+/* ---- the whole batch ---- */
 
 static enum pp_status make_space(struct pp_year_batch *batch,
                                  const struct pp_year_task *task, struct pp_error *err)

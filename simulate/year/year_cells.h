@@ -13,7 +13,7 @@
 struct pp_year_part_cells {
     int first[2];
     int count[2];   /* along the part's a and b */
-    double low[2];  /* where they begin */
+    double low[2];  /* lower bounds along a and b, m */
     double step[2]; /* size of a cell, m */
 };
 

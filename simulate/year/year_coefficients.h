@@ -4,8 +4,8 @@
  *     coefficients, by paths alone:     light columns, sun on cells  (year_batch.h)
  *     hours, without any path:          sky by patch, sun by its true position
  *
- * Use: create it for a room, add the light of a year, then read points, by any number
- * of threads at once.
+ * Usage: create the coefficients for a room, add the light of a year, then read points,
+ * from several threads at once if needed.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_COEFFICIENTS_H
 #define PP_SIMULATE_YEAR_YEAR_COEFFICIENTS_H
@@ -24,8 +24,9 @@ struct pp_year_coefficient_options {
 
 struct pp_year_coefficients;
 
-/* scene: of a world, with every finish diffuse; group_of_opening: by opening, 0 to
- * group_count - 1, PP_YEAR_GROUPS_MOST at most. All of these, and the receivers and the pool, must live as long. */
+/* scene: of a world, with diffuse finishes only. group_of_opening: group of each
+ * opening, 0 to group_count - 1, at most PP_YEAR_GROUPS_MOST groups. All arguments, the
+ * receivers and the pool must outlive *coefficients. */
 enum pp_status pp_year_coefficients_create(
     struct pp_year_coefficients **coefficients, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *receivers,
@@ -34,29 +35,31 @@ enum pp_status pp_year_coefficients_create(
     struct pp_error *err);
 void pp_year_coefficients_destroy(struct pp_year_coefficients *coefficients);
 
-/* Tests the sun of every hour on the cells. light must live as long. */
+/* Finds the cells that the sun reaches in every hour. light must outlive the
+ * coefficients. */
 enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *coefficients,
                                           const struct pp_light_columns *light,
                                           struct pp_error *err);
 
-/* Illuminance (lx) on the outside of a group's panes, the mean over their area, in every
- * hour and batch: [batch][hour, tiles x PP_LIGHT_LANES of them]. */
+/* Mean illuminance (lx) over the outside of a group's panes in every hour and batch:
+ * lx[batch][hour], with tiles x PP_LIGHT_LANES hours. */
 void pp_year_coefficients_on_panes(const struct pp_year_coefficients *coefficients,
                                    int group, float *lx);
 
-/* Illuminance of a receiver by panes of a group that have an even exitance of 1 lm/m2, by
- * batch. */
+/* Illuminance of a receiver by a group's panes with a uniform exitance of 1 lm/m2, in
+ * one batch. */
 float pp_year_coefficients_by_panes(const struct pp_year_coefficients *coefficients,
                                     int receiver, int group, int batch);
 
-/* Parts of a point's illuminances. */
+/* Parts of a point's illuminances, lx. */
 struct pp_year_point {
-    float *sky; /* [group][batch][hour, tiles x PP_LIGHT_LANES of them]: sky, ground */
-    float *sun; /* the same: sunlight reflected by surfaces */
+    float *sky; /* sky and ground: [group][batch][hour], with tiles x PP_LIGHT_LANES
+                 * hours */
+    float *sun; /* sunlight reflected by surfaces: same order */
 };
 
-/* Fills both (lx). direct: [group][column], added to the coefficients of all batches;
- * NULL: nothing. */
+/* Fills both parts of `point`. direct: [group][column], added to the coefficients of
+ * all batches; NULL: nothing is added. */
 enum pp_status pp_year_coefficients_point(
     const struct pp_year_coefficients *coefficients, int receiver, const float *direct,
     struct pp_year_point *point, struct pp_error *err);
@@ -67,8 +70,8 @@ enum pp_status pp_year_coefficients_point(
 double pp_year_coefficients_spread(const struct pp_year_coefficients *coefficients,
                                    int receiver);
 
-/* The mean over batches of a receiver's coefficients, all groups together, without its
- * direct light: by column. */
+/* Mean over the batches of a receiver's coefficients by column, for all groups
+ * together, without direct light. */
 void pp_year_coefficients_mean(const struct pp_year_coefficients *coefficients,
                                int receiver, float *mean);
 

@@ -42,13 +42,14 @@ struct pp_year_sink {
     void (*horizontal)(void *data, const struct pp_year_event *event);
     void (*lit)(void *data, const struct pp_year_event *event);
     void (*pane)(void *data, const struct pp_year_event *event); /* NULL: not needed */
-    /* Returns true if the irradiance of this inside surface is known. It then counts as
-     * E += w times it, and the path ends. NULL: never. */
+    /* Returns true if the irradiance of this inside surface is known. The path then
+     * ends, and w times the irradiance is added to E. NULL: never known. */
     bool (*known)(void *data, const struct pp_year_event *event);
 };
 
-/* One path through the openings, by next-event estimation, from one side of a surface; and
- * one in a direction of its cosine lobe. Each is a sample of its part of E; outdoors the lobe has all. */
+/* Sample the irradiance E of one side of a surface: by one path through the openings,
+ * with next-event estimation, and by one path in a direction of the cosine lobe. Each
+ * gives its own part of E; outdoors the lobe gives all of E. */
 void pp_year_path_openings(struct pp_path_walk *walk, const struct pp_year_sink *sink,
                            const struct pp_lit_point *at);
 void pp_year_path_lobe(struct pp_path_walk *walk, const struct pp_year_sink *sink,

@@ -49,7 +49,8 @@ struct year_system {
     const struct pp_sparse_rows *of_cells, *of_points;
 };
 
-/* Buffers for a block: V, a term and the next one, the sun's row; the columns of D. */
+/* Buffers for a block of points: V, the current and the next term of its series, the
+ * rows of the sun, and the columns of D. */
 struct block_space {
     block_row *V, *term, *next, *sun, *D;
 };

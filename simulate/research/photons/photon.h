@@ -1,5 +1,5 @@
-/* photon.h - a photon followed from where it enters the room, or from a lamp, to where
- * it is absorbed or lost.
+/* photon.h - a photon, followed from its start at an opening or a lamp until it is
+ * absorbed or lost.
  *
  * It carries flux over Eh (m2), divided by the density with which its source, place and
  * direction were drawn and by the probability of each scattering since. It may leave
@@ -11,20 +11,20 @@
 #include "simulate/research/photons/photon_lobes.h"
 #include "simulate/research/photons/photon_sources.h"
 
-/* Component to which a photon's light belongs, by the last surface that scattered
- * it. */
+/* Component to which a photon's light belongs, by the surface that scattered it
+ * last. */
 enum pp_photon_last {
     PP_PHOTON_FROM_SKY,
     PP_PHOTON_FROM_OUTSIDE, /* a surface outside, or the ground */
     PP_PHOTON_FROM_INSIDE,
 };
 
-/* A place from which light goes to receivers. */
+/* A place that sends light to receivers. */
 struct pp_photon_place {
     struct pp_vec3 point, normal; /* of the side that it leaves */
     enum pp_space space;          /* on that side */
-    struct pp_rgb exitance; /* flux density that leaves diffusely; at clear glass 1 over
-                             * (density of the point times pi) */
+    struct pp_rgb exitance; /* flux density that leaves diffusely; at clear glass 1
+                             * over (density of the point times pi) */
     int clear;              /* index of a clear pane, whose light depends on direction;
                              * else -1 */
     int source;             /* index of the source if the place is the photon's start;
@@ -39,31 +39,32 @@ struct pp_photon {
     bool scattered;          /* scattered at least once since it left the opening */
     struct pp_light_hit hit; /* its present position */
     struct pp_lobes lobes;   /* there */
-    int vertex;              /* of its random numbers */
+    int vertex;              /* index of its random numbers */
     int turns;
 };
 
-/* Begins a photon on its ray, from one of the first `count` sources. False if there are
- * none. place: its start, with the exitance that gives receivers direct light. vertex:
- * index of its first random numbers. */
+/* Starts a photon at one of the first `count` sources. False if there are none. place:
+ * its start, with the exitance for direct light at receivers. vertex: index of its
+ * first random numbers. */
 bool pp_photon_begin(struct pp_photon_state *state, int count, int vertex,
                      struct pp_photon *photon, struct pp_photon_place *place);
 
-/* Samples a place on an opening by a receiver's own probabilities (photon_sources.h),
- * not all 0. */
+/* Samples a place on an opening with a receiver's own probabilities (photon_sources.h),
+ * which must not all be 0. */
 void pp_photon_enter(struct pp_photon_state *state, const double *chances, int vertex,
                      struct pp_photon_place *place);
 
-/* Moves the photon to the next surface that it meets; false: none. */
+/* Moves the photon to the next surface that it meets; false if it meets none. */
 bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon);
 
-/* Light that the photon causes at the surface: what leaves diffusely from the side that
- * it met (0) or from the far side (1). False if there is none. */
+/* Light that the photon causes at the surface: the flux that leaves diffusely from the
+ * side met (0) or from the opposite side (1). False if there is none. */
 bool pp_photon_leaves(const struct pp_photon_state *state,
                       const struct pp_photon *photon, int side,
                       struct pp_photon_place *place);
 
-/* Scatters the photon by one of the surface's lobes; false if it is absorbed. */
+/* Scatters the photon by one of the surface's lobes; false if the photon is
+ * absorbed. */
 bool pp_photon_turn(struct pp_photon_state *state, struct pp_photon *photon);
 
 #endif

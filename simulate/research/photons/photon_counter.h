@@ -1,9 +1,9 @@
-/* photon_counter.h - a sensor of finite size, on which photons are counted: a disc, or
- * the whole working plane.
+/* photon_counter.h - a sensor of finite size that counts photons: a disc, or the whole
+ * working plane.
  *
- * A photon that crosses it from its front adds flux / area and continues unaffected.
- * The sum is the mean irradiance over the sensor: there are no connections and no
- * limits, and light by mirrors and panes counts like any other.
+ * A photon that crosses the sensor from its front adds flux / area and continues
+ * unaffected. The sum is the mean irradiance over the sensor, without connections or
+ * limits; light reflected by mirrors and panes is counted like any other.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H

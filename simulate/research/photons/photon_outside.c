@@ -20,7 +20,8 @@ static struct pp_rgb emission(const struct pp_light_scene *scene,
     return material->emits == PP_EMITS_NOTHING ? pp_rgb_grey(0.0) : material->radiance;
 }
 
-/* The path's next ray; false where it ends. */
+/* Scatters the path at the surface met and returns its next ray; false if the path
+ * ends. */
 static bool next_photon_ray(struct pp_photon_state *state,
                             const struct pp_light_hit *hit, int vertex,
                             struct pp_light_ray *ray, struct pp_rgb *throughput)

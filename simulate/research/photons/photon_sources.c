@@ -11,10 +11,10 @@
 #include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* Limit of cos cos'/d^2 in units of pi over the area: its mean over a source (or over
- * all surfaces) that fills the half space. Measured in 40 rooms: for sources 0.5 to 2
- * are alike within 6 %, 32 takes 15 % more work to an error; for surfaces 8 to 32 are
- * alike, 2 and 100 take 5 to 10 % more. */
+/* Limit of cos cos'/d^2 in units of pi over the area, which is its mean over a source
+ * (or over all surfaces) that fills the half space. Measured in 40 rooms, by the work
+ * for a given error: for sources, 0.5 to 2 agree within 6 %, 32 takes 15 % more; for
+ * surfaces, 8 to 32 are equal, 2 and 100 take 5 to 10 % more. */
 static const double SOURCE_LIMIT = 1.0, SURFACE_LIMIT = 8.0;
 
 /* Least weight of a direction in a table, relative to the mean luminance. */
@@ -56,8 +56,8 @@ static double guessed_outside(const struct pp_light_scene *scene,
            + SHADED * pp_rgb_luminance(material->diffuse) / PP_PI;
 }
 
-/* The mean of luminance times transmittance over the cosine lobe, with the table of its
- * shares. */
+/* Mean of luminance times transmittance over the cosine lobe; fills the table with the
+ * contributions of its cells. */
 static double fill_table(struct pp_photon_source *source,
                          const struct pp_light_scene *scene,
                          const struct pp_environment *environment)
@@ -171,8 +171,8 @@ static enum pp_status add_lamps(struct pp_photon_sources *sources,
     return status;
 }
 
-/* Half of the area of all sides that face the room; in a convex room its surface
- * area. */
+/* Half of the area of all sides of parts that face the room; in a convex room its
+ * surface area. */
 static double area_inside(const struct pp_light_scene *scene)
 {
     double area = 0.0;

@@ -1,38 +1,38 @@
 /* photon_sources.h - sources of photons: the openings of a room, for the light of sky
  * and ground, and the self-luminous surfaces in it.
  *
- * A source is drawn in proportion to its estimated light, a point of it uniformly, and
- * at clear glass a direction in proportion to the luminance outside times the glass's
- * transmittance and the projected opening: by a table over the unit square, which the
- * concentric map [SC97] maps to the cosine lobe. The estimates, made from the middle of
- * each opening, affect the variance alone; every direction has a density, and light is
- * divided by it.
+ * A source is drawn in proportion to its estimated light, and a point of it uniformly.
+ * At clear glass a direction is drawn in proportion to the luminance outside times the
+ * glass's transmittance and the projected area, by a table over the unit square, which
+ * the concentric map [SC97] maps to the cosine lobe. The estimates, made from the
+ * middle of each opening, affect the variance alone: every direction has a known
+ * density, by which light is divided.
  *
- * A photon that starts at x by density p(x) brings a receiver at distance d
+ * A photon that starts at x with density p(x) contributes to a receiver at distance d
  *
  *     L cos cos'/d^2 / p(x)                                              (1)
  *
- * without bound as d goes to 0. So cos cos'/d^2 is cut at a limit, for sources as well
- * as for surfaces that photons hit. The part cut off is found by rays from the receiver
- * (photon_gather.h), whose weights are bounded where these are not.
+ * which is unbounded as d approaches 0. Therefore cos cos'/d^2 is clamped to a limit,
+ * for sources and for surfaces that photons hit. The part cut off is sampled by rays
+ * from the receiver (photon_gather.h), whose weights are bounded where (1) is not.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_SOURCES_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_SOURCES_H
 
 #include "simulate/research/photons/photon_state.h"
 
-enum { PP_PHOTON_CELLS = 16 }; /* of the table, along either side */
+enum { PP_PHOTON_CELLS = 16 }; /* cells along either side of the table */
 
 struct pp_photon_source {
-    int pane; /* of the scene's panes; -1: a lamp */
-    int part; /* and the side of it from which light leaves: */
+    int pane; /* index of the opening's pane in the scene; -1: a lamp */
+    int part; /* the part, and below the side from which light leaves */
     bool back;
     const struct pp_vec3 (*triangles)[3]; /* not owned */
     int triangle_count;
     double area_m2;
     struct pp_rgb radiance; /* of a lamp */
     double power;           /* estimated flux */
-    double chance;          /* probability of being drawn */
+    double chance;          /* probability with which it is drawn */
     double limit;           /* limit of cos cos'/d^2 (1/m2), if drawn with that
                              * probability */
     bool clear;             /* directions are drawn from the table, by row and
@@ -42,15 +42,16 @@ struct pp_photon_source {
 };
 
 struct pp_photon_sources {
-    struct pp_photon_source *list; /* the openings first, as the scene has them */
+    struct pp_photon_source *list; /* openings first, in the order of the scene's
+                                    * panes */
     int count, pane_count;
-    double power, pane_power;       /* of all, and of all openings */
+    double power, pane_power;       /* of all sources, and of all openings */
     double limit;                   /* of cos cos'/d^2 at a surface hit by a photon */
     bool all_seen;                  /* any two places in the room see each other */
     struct pp_vec3 (*triangles)[3]; /* of lamps */
 };
 
-/* environment: on that scene, a world's; both must live as long. */
+/* environment: of the same scene, of a world; both must outlive *sources. */
 enum pp_status pp_photon_sources_create(struct pp_photon_sources **sources,
                                         const struct pp_light_scene *scene,
                                         const struct pp_environment *environment,
@@ -58,7 +59,7 @@ enum pp_status pp_photon_sources_create(struct pp_photon_sources **sources,
 void pp_photon_sources_destroy(struct pp_photon_sources *sources); /* NULL is allowed */
 
 /* The source selected by u in (0, 1) among the first `count`, in proportion to their
- * chances; -1: there is none. */
+ * probabilities; -1: there is none. */
 int pp_photon_sources_choose(const struct pp_photon_sources *sources, int count,
                              double u);
 
@@ -74,7 +75,7 @@ struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
                                            struct pp_vec3 n, double u, double v,
                                            double *density);
 
-/* The limit of cos cos'/d^2 at an opening that is drawn by this chance. */
+/* The limit of cos cos'/d^2 (1/m2) at an opening drawn with this probability. */
 double pp_photon_sources_limit(double area_m2, double chance);
 
 /* Writes the probability of each opening for a receiver into chances[], in proportion

@@ -5,7 +5,7 @@
 
 #include "model/base/array.h"
 
-/* The photons of one randomisation; the places of all photons in one array. */
+/* The photons of one randomisation, with the places of all photons in one array. */
 struct photon_set {
     struct pp_photon_place *places;
     int place_count, place_capacity;

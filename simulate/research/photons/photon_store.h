@@ -1,9 +1,9 @@
-/* photon_store.h - the photons of each randomisation, shared by all receivers: the
- * places that they hit.
+/* photon_store.h - the photons of each randomisation, stored as the places that they
+ * hit, and shared by all receivers.
  *
  * A photon depends on the room, the light, the seed, the stage, the randomisation and
  * its own number, so that a receiver's value does not depend on the other receivers;
- * errors of receivers of one run are correlated.
+ * the errors of receivers of one run are correlated.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_STORE_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_STORE_H
@@ -20,15 +20,15 @@ enum pp_status pp_photon_store_create(struct pp_photon_store **store,
                                       uint64_t seed, struct pp_error *err);
 void pp_photon_store_destroy(struct pp_photon_store *store); /* NULL is allowed */
 
-/* Gives randomisations `first` to first + count - 1 of a stage `wanted` photons each;
- * forgets those of other stages, or from another `first`. */
+/* Extends randomisations `first` to first + count - 1 of a stage to `wanted` photons
+ * each; photons of other stages, or of calls with another `first`, are discarded. */
 enum pp_status pp_photon_store_extend(struct pp_photon_store *store, int stage,
                                       int first, int count, const uint32_t *wanted,
                                       struct pp_thread_pool *pool,
                                       struct pp_error *err);
 
-/* Places of one of these photons, without direct light of openings, and their
- * number. */
+/* The places of one of these photons and their number. Places of direct light from
+ * openings are left out. */
 const struct pp_photon_place *pp_photon_store_places(
     const struct pp_photon_store *store, int randomisation, uint32_t photon,
     int *count);

@@ -23,7 +23,8 @@ static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
     return pp_form_factor(g->taker->point, g->taker->normal, corners, count);
 }
 
-/* Visible share of a polygon, by tests of its middle and corners: 0, 1, or between. */
+/* Visible share of a polygon, tested at its middle and corners: 0, 1, or a value
+ * between. */
 static double seen_of(const struct descent *g, const struct pp_vec3 *corners, int count,
                       bool by_middle)
 {

@@ -1,11 +1,11 @@
-/* element_light.h - the light that a place in the room receives from the room's
- * elements, by closed form factors.
+/* element_light.h - light at a place in the room from the room's elements, by closed
+ * form factors.
  *
  * The trees are descended only as far as needed: an element represents all its parts if
  * its form factor times the possible variation of its radiosity is below a tolerance,
  * as in hierarchical radiosity [HSA91]. An undivided element above the tolerance is
  * marked for division. Possible obstructions are tested by rays to the element's
- * corners and middle; a partly visible part is divided for this place alone.
+ * corners and middle; a partly visible element is divided for this place alone.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_LIGHT_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_LIGHT_H

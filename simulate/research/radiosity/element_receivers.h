@@ -1,8 +1,9 @@
-/* element_receivers.h - the light of receivers: those requested, and points of the
+/* element_receivers.h - the light of receivers: the points requested, and points of the
  * working plane for its average.
  *
- * Openings and elements are separate: direct light changes fast over the plane,
- * reflected light slowly, and fewer points are used for it. */
+ * Direct and reflected light are gathered at separate points: direct light changes
+ * quickly over the plane, reflected light slowly, so that fewer points suffice for it.
+ */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_RECEIVERS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_RECEIVERS_H
 

@@ -17,8 +17,8 @@ struct pp_element_sight {
     int count;
     bool all_seen; /* the room is convex: nothing in it hides anything */
     uint64_t *above,
-        *below; /* bits for each of these: planes (of the first 64) that it is entirely
-                 * above or below; a plane that it lies in has both */
+        *below; /* one bit for each of the first 64 planes: the facet is entirely
+                 * above or below the plane; both if it lies in the plane */
 };
 
 enum pp_status pp_element_sight_create(struct pp_element_sight **sight,

@@ -1,5 +1,6 @@
-/* facet_pieces.h - a facet cut into convex pieces along the lines of its corners:
- * rectangles if its edges are upright, as is best for elements. */
+/* facet_pieces.h - a facet cut into convex pieces along lines through its corners. With
+ * horizontal and vertical edges the pieces are rectangles, the best shape for
+ * elements. */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FACET_PIECES_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_FACET_PIECES_H
 

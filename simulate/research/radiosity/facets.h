@@ -1,10 +1,10 @@
 /* facets.h - the surfaces and panes of a world for radiosity: plane facets with two
- * matt sides, those in the room cut into convex pieces.
+ * diffuse sides. Facets in the room are cut into convex pieces.
  *
- * A facet's index is its surface's; those of panes follow, in the order of the
+ * A facet has the index of its surface; the facets of panes follow in the order of the
  * openings. The pane of an opening is at the position of its glass. A door or a dado,
- * which the world places just in front of its wall, replaces that piece of the wall's
- * plane, so that there is no gap between them. Positions are the world's.
+ * which the world places slightly in front of its wall, replaces that piece of the wall
+ * in the wall's plane, so that there is no gap. Positions are the world's.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_FACETS_H

@@ -13,7 +13,7 @@
 
 #include "model/geometry/vec.h"
 
-/* No convex polygon of this engine has more corners. */
+/* Greatest number of corners of a convex polygon. */
 enum { PP_FORM_FACTOR_MOST = 64 };
 
 /* Form factor from the point with normal n (unit) to a convex polygon of 3 to

@@ -1,8 +1,8 @@
 /* light_ray.h - the light along a ray, followed through clear panes and by their
  * reflections to all sources.
  *
- * The ray is not random: at a pane it continues both ways, each with its share, until
- * that is too small to count.
+ * The ray is not random: at a pane it continues as a transmitted and a reflected ray,
+ * each with its share, until that share is negligible.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_RAY_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_RAY_H
@@ -12,8 +12,7 @@
 
 struct pp_element_sight;
 
-/* Surroundings in which rays are followed and places gather light; nothing of it is
- * owned. */
+/* Everything needed to follow rays and gather light; not owned. */
 struct pp_light_room {
     const struct pp_facets *facets;
     const struct pp_element_tree *tree;
@@ -24,18 +23,18 @@ struct pp_light_room {
 struct pp_light_ray_start {
     struct pp_vec3 from, to; /* to: unit */
     int but;                 /* index of the facet that the ray leaves; -1: none */
-    bool indoors;            /* it begins in the room */
+    bool indoors;            /* the ray starts in the room */
 };
 
-/* Adds `weight` times pi times the radiance along the ray to the sum. part: PP_DF: the
- * component is that of the first object met (PP_SC the sky, PP_ERC anything else
- * outdoors, PP_IRC objects in the room); else all light is of that component. */
+/* Adds `weight` times pi times the radiance along the ray to the sum. part: component
+ * of all the light; PP_DF: by the first object met (PP_SC the sky, PP_ERC anything else
+ * outdoors, PP_IRC objects in the room). */
 void pp_light_ray_follow(const struct pp_light_room *room,
                          const struct pp_light_ray_start *ray, double weight,
                          enum pp_component part, struct pp_light_sum *sum);
 
-/* Value of the sum since `from` with the present radiosities of elements; places
- * outside count by an estimate. */
+/* Value of what has been added to the sum since `from`, with the present radiosities of
+ * elements and an estimate for places outside. */
 double pp_light_ray_guess(const struct pp_light_room *room,
                           const struct pp_light_sum *sum,
                           const struct pp_light_mark *from);

@@ -10,8 +10,8 @@
 enum {
     DEEPEST = 9, /* most divisions that split a cell's light among its parts */
     NEAREST =
-        48, /* most divisions in all: for a point in front of a pane at 1e-14 of its
-             * size */
+        48, /* most divisions in all: enough for a point in front of a pane at 1e-14
+             * of the pane's size */
 };
 
 /* Differences of light, over Eh, that are not resolved: a fifth of the tracer's
@@ -88,8 +88,8 @@ static void add_cell_light(const struct looking *l, struct cell *cell)
     cell->to = pp_light_sum_mark(l->sum);
 }
 
-/* True if the light at the corners of a cell agrees with that of its parts, too: the
- * parts' middles may miss an obstruction at an edge. */
+/* True if the light at a cell's corners also agrees with the light of its parts: the
+ * middles of the parts may miss an obstruction at an edge. */
 static bool corners_agree(const struct looking *l, const struct cell *cell,
                           const struct cell *parts, int count, double tolerance)
 {
@@ -121,9 +121,9 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
     return true;
 }
 
-/* True if the part has most of its cell's form factor, and too large a one for a single
- * value. The part is then close to the receiving point, compared with its size: a
- * division approaches the point without splitting the light. */
+/* True if the part has most of its cell's form factor, and a form factor too large for
+ * a single value. The part is then close to the receiving point, relative to its size:
+ * a division approaches the point without splitting the light. */
 static bool is_nearest(const struct looking *l, const struct cell *cell,
                        const struct cell *part)
 {
@@ -229,7 +229,8 @@ static bool faces(const struct looking *l)
     return l->taker->facet != l->pane && pp_facet_height(pane, l->taker->point) > 0.0;
 }
 
-/* True if the facet is the opening's face or part of its reveal. */
+/* True if the facet is the opening's face, part of its reveal, or a door or dado on its
+ * face. */
 static bool is_round(const struct pp_facets *facets, const struct pp_opening *opening,
                      int facet)
 {

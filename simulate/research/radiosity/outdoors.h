@@ -1,11 +1,12 @@
-/* outdoors.h - the ends of a ray outdoors other than facets: sky, ground, and skylines
- * without a distance.
+/* outdoors.h - the light met by a ray outdoors that hits no facet: sky, ground, and
+ * skylines without a distance.
  *
- * Light is pi times luminance over Eh, as exitances are. Such a skyline gives off rho
- * (Ev + rho_ground / 2), Ev the open sky's illuminance on it, by convention; an
- * unshaded ground emits its reflectance. The ground as a surface lies in shadow, and
- * its exitance is an unknown (outside_cells.h). The exception is beyond FARTHEST times
- * the reach of all obstructions, where less than 1/1000 of its sky is hidden.
+ * Light is pi times luminance over Eh, the unit of exitances. A skyline without a
+ * distance has the exitance rho (Ev + rho_ground / 2) by convention, with Ev the open
+ * sky's illuminance on it; unshaded ground has an exitance equal to its reflectance.
+ * Ground in the shadow of obstructions has an unknown exitance (outside_cells.h). The
+ * ground counts as unshaded beyond FARTHEST times the reach of all obstructions, where
+ * less than 1/1000 of its sky is hidden.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H

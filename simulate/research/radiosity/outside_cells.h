@@ -1,10 +1,11 @@
-/* outside_cells.h - the places outside whose light comes into the room: surfaces, the
- * outside of its own walls, and the ground, in cells of even radiosity.
+/* outside_cells.h - the places outside whose light enters the room: surfaces, the
+ * outside of the room's own walls, and the ground, in cells of uniform radiosity.
  *
- * Cells exist only where a ray has arrived. Each surface is ruled into squares that
+ * Cells exist only where a ray has arrived. Each surface is divided into squares that
  * grow with the distance from the room. The light of a square is gathered at the first
- * few places met within it, over the given number of directions of the hemisphere.
- * These rays reach further cells, which are added in turn, until no new one is met.
+ * few places hit within it, over the given number of directions of the hemisphere.
+ * These rays may reach further cells, which are added as well, until no new cell is
+ * reached.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTSIDE_CELLS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTSIDE_CELLS_H
@@ -15,9 +16,10 @@
 enum { PP_OUTSIDE_CELL_PLACES = 4 };
 
 struct pp_outside_cell {
-    int side; /* of the facets; -1: the ground */
+    int side; /* index of a facet's side; -1: the ground */
     int level;
-    long long column, row; /* of its square, of 2^level times the least width */
+    long long column, row; /* indices of its square, whose width is 2^level times the
+                            * least width */
     struct pp_vec3 places[PP_OUTSIDE_CELL_PLACES];
     int place_count;
     double reflectance, exitance;
@@ -28,31 +30,32 @@ struct pp_outside_cell {
 struct pp_outside_cells {
     struct pp_outside_cell *list;
     int count, room;
-    int *slots; /* of a hash table: cells, -1: empty */
+    int *slots; /* hash table: indices of cells, -1: empty */
     int slot_count;
     int gathered;   /* index of the first cell that has not gathered light */
-    double size_m;  /* of the room, above 0 */
+    double size_m;  /* extent of the room, above 0 */
     double width;   /* width of squares at a distance of size_m from the room's middle,
                      * over size_m */
-    int directions; /* from each cell */
+    int directions; /* number of directions from each cell */
 };
 
 void pp_outside_cells_clear(struct pp_outside_cells *cells);
 
-/* Converts the sum's hits to terms, adding cells where there are none. */
+/* Converts the hits of the sum to terms, and adds cells for hits outside the existing
+ * ones. */
 enum pp_status pp_outside_cells_resolve(struct pp_outside_cells *cells,
                                         const struct pp_light_room *room,
                                         struct pp_light_sum *sum, struct pp_error *err);
 
-/* Gathers light for all cells that have none yet, and for the cells that their rays
+/* Gathers light for all cells that have none yet, including the cells that their rays
  * reach. */
 enum pp_status pp_outside_cells_gather(struct pp_outside_cells *cells,
                                        const struct pp_light_room *room,
                                        struct pp_thread_pool *pool,
                                        struct pp_error *err);
 
-/* Gathers light at a place outdoors from `directions` directions; `turn` rotates them
- * relative to those of other places. part as in light_ray.h. */
+/* Gathers light at a place outdoors over `directions` directions; `turn` rotates them
+ * relative to those of other places. part: as in light_ray.h. */
 void pp_outside_cells_hemisphere(const struct pp_light_room *room,
                                  const struct pp_light_ray_start *place, int directions,
                                  unsigned turn, double weight, enum pp_component part,

@@ -1,7 +1,7 @@
-/* plane_points.h - points of a room's working plane that stand for equal or known areas of
- * it: one in each of many squares, no two in line with a wall (a partition or the edge of
- * a shadow would cover or miss them together), and the middles of the triangles that
- * fill squares cut by its edge. */
+/* plane_points.h - points of a room's working plane, each of which represents a known
+ * area: one point in each of many squares, and the middles of the triangles that fill
+ * squares cut by the plane's edge. No two points of squares are in line with a wall,
+ * since a partition or the edge of a shadow would cover or miss them together. */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_PLANE_POINTS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_PLANE_POINTS_H
 

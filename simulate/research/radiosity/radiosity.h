@@ -1,19 +1,19 @@
-/* radiosity.h - daylight factors of a room by finite elements: radiosity, as SuperLite,
- * Lumen Micro and Lightscape worked it, without random numbers.
+/* radiosity.h - daylight factors of a room by finite elements: the radiosity method of
+ * SuperLite, Lumen Micro and Lightscape, without random numbers.
  *
- * The room's surfaces are divided into elements of even radiosity, finer where the
+ * The room's surfaces are divided into elements of uniform radiosity, smaller where the
  * light changes (element_tree.h, element_light.h). Light through the openings, and the
- * exitance of places outside, are summed over cells (opening_light.h, outside_cells.h);
- * the equations are solved for all bounces (radiosity_system.h), and the points gather
- * as the elements do. It shares with the path tracer only the world; rays, form
- * factors, sky and ground outdoors have their own code.
+ * exitance of places outside, are summed over cells (opening_light.h, outside_cells.h).
+ * The equations are solved for all bounces (radiosity_system.h), and receivers gather
+ * light in the same way as elements. The world is all that is shared with the path
+ * tracer: rays, form factors, sky and ground outdoors have their own code.
  *
- * Everything is done in levels, each with smaller elements, more cells and more
+ * All calculations are made in levels, each with smaller elements, more cells and more
  * directions. The change at the last level measures the remaining error; the stated
  * error covers the true value in 19 of 20 readings.
  *
- * The caller holds the loop, as with the tracer: create, then advance until done. The
- * answer depends on world, light, receivers and the target error alone, to the bit.
+ * The caller runs the loop, as with the tracer: create, then advance until done. The
+ * result depends on the world, light, receivers and the target error alone, bit by bit.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H

@@ -43,8 +43,8 @@ static struct pp_taker taker_of(const struct pp_radiosity_system *system, int in
                              element->side / 2};
 }
 
-/* Mean over the element of its light by openings. Direct light falls off too steeply
- * near openings for the middle to represent the element: with the middle alone
+/* Mean over the element of its light from the openings. Near openings direct light
+ * changes too steeply for the element's middle to represent it: with the middle alone
  * reflected light was 1 % too high. */
 static void mean_by_openings(const struct pp_radiosity_system *system, int index,
                              struct pp_light_sum *sum)
