@@ -1,7 +1,7 @@
 /* bench_photons.c - photons compared with the path tracer at equal error, by kind of
  * room: the ratio of processor time times squared error.
  *
- * Above 1 the path tracer is faster. Its scenes are matt. The room with a mirror is
+ * Above 1 the path tracer is faster. Its scenes are diffuse. The room with a mirror is
  * calculated by the sensors of simulate/transport, which also trace paths.
  */
 #include <math.h>

@@ -115,7 +115,7 @@ static const struct pp_formula *const formulae_of_lynes[] = {
 /* Treatment of glass below the working plane. */
 enum low_glass { COUNTS_BY_FLOOR, LEFT_OUT, COUNTS_IN_FULL };
 
-/* W where a part of the opening lies below the working plane. */
+/* Puts W on the worksheet, for an opening that is partly below the working plane. */
 static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *world,
                           const struct pp_opening *opening, double low_m2,
                           enum low_glass practice)
@@ -135,7 +135,7 @@ static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *wor
                       "effective net glass area");
 }
 
-/* W of glass with a well. */
+/* Puts W on the worksheet, for glass with a well. */
 static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
                      const struct pp_outside_light *light,
                      const struct pp_opening *opening)
@@ -229,7 +229,8 @@ const struct pp_method pp_method_average_df = {
     .source = "CL84",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,
-    .own_ground = 0.1, /* theta/2 per cent is 45 %: 39.6 % of sky, and ground */
+    .own_ground = 0.1, /* theta/2 per cent is 45 % for an open sky: 39.6 % from the
+                        * sky, the rest from the ground */
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,
     .refuses_room = pp_refusals_formula_room,

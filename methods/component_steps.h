@@ -17,7 +17,7 @@ double pp_component_steps_figure(const struct pp_amounts *amounts,
                                  enum pp_component component);
 
 /* Records the corrections of an opening, D among them, and the corrected components,
- * behind the method's own steps, which begin with step `first`. */
+ * after the method's own steps, which begin at index `first`. */
 void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *method,
                             const struct pp_world *world, int index,
                             const struct pp_part *part,

@@ -21,7 +21,7 @@
  * nearer points use the value there, so that contours reach the walls. */
 #define SKY_INSET_M 0.001
 
-/* A direct component, and a constant that is added everywhere. */
+/* A direct component, and a constant added to it everywhere. */
 struct added_to {
     const struct pp_direct_plane *direct;
     double irc;
@@ -53,7 +53,8 @@ static enum pp_status sky_seen_at(void *context, double x, double y, double *val
 
 enum { LEVELS_USUAL = 9, LEVELS_MOST = 14 };
 
-/* Largest share of the plane without a contour, unless no round level divides it. */
+/* Largest share of the plane without a contour, unless there is no round level to
+ * divide it. */
 static const double largest_gap = 0.2;
 
 /* Chooses the usual levels within the range, the highest LEVELS_USUAL of them; if fewer
@@ -82,8 +83,8 @@ static int choose_levels(double levels[LEVELS_MOST], double low, double high)
     return count;
 }
 
-/* The round level between two that divides the area between them most evenly; 0: there is
- * none. */
+/* The round level between two levels that divides the area between them most evenly; 0:
+ * there is none. */
 static double level_between(const struct pp_field *field, double low, double high)
 {
     static const double steps[] = {1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6,

@@ -8,8 +8,8 @@
  * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal where that
  * is more; they begin and end on the plane's edge or are closed. direct_plane.h
  * describes where figures close to walls and openings are taken. The direct component
- * of `exact` is evaluated to 1e-6 of the open sky; that of unevenly lit diffusing panes
- * by fixed rules, to a relative error of 1e-5, or some 1e-4 close to the pane.
+ * of `exact` is evaluated to 1e-6 of the open sky; that of non-uniformly lit diffusing
+ * panes by fixed rules, to a relative error of 1e-5, or some 1e-4 close to the pane.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H

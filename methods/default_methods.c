@@ -1,5 +1,5 @@
-/* default_methods.c - checks whether the internal part of each pair covers the room;
- * the direct part, exact, covers all. */
+/* default_methods.c - tests whether the internal method of each pair covers the room;
+ * the direct method, exact, covers all rooms. */
 #include "methods/default_methods.h"
 
 #include <stdbool.h>

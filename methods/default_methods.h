@@ -1,9 +1,10 @@
-/* default_methods.h - the pair of methods used for daylight factors if the user has chosen
- * none.
+/* default_methods.h - the pair of methods used for daylight factors if the user has
+ * chosen none.
  *
- * exact+bre, or, where bre does not cover the room (another sky than the overcast
- * one, glass that is not vertical, receivers that do not face up) exact+split-flux, which
- * covers all. Command line, criteria, sizing and charts all use this pair.
+ * The pair is exact+bre. If bre does not cover the room (a sky other than the overcast
+ * one, glass that is not vertical, receivers that do not face up) it is
+ * exact+split-flux, which covers all rooms. The command line, criteria, sizing and
+ * charts all use this pair.
  */
 #ifndef PP_METHODS_DEFAULT_METHODS_H
 #define PP_METHODS_DEFAULT_METHODS_H

@@ -1,7 +1,8 @@
 /* diagram_windows.h - the windows of a room on the diagrams of a graphical method:
  * which windows share a diagram, and how a window is entered on one.
  *
- * Windows that face the same way and have glass, or none, alike share a diagram. */
+ * Windows share a diagram if they face the same way and are all glazed or all unglazed.
+ */
 #ifndef PP_METHODS_DIAGRAM_WINDOWS_H
 #define PP_METHODS_DIAGRAM_WINDOWS_H
 
@@ -10,8 +11,8 @@
 #include "model/light/outside_light.h"
 #include "model/results/board_sheets.h"
 
-/* PP_OK where the method covers the room and all its openings for the receiver; else
- * PP_BAD_INPUT and why. */
+/* PP_OK if the method covers the room and all its openings for the receiver; else
+ * PP_BAD_INPUT with the reason. */
 enum pp_status pp_diagram_windows_check(const struct pp_method *method,
                                         const struct pp_world *world,
                                         const struct pp_outside_light *light,
@@ -28,7 +29,7 @@ int pp_diagram_windows_count_alike(const struct pp_world *world, int first);
 /* The number of diagrams that a room needs. */
 int pp_diagram_windows_diagram_count(const struct pp_world *world);
 
-/* The face that an opening is cut from, for the words above its diagram. */
+/* The face from which an opening is cut, for the title of its diagram. */
 struct pp_board_face pp_diagram_windows_face(const struct pp_world *world,
                                              const struct pp_opening *opening);
 

@@ -45,7 +45,7 @@ struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double 
     return moved;
 }
 
-/* The place, moved to that distance from the vertical openings near it. */
+/* The place, moved away from nearby vertical openings to that distance. */
 static struct pp_vec3 off_openings(const struct pp_world *world, double inset_m,
                                    struct pp_vec3 place)
 {

@@ -101,7 +101,7 @@ static bool found_average(const struct pp_method_run *run,
     return true;
 }
 
-/* The answers for each receiver and, behind them, for the room's average. */
+/* Evaluates the answers for each receiver, followed by the room's average. */
 static enum pp_status answer_all(const struct pp_method_run *run,
                                  const struct pp_report *report,
                                  struct pp_method_answer *answers, struct pp_error *err)
@@ -259,8 +259,8 @@ static void add_column_step(struct pp_steps *steps, const struct pp_column *colu
                        pp_component_steps_names[column->component], column->name);
 }
 
-/* Adds the column "direct+internal" from the columns of these names, which must exist,
- * unless the report has it already. */
+/* Adds the column "direct+internal" from the columns of the two methods, which must
+ * exist, unless the report has it already. */
 static enum pp_status add_pair(struct pp_report *report, const char *direct,
                                const char *internal, struct pp_error *err)
 {
@@ -295,7 +295,8 @@ static enum pp_status add_pair(struct pp_report *report, const char *direct,
 
 /* ---- a selection ---- */
 
-/* The columns of a method or pair, with a variant (NULL: as published) of one of them. */
+/* Adds the columns of a method or pair, with a variant (NULL: as published) of one of
+ * them. */
 static enum pp_status add_choice(struct pp_report *report,
                                  const struct pp_choice *choice,
                                  const struct pp_variant *variant,

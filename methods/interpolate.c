@@ -1,5 +1,5 @@
-/* interpolate.c - Lagrange's cubic, Gauss's rule and bisection for tables of even
- * steps, and straight lines between the rows of published ones. */
+/* interpolate.c - Lagrange's cubic, Gauss's rule and bisection for tables with equal
+ * steps, and linear interpolation between the rows of published tables. */
 #include "methods/interpolate.h"
 
 #include <math.h>

@@ -1,25 +1,25 @@
-/* interpolate.h - interpolation in tables, of even steps and as published; running
- * integrals and inverses of the former. */
+/* interpolate.h - interpolation in tables with equal steps and in published ones;
+ * running integrals and inverses of the former. */
 #ifndef PP_METHODS_INTERPOLATE_H
 #define PP_METHODS_INTERPOLATE_H
 
 /* The value at x of the cubic through the four entries nearest to x, of `count` (4 or
- * more) entries at even steps from low to high. Outside that range the value at the
+ * more) entries at equal steps from low to high. Outside that range the value at the
  * nearer end. For a smooth function the error is 0.023 step^4 times the fourth
  * derivative, twice that in the first and last step. */
 double pp_interpolate_cubic(const double *values, int count, double low, double high,
                             double x);
 
-/* Replaces values[i] by the integral of a smooth function from low to the i-th even
- * step. Uses Gauss's rule of four points in each step, whose error falls with the
- * eighth power of the step. */
+/* Replaces values[i] by the integral of a smooth function from low to the i-th of the
+ * equal steps. Uses Gauss's rule of four points in each step, whose error falls with
+ * the eighth power of the step. */
 void pp_interpolate_tabulate_integral(double *values, int count, double low,
                                       double high,
                                       double (*function)(const void *context, double x),
                                       const void *context);
 
-/* The x, within 1e-10 (high - low), at which an ascending table of even steps reaches
- * `value`; low or high for a value outside the table. */
+/* The x, within 1e-10 (high - low), at which an ascending table with equal steps
+ * reaches `value`; low or high for a value outside the table. */
 double pp_interpolate_inverse(const double *values, int count, double low, double high,
                               double value);
 

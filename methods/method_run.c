@@ -170,7 +170,7 @@ enum pp_status pp_method_run_answer(const struct pp_method_run *run,
     return answer->steps->failed ? pp_fail_memory(err) : PP_OK;
 }
 
-/* The context of the integrand over the working plane. */
+/* The context of the integrand, for averages over the working plane. */
 struct plane_sum {
     const struct pp_method_run *run;
     struct pp_method_answer

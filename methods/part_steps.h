@@ -20,8 +20,7 @@ struct pp_part_steps {
     double sky;                  /* sum of the sky components so far */
 };
 
-/* To be called before the first of `parts` parts; with a worksheet, or for steps
- * alone. */
+/* Called before the first of `parts` parts, with a worksheet or for steps alone. */
 struct pp_part_steps pp_part_steps_on(struct pp_worksheet *sheet, int parts);
 struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 

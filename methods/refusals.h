@@ -42,10 +42,11 @@ const char *pp_refusals_formula_room(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_receiver *receiver);
 
-/* The end of a sentence for refuses: for methods made for vertical openings only. */
+/* Reason for `refuses`, as the end of a sentence: the opening is not vertical, for
+ * methods made for vertical openings only. */
 const char *pp_refusals_unless_vertical(const struct pp_opening *opening);
 
-/* refuses of methods that refuse other than vertical openings only. */
+/* `refuses` of methods whose only condition is a vertical opening. */
 const char *pp_refusals_sloping_opening(const struct pp_world *world,
                                         const struct pp_outside_light *light,
                                         const struct pp_opening *opening,

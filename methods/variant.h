@@ -1,12 +1,11 @@
-/* variant.h - a reader's variant of a published formula, which gets a column beside the
- * original's.
+/* variant.h - a published formula modified by the user, which gets its own column next
+ * to that of the original.
  *
- *     irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)
- *     split-flux: irc = ...
+ *     irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)     split-flux: irc = ...
  *
- * The left side names the replaced formula. Without a method's name it is the formula
- * of the first method, in list order, that has a formula for the symbol with all the
- * quantities used.
+ * The left side names the formula to be replaced. Without the name of a method it is
+ * the formula of the first method, in list order, that has a formula for the symbol
+ * with all the quantities used.
  */
 #ifndef PP_METHODS_VARIANT_H
 #define PP_METHODS_VARIANT_H
@@ -25,7 +24,7 @@ struct pp_variant_list {
 };
 
 /* Parses and adds one more variant. A mistake is PP_BAD_INPUT with the column, followed
- * on two more lines by the text and a caret below the place. */
+ * by two lines: the text, and a caret below the mistake. */
 enum pp_status pp_variant_add(struct pp_variant_list *variants, const char *text,
                               struct pp_error *err);
 void pp_variant_clear(struct pp_variant_list *variants);

@@ -84,7 +84,7 @@ static double share_inside(const struct pair *pair, int count)
     return pair->irc->points[darkest].value / pair->df->points[darkest].value;
 }
 
-/* Depth over width of the room, depth measured from its largest upright opening; NAN
+/* Depth over width of the room, depth measured from its largest vertical opening; NAN
  * without one. */
 static double depth_over_width(const struct pp_world *world)
 {

@@ -26,7 +26,8 @@ enum pp_status pp_simulation_create(struct pp_simulation **simulation,
                                     const struct pp_engine_options *options,
                                     struct pp_error *err);
 
-/* The same in the matt scene of the report's world; the scene must outlive it, too. */
+/* The same in the diffuse scene of the report's world; the scene must outlive it,
+ * too. */
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
                                        const struct pp_engine *engine,
                                        const struct pp_light_scene *scene,

@@ -11,7 +11,7 @@
 #include "model/results/nomogram_sheet.h"
 
 /* Height of the scales on such a sheet, if its notes leave enough space: 200 mm on
- * upright A4. */
+ * vertical A4. */
 double pp_nomogram_chart_height_mm(const struct pp_canvas *canvas);
 
 /* Least spacing of marks, and of numbered marks, on the sheet. */

@@ -3,7 +3,7 @@
  *
  * The scale is the largest of the usual ones (1:1, 2, 5, 10, 20, 25, 50, 100 ...) that
  * fits the sheet, and is stated. Walls are cut at the working plane; openings in
- * upright faces are drawn as in architects' plans, others in outline from above.
+ * vertical faces are drawn as in architects' plans, others in outline from above.
  */
 #ifndef PP_CHARTS_ROOM_PLAN_CHART_H
 #define PP_CHARTS_ROOM_PLAN_CHART_H

@@ -9,8 +9,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Limits of a wedge's parts along the coordinate of the distance, the root of its
- * share. */
+/* Limits of the parts of a wedge, on the coordinate that is the square root of the
+ * distance's share of the wedge. */
 static const double cuts[] = {0.0, 0.45, 1.0};
 enum { CUTS = 2 };
 

@@ -1,18 +1,19 @@
-/* plane_wedges.h - the working plane in wedges that spread from an opening, each with its
- * own coordinates for an integral.
+/* plane_wedges.h - the working plane in wedges that spread from an opening, each with
+ * its own coordinates for an integral.
  *
  * A narrow opening lights a narrow strip, which a cubature over rectangles of the plane
- * would miss. So the plane is divided into wedges. Their apex in the plan is behind the
- * opening, where the lines between its jambs cross. The light of any opening fills its
- * wedges, and the result does not depend on the orientation of the room:
+ * would miss. The plane is therefore divided into wedges. Their apex in the plan is
+ * behind the opening, where the lines between its jambs cross. The light of any opening
+ * fills its wedges, and the result does not depend on the orientation of the room:
  *
- *     apex       behind the inside outline by half of its width w, or of the reveal r,
+ *     apex       behind the inside outline by half of its width w, or by the reveal r,
  *                whichever is more
- *     sides      tan = w/r off the normal at most: no light passes both outlines beyond
+ *     sides      at tan = w/r from the normal: light farther to the side does not pass
+ *                both outlines
  *
- * Between the sides there are wedges between all corners of a convex piece of the plane.
- * A rooflight, level or sloping, lights places on both sides of it in the plan: it has its
- * apex in its middle and wedges all round.
+ * Between the sides there are wedges between all corners of a convex piece of the
+ * plane. A rooflight, horizontal or sloping, lights places on both sides of it in the
+ * plan: its apex is in its middle, with wedges in all directions.
  */
 #ifndef PP_METHODS_AVERAGE_PLANE_WEDGES_H
 #define PP_METHODS_AVERAGE_PLANE_WEDGES_H
@@ -23,7 +24,8 @@
 struct pp_plane_centre {
     double apex[2];   /* in the plan (m) */
     double at[2];     /* the middle of the opening */
-    double facing[2]; /* unit vector into the room; 0, 0: light spreads all round */
+    double facing[2]; /* horizontal unit vector into the room; 0, 0: light spreads in
+                       * all directions */
     double tan_aside; /* tangent of the sides' angle with `facing`, at the apex;
                        * INFINITY: no sides */
 };

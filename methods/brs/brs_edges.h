@@ -6,12 +6,12 @@
  * in the reciprocal between the last printed column or row and infinity, and linear to
  * zero below the first. As published:
  *
- *   - jambs on both sides: the two readings added; to one side: the wider less the
- *     narrower
- *   - the upper edge less the lower edge; edges on both sides of the table's origin,
- *     possible for level glass: added
- *   - an obstruction: the same; its externally reflected component is its luminance
- *     factor times that
+ *   - readings of jambs on both sides of the origin are added; for jambs on one side the
+ *     narrower reading is subtracted from the wider one
+ *   - the reading of the lower edge is subtracted from that of the upper edge; for edges
+ *     on both sides of the origin (horizontal glass) both are added
+ *   - an obstruction is read in the same way, and its externally reflected component is
+ *     the reading times its luminance factor
  */
 #ifndef PP_METHODS_BRS_BRS_EDGES_H
 #define PP_METHODS_BRS_BRS_EDGES_H
@@ -26,12 +26,12 @@ struct pp_brs_cells {
     const double *cells;
 };
 
-/* A fraction; 0 unless both are above 0. */
+/* Sky component as a fraction; 0 unless both arguments are above 0. */
 double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double aside);
 
-/* Position of that reading in the table; up and aside are above 0. Rows count from 0
- * (infinity), with one extra row where the table ends in zero. Columns count from 0;
- * column -1 is likewise zero. Values between rows or columns are linear in these. */
+/* Position of a reading in the table; up and aside are above 0. Rows count from 0
+ * (infinity), with one extra row if the table ends in zero. Columns count from 0;
+ * column -1 is zero. Values between rows or columns are linear in these positions. */
 void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double aside,
                         double *row, double *column);
 

@@ -1,21 +1,21 @@
 /* brs_rooflight.c - `brs-table-rooflight`: sky component and externally reflected
  * component of rooflights by simplified daylight tables.
  *
- * The tables have the form of the vertical one (brs_table.c). Its source [HLG58]
- * contains tables of rooflights, too, but they were not available. The tables here were
- * calculated by quadrature under the same conditions: CIE overcast sky, clear single
- * glass, a point that faces up (bench/make_rooflight_tables.c). There is one for level
- * glass and one each for glass at 30 and 60 degrees. With d the perpendicular distance
- * of the plane of the glass:
+ * The tables have the form of the table for vertical windows (brs_table.c). The source
+ * [HLG58] also contains tables of rooflights, but they were not available. The tables
+ * here were calculated by quadrature under the same conditions: CIE overcast sky, clear
+ * single glass, a point that faces up (bench/make_rooflight_tables.c). There is one
+ * table for horizontal glass and one each for glass at 30 and 60 degrees. With d the
+ * perpendicular distance of the plane of the glass from the point:
  *
- *     level    T(l/d, w/d)  from straight above the point, to both sides alike
- *     sloping  T(s/d, w/d)  s up the slope, from where the plane of the glass meets the
- *                           point's level, as the vertical table's h
+ *     horizontal  T(l/d, w/d)  l and w from the point above the receiver, symmetrical
+ *     sloping     T(s/d, w/d)  s up the slope, from the line where the plane of the glass
+ *                              is at the point's height, like h of the vertical table
  *
- * Vertical windows are read off the vertical one, so that rooms with both have a value.
- * All are read alike (brs_edges.h). view/slope_rectangles.h says how openings and
- * obstructions become rectangles. The figures contain clear single glass; no frame, no
- * dirt.
+ * Vertical windows are read from the table of brs_table.c, so that rooms with windows
+ * and rooflights have a value. All tables are read in the same way (brs_edges.h).
+ * view/slope_rectangles.h describes the rectangles for openings and obstructions. The
+ * figures contain clear single glass; no frame, no dirt.
  */
 #include "methods/brs/brs_rooflight.h"
 

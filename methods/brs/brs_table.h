@@ -2,15 +2,15 @@
 #ifndef PP_METHODS_BRS_BRS_TABLE_H
 #define PP_METHODS_BRS_BRS_TABLE_H
 
-/* Sky component (a fraction, 0 to 0.15) of a window with its sill level with the point
- * and one jamb on the normal through the point, from h/d and w/d (each 0 to infinity;
- * 0 for negative ones). Equal to the printed value where there is one; the rules of
- * interpolation are in brs_table.c. */
+/* Sky component (a fraction, 0 to 0.15) of a window whose sill is at the height of the
+ * point and one of whose jambs is on the normal through the point, from h/d and w/d
+ * (each 0 to infinity; 0 for negative ones). Equal to the printed value where one is
+ * printed; the rules of interpolation are in brs_table.c. */
 double pp_brs_table_read(double h_over_d, double w_over_d);
 
-/* Position of that reading in the table; h/d and w/d are above 0. Rows run from 0
+/* Position of a reading in the table; h/d and w/d are above 0. Rows run from 0
  * (infinity) to 28 (0.1); row 29 is zero. Columns run from 0 (0.1) to 19 (infinity);
- * column -1 is zero. Values between rows or columns are linear in these. */
+ * column -1 is zero. Values between rows or columns are linear in these positions. */
 void pp_brs_table_place(double h_over_d, double w_over_d, double *row, double *column);
 
 /* Printed h/d of a row, w/d of a column, and value in per cent. */

@@ -109,8 +109,7 @@ static enum pp_status find_borders(struct borders *borders,
     return PP_OK;
 }
 
-/* The border nearest to the cell's middle, or the middle where no border is in the
- * cell. */
+/* The border nearest to the cell's middle, or the middle if the cell has no border. */
 static double cut_of(const struct borders *borders, const struct pp_pane_cell *cell,
                      int axis)
 {

@@ -1,5 +1,5 @@
-/* diffusing_pane.h - an unevenly lit diffusing pane: the illuminance of its outside,
- * and its direct component at a receiver.
+/* diffusing_pane.h - a non-uniformly lit diffusing pane: the illuminance of its
+ * outside, and its direct component at a receiver.
  *
  * The illuminance jumps where an obstruction touches the pane's plane, has kinks where
  * the plane of a surface meets the pane and at the heights of corners above the

@@ -38,8 +38,8 @@ struct pp_direct {
     struct pp_steps *steps; /* where steps are recorded; may be NULL */
 };
 
-/* Adds the components of a view to *sum. The glass is square to the view's `toward`. No
- * allocation for closed forms over rings of at most 64 corners. */
+/* Adds the components of a view to *sum. The glass is perpendicular to the view's
+ * `toward`. No allocation for closed forms over rings of at most 64 corners. */
 enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *visible,
                              struct pp_vec3 normal, const struct pp_glass *glass,
                              const struct pp_outside_light *light,

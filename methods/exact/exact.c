@@ -1,20 +1,21 @@
 /* exact.c - `exact`: the direct component without approximation.
  *
  * Sky component by closed form [ARVO95] for the overcast and uniform skies without
- * glass (to 1e-9 or 1e-15 of the open sky); with glass, and for the skies of ISO 15469 that
- * have no sun without it, by sums over edges (pane_light.h, to 1e-9 of the open sky), or by
- * quadrature where the method was not prepared; by quadrature for other skies of ISO 15469
- * (to 1e-9 without glass, 1e-6 with it), or by sums over edges too (to 1e-6 of the open sky)
- * where the method was prepared for the points of a plane. Externally reflected component by
- * the conventions in direct.h. Any number of windows, rooflights and sloping openings, any
- * receiver, any shape of room; reveals, skylines, blocks and free-standing surfaces.
+ * glass (to 1e-9 or 1e-15 of the open sky); with glass, and for the skies of ISO 15469
+ * that have no sun without it, by sums over edges (pane_light.h, to 1e-9 of the open
+ * sky), or by quadrature where the method was not prepared; by quadrature for other
+ * skies of ISO 15469 (to 1e-9 without glass, 1e-6 with it), or by sums over edges too
+ * (to 1e-6 of the open sky) where the method was prepared for the points of a plane.
+ * Externally reflected component by the conventions in direct.h. Any number of windows,
+ * rooflights and sloping openings, any receiver, any shape of room; reveals, skylines,
+ * blocks and free-standing surfaces.
  *
  * A diffusing pane is a Lambertian emitter of the light that falls on its outside:
  * exact where that light is the same all over the pane (nothing before the pane but
  * sky, ground and skylines without a distance), else to 1e-6 by polynomials over parts
  * of the pane (diffusing_pane.h, which says where the error is larger). The illuminance
  * of such panes is calculated once for a room where the method is prepared, else for
- * each receiver anew; the numbers are the same.
+ * each receiver again; the numbers are the same.
  */
 #include "methods/method.h"
 #include "methods/refusals.h"
@@ -32,8 +33,8 @@
 
 struct exact_tools {
     struct pp_pane_tables *tables;
-    /* The illuminance of unevenly lit diffusing panes: one item for each opening, empty
-     * for all others. */
+    /* The illuminance of non-uniformly lit diffusing panes: one item for each opening,
+     * empty for all others. */
     int count;
     struct pp_diffusing_pane panes[];
 };
@@ -90,7 +91,7 @@ static enum pp_status prepare_for_plane(void **tools, const struct pp_world *wor
 
 /* ---- diffusing panes ---- */
 
-/* Records the sum of an evenly lit pane: its illuminance outside, its transmittance,
+/* Records the sum of a uniformly lit pane: its illuminance outside, its transmittance,
  * and the configuration factor c of its visible part. */
 static void add_even_pane_steps(struct pp_steps *steps,
                                 const struct pp_exterior_light *outside, double c,
@@ -219,7 +220,7 @@ static enum pp_status evaluate_roughly(const struct pp_world *world,
     return direct_of(world, light, opening, receiver, true, tools, part, err);
 }
 
-/* An evenly lit diffusing pane has one luminance in all directions. */
+/* A uniformly lit diffusing pane has one luminance in all directions. */
 static double unity(const void *context, struct pp_vec3 u)
 {
     (void)context, (void)u;

@@ -1,5 +1,5 @@
-/* exterior.c - half a cube of views about a point outside, summed by direct.h, or the
- * open sky in closed form where no surface is in front of the plane. */
+/* exterior.c - a hemicube of views about a point outside, summed by direct.h, or the
+ * open sky in closed form if no surface is in front of the plane. */
 #include "methods/exact/exterior.h"
 
 #include <stdlib.h>
@@ -62,8 +62,8 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
         return PP_OK;
     }
 
-    /* Half a cube about the position: one face in front and half of each face beside
-     * it. */
+    /* Hemicube about the position: one face in front and half of each of the four faces
+     * beside it. */
     struct pp_frame frame = frame_about(normal);
     struct pp_vec3 a = frame.x, b = frame.y;
     struct pp_vec3 toward[5] = {normal, a, pp_vec_scale(a, -1.0), b,

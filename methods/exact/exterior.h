@@ -32,9 +32,9 @@ struct pp_exterior_light {
 };
 
 /* Illuminances of a plane through any position outside, with unit normal `normal`.
- * `face` is the index of the plane's own surface: it hides nothing, and only its
- * skylines count; -1: no such surface and no skylines. Closed form for the overcast and
- * uniform skies (errors of 1e-13), else quadrature to 1e-9. */
+ * `face` is the index of the surface in that plane, which hides nothing and whose
+ * skylines alone count; -1: no such surface and no skylines. Closed form for the
+ * overcast and uniform skies (errors of 1e-13), else quadrature to 1e-9. */
 enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           const struct pp_world *world,
                                           const struct pp_outside_light *light,

@@ -1,5 +1,5 @@
-/* integration_cells.h - a region of a view's plane as cells, each between two of its edges
- * and two lines across. For quadrature.c only. */
+/* integration_cells.h - divides a region of a view's plane into cells, each bounded by
+ * two edges of the region and two vertical lines. For quadrature.c only. */
 #ifndef PP_METHODS_EXACT_INTEGRATION_CELLS_H
 #define PP_METHODS_EXACT_INTEGRATION_CELLS_H
 

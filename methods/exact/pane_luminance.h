@@ -11,7 +11,7 @@
 struct pp_pane_luminance {
     const struct pp_sky *sky;
     const struct pp_glass *glass; /* no panes: unglazed */
-    struct pp_vec3 toward;        /* through the glass, square to it */
+    struct pp_vec3 toward;        /* unit normal of the pane, pointing out */
 };
 
 /* Luminance of the sky in direction u, of a surface of luminance 1, and of the sky at the
@@ -20,7 +20,7 @@ double pp_pane_luminance_sky(const void *context, struct pp_vec3 u);
 double pp_pane_luminance_unity(const void *context, struct pp_vec3 u);
 double pp_pane_luminance_horizon(const void *context, struct pp_vec3 u);
 
-/* Luminance of the sky at that horizon, without glass. */
+/* Luminance of the sky at the horizon in the azimuth of u, without glass. */
 double pp_pane_luminance_at_horizon(const struct pp_sky *sky, struct pp_vec3 u);
 
 #endif

@@ -19,7 +19,8 @@
 struct pp_sky_view {
     const struct pp_world *world; /* not owned */
     struct pp_vec3 normal;
-    struct pp_visible *visible; /* by opening; without patches where nothing is seen */
+    struct pp_visible *visible; /* one for each opening; without patches if nothing
+                                 * is visible */
 };
 
 /* On success the caller clears *view. */

@@ -117,8 +117,8 @@ static int find_cuts(double cuts[2], const struct pp_arc_spacing *spacing,
                      struct pp_vec3 a, struct pp_vec3 edge)
 {
     const struct pp_vec3 cusp = *spacing->cusp;
-    /* Planes through the eye: one through the cusp and square to the edge's plane, one
-     * of the meridian. */
+    /* Planes through the eye: one through the cusp and perpendicular to the edge's
+     * plane, one of the meridian. */
     const struct pp_vec3 planes[2] = {pp_vec_cross(cusp, pp_vec_cross(a, edge)),
                                       pp_vec_cross(spacing->axis, cusp)};
     int count = 0;

@@ -37,8 +37,8 @@ struct pp_arc_nodes {
 /* The sum over the nodes of weight times a.across times B. */
 typedef double pp_arc_potential(const void *context, const struct pp_arc_nodes *nodes);
 
-/* A plane through the eye, square to `axis`, near which the potential bends: within about
- * `width` of axis.u = 0. */
+/* A plane through the eye, perpendicular to `axis`, near which the potential bends:
+ * within about `width` of axis.u = 0. */
 struct pp_arc_bend {
     struct pp_vec3 axis;
     double width;
@@ -50,7 +50,7 @@ struct pp_arc_spacing {
     int bend_count;
     struct pp_arc_bend bends[2];
     const struct pp_vec3 *cusp; /* a direction (unit) where f has a cusp, or NULL */
-    struct pp_vec3 axis;        /* of the potential, where there is a cusp */
+    struct pp_vec3 axis;        /* axis of the potential, if there is a cusp */
 };
 
 /* Sum (1) over the part of a ring within the half-spaces. Vertices are relative to the

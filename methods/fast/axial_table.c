@@ -16,7 +16,7 @@ static const double chebyshev[PP_AXIAL_POWERS] = {
     0.25881904510252076,  0.70710678118654752,  0.96592582628906829};
 
 /* The six functions of (2). If the axis is perpendicular to q, n and g, as that of a
- * vertical pane over a level plane, only the last two are needed. */
+ * vertical pane over a horizontal plane, only the last two are needed. */
 enum { K_1, K_C, K_CC, K_CS, K_S, K_SS };
 
 /* ---- the moments ---- */

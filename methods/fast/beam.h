@@ -24,7 +24,8 @@
 
 struct pp_beam;
 
-/* Memory of one thread for areas; begin with all zero, to be cleared. */
+/* Working memory of one thread for areas. Must be all zero at first; cleared by the
+ * caller. */
 struct pp_beam_space {
     struct pp_fragments open, cut;
     double (*xy)[2];

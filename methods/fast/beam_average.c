@@ -12,7 +12,8 @@ struct bearing_range {
 struct beam_integral {
     struct pp_kept_beam *beam;
     const struct pp_plane_light *light;
-    struct pp_vec3 out, across; /* horizontal: the opening's bearing, square to it */
+    struct pp_vec3 out, across; /* horizontal: the opening's bearing, and the
+                                 * direction perpendicular to it */
     double level,
         tilt;          /* u.w = level cos(altitude) cos(bearing) + tilt sin(altitude) */
     double bearing[2]; /* limits of the part */

@@ -31,8 +31,8 @@ static void add_piece_corner(struct pp_beam *beam, struct beam_piece *piece,
     beam->corners[piece->first + piece->count++] = v;
 }
 
-/* Adds a convex polygon in pieces of at most PP_FRAGMENT_CORNERS corners; `like` has
- * all other fields. */
+/* Adds a convex polygon in pieces of at most PP_FRAGMENT_CORNERS corners; all other
+ * members are copied from `like`. */
 static enum pp_status add_fan(struct pp_beam *beam, struct beam_pieces *pieces,
                               struct beam_piece like, const struct pp_vec3 *corners,
                               int count, struct pp_error *err)
@@ -186,7 +186,7 @@ static bool cannot_hide(const struct pp_beam *beam, struct pp_vec3 normal,
     return low >= -PP_OCCLUDERS_COPLANAR_M || high <= PP_OCCLUDERS_COPLANAR_M;
 }
 
-/* True if all of a block is outside the opening's face. */
+/* True if the whole block is outside the opening's face. */
 static bool is_block_outside(const struct pp_beam *beam, int index)
 {
     const struct pp_block *block = &beam->world->blocks[index];

@@ -1,6 +1,6 @@
-/* beam_tree.h - a hierarchy of the pieces outside, so that one direction tests only those which
- * may lie before the opening along it. For beam.c and beam_pieces.c only.
- */
+/* beam_tree.h - a hierarchy of the pieces outside, which limits the test of one
+ * direction to the pieces that may be in front of the opening along it. For beam.c and
+ * beam_pieces.c only. */
 #ifndef PP_METHODS_FAST_BEAM_TREE_H
 #define PP_METHODS_FAST_BEAM_TREE_H
 

@@ -1,9 +1,10 @@
-/* beams.h - the beams of a world's openings, and the areas along them once found.
+/* beams.h - the beams of a world's openings, and the areas along directions already
+ * evaluated.
  *
  * Methods that average over the working plane weight the same areas by different
- * lights. exact, both Waldram diagrams and both pepper-pot ones use mostly the same
- * directions, since their adaptive subdivisions begin alike. Each area is calculated
- * once, and so is a mean common to two methods.
+ * lights. The methods exact, waldram and pepper-pot in all their forms use mostly the
+ * same directions, because their adaptive subdivisions begin in the same way. Each area
+ * is calculated once, and so is a mean that two methods have in common.
  */
 #ifndef PP_METHODS_FAST_BEAMS_H
 #define PP_METHODS_FAST_BEAMS_H

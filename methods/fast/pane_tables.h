@@ -10,17 +10,17 @@
 struct pp_pane_tables;
 
 /* Makes tables of clear glass and of gradations, some 70 us each, valid for any
- * receiver. `plane` is the common normal of many receivers. For it, skies without such
- * a table are tabulated, too, to 1e-6, some 3 ms for each orientation; NULL: not
- * tabulated. *tables is the caller's, may outlive the world, and is read by any number
- * of threads. */
+ * receiver. `plane` is the common normal of many receivers: skies without a gradation
+ * table are tabulated for it to 1e-6, some 3 ms for each orientation; NULL: not
+ * tabulated. *tables is the caller's, may outlive the world, and may be read by any
+ * number of threads. */
 enum pp_status pp_pane_tables_create(struct pp_pane_tables **tables,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_vec3 *plane, struct pp_error *err);
 void pp_pane_tables_destroy(struct pp_pane_tables *tables); /* NULL is allowed */
 
-/* Table of the opening of that index. */
+/* Tables of the opening with this index. */
 const struct pp_pane_light *pp_pane_tables_at(const struct pp_pane_tables *tables,
                                               int opening);
 

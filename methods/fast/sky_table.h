@@ -5,10 +5,11 @@
  *
  *     f(u) = L(u) T(w.u) (n.u)
  *
- * with w through the pane, square to it, and L continued smoothly below the horizon.
- * All directions through the pane lie about w, so that w is the axis of arc_sum.h, and
- * the potential B is tabulated over the half space before the pane. A sun causes a cusp
- * of f; its circumsolar part, times the plane that touches the rest of f at the sun,
+ * with w through the pane, perpendicular to it, and L continued smoothly below the
+ * horizon. All directions through the pane lie about w, so that w is the axis of
+ * arc_sum.h, and the potential B is tabulated over the half space before the pane. A
+ * sun causes a cusp of f; its circumsolar part, times the plane that touches the rest
+ * of f at the sun,
  *
  *     c exp(d chi) [ G(s) + (u - s).grad G(s) ],   G = Lz phi(Z) T(w.u) (n.u)
  *
@@ -40,8 +41,8 @@ struct pp_sky_table;
 double pp_sky_table_gradation(const struct pp_sky *sky, double z);
 
 /* sky: of ISO 15469. view: the pane's axes; eye and distance do not matter. glass is
- * square to view->toward. normal: of the plane, in the room's axes. *table is the
- * caller's; several threads may read one table. */
+ * perpendicular to view->toward. normal: of the plane, in the room's axes. *table is
+ * the caller's; several threads may read one table. */
 enum pp_status pp_sky_table_create(struct pp_sky_table **table,
                                    const struct pp_sky *sky,
                                    const struct pp_glass *glass,

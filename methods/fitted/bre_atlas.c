@@ -82,8 +82,8 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
                                                     &at_point,
                                                     NULL};
 
-/* Refuses rooms without light or reflectances, as does the printed formula, which
- * divides by their sum. */
+/* Refuses rooms without light or reflectance, like the printed formula, which divides
+ * by their sum. */
 static const char *bre_atlas_refuses(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening,

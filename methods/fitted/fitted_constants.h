@@ -1,9 +1,9 @@
 /* fitted_constants.h - constants of the formulae that were fitted to simulated rooms,
  * as printed in their texts, and the data of the fit [ATLAS].
  *
- * bench/fit_formulae writes them, with their uncertainty: rooms of even number were
- * fitted, rooms of odd number are held out. docs/theory.md lists the forms that were
- * tried and their errors.
+ * bench/fit_formulae writes the constants, with their uncertainty: rooms with even
+ * numbers were fitted, rooms with odd numbers are held out. docs/theory.md lists the
+ * forms that were tried and their errors.
  */
 #ifndef PP_METHODS_FITTED_FITTED_CONSTANTS_H
 #define PP_METHODS_FITTED_FITTED_CONSTANTS_H

@@ -54,7 +54,7 @@ enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *worl
                                        const struct pp_outside_light *light,
                                        struct pp_error *err);
 
-/* Records all of these on the worksheet for one opening. tools: from
+/* Records all these quantities on the worksheet for one opening. tools: from
  * pp_fitted_light_prepare. */
 void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
                          const struct pp_world *world,

@@ -17,7 +17,7 @@
         "rho_l", PP_UNIT_NUMBER, "mean reflectance of these surfaces"                  \
     }
 
-/* Records them on the worksheet and returns them. */
+/* Records the four quantities on the worksheet and returns them. */
 struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_opening *opening);

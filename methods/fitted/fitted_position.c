@@ -1,5 +1,5 @@
-/* fitted_position.c - the extents of the room square to an opening's wall and along it,
- * the place of a receiver in them, and the two factors calculated. */
+/* fitted_position.c - the extents of the room perpendicular to an opening's wall and
+ * along it, the place of a receiver in them, and the two factors calculated. */
 #include "methods/fitted/fitted_position.h"
 
 #include "methods/fitted/fitted_constants.h"
@@ -72,7 +72,8 @@ const struct pp_formula pp_fitted_position_m_d = {
     .quantities = of_f_d,
 };
 
-/* q exp(-q x/d) / (1 - exp(-q)) without powers that would overflow, and 1 where q is 0. */
+/* q exp(-q x/d) / (1 - exp(-q)), written without powers that could overflow; 1 if q is
+ * 0. */
 const struct pp_formula pp_fitted_position_f_d = {
     .symbol = "f_d",
     .sum = "m_d exp((q_d - m_d) / 2 - q_d x / d_r) / (1 - exp(-m_d))",

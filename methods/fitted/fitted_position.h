@@ -22,7 +22,7 @@
  * [ATLAS].
  *
  *   x, y      from the opening's wall, and from its middle along the wall
- *   d_r, w_r  the room's depth and breadth, square to that wall and along it
+ *   d_r, w_r  the room's depth and breadth, perpendicular to that wall and along it
  *   h_r       its height
  *   w         breadth of the opening
  *

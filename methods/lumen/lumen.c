@@ -26,7 +26,7 @@
 #include "methods/reflected/well.h"
 #include "methods/refusals.h"
 
-/* A skyline higher than this is an obstruction (rad). */
+/* A skyline with a larger altitude than this counts as an obstruction (rad). */
 static const double free_below_rad = 1e-3;
 
 /* ---- formulae ---- */

@@ -1,13 +1,12 @@
 /* lumen_cavity.h - flux transfer in the room of the lumen method for light from above,
- * from which the coefficients of that table are made.
- */
+ * with which the table of coefficients for such light is made. */
 #ifndef PP_METHODS_LUMEN_LUMEN_CAVITY_H
 #define PP_METHODS_LUMEN_LUMEN_CAVITY_H
 
 /* Share of a Lambertian ceiling's flux that falls on the working plane, directly and by
- * interreflection: three zones (ceiling, walls, plane) of even exitance, in a room with
- * a square plan and that room cavity ratio, RCR = 5 h (L + W) / (L W), 0 or more. The
- * flux leaves openings spread over the ceiling. `ceiling` is the reflectance of the
+ * interreflection: three zones (ceiling, walls, plane) of uniform exitance, in a room
+ * with a square plan and that room cavity ratio, RCR = 5 h (L + W) / (L W), 0 or more.
+ * The flux leaves openings spread over the ceiling. `ceiling` is the reflectance of the
  * ceiling, its openings included; `plane` is that of the cavity below the working
  * plane. */
 double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane);

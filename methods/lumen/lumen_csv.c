@@ -1,5 +1,5 @@
-/* lumen_csv.c - cuts lines at their commas, reads the names of the columns, then the
- * lines of one of the two tables, and notes every mistake with its line. */
+/* lumen_csv.c - splits lines at commas, reads the names of the columns and then the
+ * lines of one of the two tables, and notes every mistake with its line number. */
 #include "methods/lumen/lumen_csv.h"
 
 #include <errno.h>
@@ -44,7 +44,7 @@ static const char *const column_names[] = {
     [CU] = "cu",
 };
 
-/* A line cut at its commas, without the white space round the fields. */
+/* A line split at its commas, without white space around the fields. */
 struct csv_fields {
     int count;
     char text[FIELDS_MOST][FIELD_LONGEST];
@@ -333,7 +333,7 @@ static void read_top(struct reader *reader, const struct csv_fields *fields)
     }
 }
 
-/* Reads one line of the file; false for lack of memory. */
+/* Reads one line of the file; false: out of memory. */
 static bool read_csv_line(struct reader *reader, const char *text, size_t length)
 {
     struct csv_fields fields;
@@ -343,7 +343,7 @@ static bool read_csv_line(struct reader *reader, const char *text, size_t length
     if (blank == length || text[0] == '#')
         return true;
     if (reader->columns > 0 && !reader->sound)
-        return true; /* nothing is read while the columns are wrong */
+        return true; /* nothing is read if the columns are wrong */
     if (!cut_csv_line(reader, &fields, text, length))
         return true;
     if (reader->columns == 0) {

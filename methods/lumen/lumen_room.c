@@ -46,8 +46,8 @@ static struct pp_vec3 normal_of(enum part part)
     return normals[part];
 }
 
-/* Cut positions of an extent from 0 to `high` in `count` pieces: finer towards 0 for
- * power > 1, towards `high` for power < -1. */
+/* Cut positions that divide the extent from 0 to `high` into `count` pieces: finer
+ * towards 0 if power > 1, finer towards `high` if power < -1. */
 struct cuts {
     double high, power;
     int count;
@@ -185,8 +185,8 @@ static double direct_at(const struct pp_lumen_room *room, const struct source *s
     return sum * (right - left) / 2.0;
 }
 
-/* The mean direct illuminance of a patch, by Gauss's rule of two points each way; in an
- * endless room at the middle of the width. */
+/* The mean direct illuminance of a patch, by Gauss's rule with two points in each
+ * direction; in a room of infinite width at the middle of the width. */
 static double direct_on(const struct pp_lumen_room *room, const struct source *source,
                         const struct patch *patch)
 {
@@ -316,7 +316,7 @@ enum pp_status pp_lumen_room_sky(struct pp_sky *sky, double ev_over_eh,
     if (ev_over_eh < 0.5)
         return PP_OK;
     const struct pp_vec3 out = {0.0, -1.0, 0.0};
-    /* The ratio falls as the sun rises. */
+    /* The ratio decreases with the sun's altitude. */
     double low = 1.0 * PP_RAD, high = 89.0 * PP_RAD;
     for (int i = 0; i < 40; i++) {
         double altitude = (low + high) / 2.0;

@@ -13,7 +13,8 @@
  *
  * Form factors between patches are in closed form (rectangle_factor.h), direct light is
  * by quadrature over the window, and the illuminances of the five points by the patches
- * are in closed form again; the one approximation is an even exitance over each patch.
+ * are in closed form again; the one approximation is a uniform exitance over each
+ * patch.
  *
  * A room of endless width is taken as 10,000 window heights wide, which changes the
  * illuminances in its middle by less than 1e-4.

@@ -78,8 +78,8 @@ static void polygon_range(double range[2], const struct pp_polygon *polygon,
     }
 }
 
-/* Are the windows in the same wall level with the opening, and are windows in other
- * walls opposite? Why not, or NULL. */
+/* Reason if a window in the same wall is not at the height of the opening, or if a
+ * window in another wall is not opposite; else NULL. */
 static const char *refuses_neighbours(const struct pp_world *world,
                                       const struct pp_opening *opening)
 {
@@ -105,8 +105,8 @@ static const char *refuses_neighbours(const struct pp_world *world,
     return NULL;
 }
 
-/* Is the stretch of wall beside the opening, on the side that `way` (1 or -1, along the
- * opening) points to, too long for windows spread along the wall? */
+/* True if the stretch of wall beside the opening is too long for windows spread along
+ * the wall. way: side, 1 or -1 along the opening. */
 static bool leaves_wall_bare(const struct pp_world *world,
                              const struct pp_opening *opening, double way)
 {
@@ -127,8 +127,8 @@ static bool leaves_wall_bare(const struct pp_world *world,
     return gap_m > most_m + small;
 }
 
-/* Does no point of the plan lie farther from the nearest rooflight than the ceiling is
- * high above the working plane? Tested on a grid of 32 by 32. */
+/* True if no point of the plan is farther from the nearest rooflight than the height of
+ * the ceiling above the working plane. Tested on a grid of 32 by 32. */
 static bool is_spread(const struct pp_world *world)
 {
     enum { GRID = 32 };

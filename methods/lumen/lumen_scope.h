@@ -1,23 +1,23 @@
-/* lumen_scope.h - which rooms and openings the lumen method is made for.
- */
+/* lumen_scope.h - the rooms and openings that the lumen method covers. */
 #ifndef PP_METHODS_LUMEN_LUMEN_SCOPE_H
 #define PP_METHODS_LUMEN_LUMEN_SCOPE_H
 
 #include "model/room/world.h"
 
-/* Why the method does not apply to a room, as a sentence, or NULL: the room is no box
- * with a level ceiling, has free-standing or self-luminous surfaces, or its floor
- * reflectance is not 0.10 to 0.50 (the tables have 0.30). */
+/* Reason why the method does not cover a room, as a sentence, or NULL. The room must be
+ * a box with a horizontal ceiling, without free-standing or self-luminous surfaces, and
+ * with a floor reflectance of 0.10 to 0.50 (the tables have 0.30). */
 const char *pp_lumen_scope_refuses_room(const struct pp_world *world);
 
 /* Reason why the method does not cover an opening of a covered room, as the end of a
  * sentence that begins with the opening, or NULL. A window must be a vertical rectangle
  * of clear glass without obstructions. Its sill must be within 0.30 m of the working
- * plane, and its reveal at most a fifth of its height deep. It must be level with the
- * other windows of its wall, at most its height from the wall's ends and twice that
- * from its neighbours. The windows of a room must be in one wall or two opposite ones.
- * A rooflight must be level, and no point of the plan farther from the nearest
- * rooflight than the ceiling is high above the working plane. */
+ * plane, and the depth of its reveal at most a fifth of its height. It must have the
+ * same height above the floor as the other windows of its wall, at most its own height
+ * from the ends of the wall and at most twice that from its neighbours. The windows of
+ * a room must be in one wall or two opposite ones. A rooflight must be horizontal, and
+ * no point of the plan may be farther from the nearest rooflight than the height of the
+ * ceiling above the working plane. */
 const char *pp_lumen_scope_refuses_opening(const struct pp_world *world,
                                            const struct pp_opening *opening);
 

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The index of `value` on the axis, where it is inserted in order if it is new; -1: the
- * axis is full. */
+/* The index of `value` on the axis; a new value is inserted in order. -1: the axis is
+ * full. */
 static int insert_on(struct pp_lumen_axis *axis, double value)
 {
     int i = 0;
@@ -60,8 +60,8 @@ static double *cells_create(size_t count)
     return cells;
 }
 
-/* Collects the axes of the lines; false, with a mistake noted, where one is too
- * long. */
+/* Collects the axes of the lines. False if an axis is too long, which is noted as a
+ * mistake. */
 static bool collect_axes(struct pp_lumen_side_table *table,
                          const struct pp_lumen_line *lines, int count,
                          struct pp_mistakes *mistakes)

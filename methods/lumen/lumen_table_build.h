@@ -12,7 +12,7 @@ struct pp_lumen_line {
     double ceiling, walls, depth;
     int position;
     const double *cu; /* one for each width; not owned */
-    int line;         /* in the file, 0 where none */
+    int line;         /* line in the file, 0 if none */
 };
 
 /* One line of a table for light from above. */

@@ -15,7 +15,7 @@ double pp_rectangle_factor_area(const struct pp_aligned_rectangle *rectangle)
     return area_m2;
 }
 
-/* a b atan(a / b), 0 where there is no b. */
+/* a b atan(a / b), 0 if b is 0. */
 static double arc(double a, double b)
 {
     return b > 0.0 ? a * b * atan(a / b) : 0.0;
@@ -35,7 +35,7 @@ static double parallel(double u, double v, double z)
            / (2.0 * PP_PI);
 }
 
-/* G of rectangles square to one another. */
+/* G of perpendicular rectangles. */
 static double square(double x, double s, double t)
 {
     double r2 = x * x + s * s;
@@ -65,8 +65,8 @@ static double exchange_parallel(const struct pp_aligned_rectangle *a,
     return sum;
 }
 
-/* The lower (which 0) or upper bound of the distance of r from a plane square to `axis`
- * at `place`. */
+/* The lower (which = 0) or upper bound of the distance of r from a plane normal to
+ * `axis` at `place`. */
 static double distance(const struct pp_aligned_rectangle *r, int axis, double place,
                        int which)
 {

@@ -23,11 +23,12 @@ double pp_rectangle_factor_area(const struct pp_aligned_rectangle *rectangle);
  *       G = 1/(2 pi) [ v sqrt(u^2 + z^2) atan(v / sqrt(u^2 + z^2))
  *                    + u sqrt(v^2 + z^2) atan(u / sqrt(v^2 + z^2))
  *                    - z^2/2 ln(u^2 + v^2 + z^2) ]
- *     square to one another, x and s from the line where their planes meet, t along it:
+ *     perpendicular, x and s from the line where the planes meet, t along that line:
  *       G = 1/(2 pi) [ t sqrt(x^2 + s^2) atan(t / sqrt(x^2 + s^2))
  *                    - (x^2 + s^2 - t^2)/4 ln(x^2 + s^2 + t^2) ]
  *
- * Errors are 1e-15 times the square of the largest distance between them. */
+ * Errors are 1e-15 times the square of the largest distance between them.
+ */
 double pp_rectangle_factor_exchange_area(const struct pp_aligned_rectangle *a,
                                          const struct pp_aligned_rectangle *b);
 

@@ -49,7 +49,7 @@ static const char *nomogram_refuses_room(const struct pp_world *world,
     return why ? why : pp_nomogram_reading_refuses_room(world);
 }
 
-/* Records the quantities that were put in, set on scales and read. */
+/* Records the quantities entered, set on scales and read. */
 static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomogram,
                       const struct pp_nomogram_reading *reading)
 {

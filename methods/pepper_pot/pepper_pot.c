@@ -8,8 +8,8 @@
  *     ERC = luminance factor x dots on obstructions x 0.1 %
  *
  * For vertical openings, clear glass or none, the overcast or the uniform sky, and
- * points that face up or are upright (for each direction that an upright one faces, a
- * diagram of its own).
+ * receivers that face up or are vertical. Each direction of vertical receivers has its
+ * own diagram.
  */
 #include <stdlib.h>
 

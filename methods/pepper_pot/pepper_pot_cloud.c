@@ -13,8 +13,8 @@
 enum { RINGS = 180, CELLS = 240 };
 static const double d_psi = 2.0 * PP_PI / CELLS;
 
-/* The receiver's normal and two directions square to it. Azimuths about the normal
- * begin on the side away from the glass. */
+/* The receiver's normal and two directions perpendicular to it. Azimuths about the
+ * normal begin on the side away from the glass. */
 struct frame {
     struct pp_vec3 normal, first, second;
     bool is_mirror; /* the light is the same at azimuths to the left and right */
@@ -34,7 +34,7 @@ static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes 
     return (struct frame){normal, first, second, is_mirror};
 }
 
-/* The unit vector of an azimuth, square to the normal. */
+/* The unit vector of an azimuth, perpendicular to the normal. */
 static struct pp_vec3 aside_at(const struct frame *frame, double psi)
 {
     struct pp_vec3 u = pp_vec_scale(frame->first, cos(psi));
@@ -107,8 +107,8 @@ static double ascending_position(const double *ascending, int count, double valu
     return low + step_share(ascending[low], ascending[low + 1], value);
 }
 
-/* Least cosine to the glass's normal: dots of cells that the glass plane cuts are
- * placed in front of it. */
+/* Least cosine of a dot's direction with the normal of the glass: dots of cells that
+ * the glass plane cuts are placed in front of that plane. */
 static const double least_cosine = 1e-3;
 
 static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,

@@ -38,8 +38,8 @@ struct pp_pepper_pot {
     struct pp_glass glass; /* clear single, or none */
     bool
         upright; /* true: the receiver is a vertical plane; false: horizontal, face up */
-    double facing_rad; /* azimuth of an upright receiver's normal from straight ahead,
-                        * positive to the right */
+    double facing_rad; /* azimuth of a vertical receiver's normal from straight
+                        * ahead, positive to the right */
     double worth;      /* of a dot */
     double whole;      /* worth of all dots together: the light of an infinite window */
     struct pp_glass_curve losses;           /* of the glass */
@@ -53,7 +53,7 @@ struct pp_pepper_pot {
 };
 
 /* Makes the dots. A sky other than overcast or uniform, and a worth outside 1e-5 ...
- * 0.1, are refused; facing_rad is used for an upright receiver only. */
+ * 0.1, are refused; facing_rad is used for a vertical receiver only. */
 enum pp_status pp_pepper_pot_dots_create(struct pp_pepper_pot **pot,
                                          const struct pp_sky *sky, bool glazed,
                                          bool upright, double facing_rad, double worth,

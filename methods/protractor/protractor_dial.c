@@ -9,8 +9,8 @@
 
 static const double between_semicircles_rad = 10.0 * PP_RAD;
 
-/* The auxiliary scale is indeterminate at the ends of the primary one, where the strip
- * has no width; it is evaluated at this distance from them (rad). */
+/* The auxiliary scale is indeterminate at the ends of the primary scale, where the
+ * strip has no width; it is evaluated at this distance (rad) from the ends. */
 static const double end_rad = 1e-4;
 
 /* The cubic with these values and slopes at both ends of a step, at t in 0..1. */
@@ -144,7 +144,7 @@ void pp_protractor_dial_init(struct pp_protractor_dial *dial,
     for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++) {
         double average = k * between_semicircles_rad;
         if (k > 0 && dial->semicircles[k - 1].average_rad > dial->range_rad) {
-            dial->semicircles[k] = dial->semicircles[k - 1]; /* beyond the end, too */
+            dial->semicircles[k] = dial->semicircles[k - 1]; /* also beyond the end */
             dial->semicircles[k].average_rad = average;
             dial->semicircles[k].cos_average = cos(average);
         } else {

@@ -1,16 +1,16 @@
 /* protractor_read.c - an opening read with a protractor [BRE309], rectangle by
  * rectangle.
  *
- * A vertical opening and its obstructions are the upright rectangles of elevation.h,
+ * A vertical opening and its obstructions are the vertical rectangles of elevation.h,
  * each read by itself. With d the distance of the opening's plane, an edge at the
  * height z and a jamb at x are seen on section and plan under
  *
  *     tan gamma = z / d,   tan phi = x / d.
  *
- * The plane of an opening at the slope beta (0 level, 90 degrees vertical) is at the
+ * The plane of an opening at the slope beta (0 horizontal, 90 degrees vertical) is at the
  * perpendicular distance d from the point; b and x are measured in the plane from the
- * foot of that perpendicular, b up the slope. The section, square to the opening's
- * level edges, shows an edge at b under
+ * foot of that perpendicular, b up the slope. The section, perpendicular to the
+ * opening's horizontal edges, shows an edge at b under
  *
  *     tan gamma = (b sin beta + d cos beta) / (d sin beta - b cos beta),
  *
@@ -20,12 +20,12 @@
  *
  *     tan theta = x sin(gamma + beta) / d.
  *
- * (For beta = 90 degrees that is tan phi cos gamma.) All edges of a level opening are
- * level: its section is square to the longer ones, since the average altitude is most
- * accurate for long narrow strips. Any other shape is read as a rectangle of equal
- * area, with the same middle and proportions. An obstruction is read as the rectangle
- * of equal area with the jambs of the hidden part and its edge nearer to the zenith;
- * the readings of obstructions are subtracted from that of the opening.
+ * (For beta = 90 degrees that is tan phi cos gamma.) All edges of a horizontal opening
+ * are horizontal: its section is perpendicular to the longer ones, since the average
+ * altitude is most accurate for long narrow strips. Any other shape is read as a
+ * rectangle of equal area, with the same middle and proportions. An obstruction is read
+ * as the rectangle of equal area with the jambs of the hidden part and its edge nearer
+ * to the zenith; the readings of obstructions are subtracted from that of the opening.
  */
 #include "methods/protractor/protractor_read.h"
 

@@ -12,7 +12,7 @@
  * for an opening whose outer side faces down. */
 double pp_protractor_read_slope(const struct pp_opening *opening);
 
-/* The protractor for an opening; PP_BAD_INPUT where there is none. */
+/* Chooses the protractor for an opening; PP_BAD_INPUT if there is none. */
 enum pp_status pp_protractor_read_choose(struct pp_protractor *protractor,
                                          const struct pp_sky *sky,
                                          const struct pp_opening *opening,
@@ -36,8 +36,8 @@ void pp_protractor_read_work(struct pp_protractor_readings *readings);
 extern const struct pp_formula pp_protractor_read_initial; /* i */
 extern const struct pp_formula pp_protractor_read_width;   /* K */
 extern const struct pp_formula
-    pp_protractor_read_no_width; /* K, if the reading of the right jamb is left of the
-                                  * left one */
+    pp_protractor_read_no_width; /* K, if the right jamb is to the left of the left
+                                  * one */
 extern const struct pp_formula pp_protractor_read_sc, pp_protractor_read_e,
     pp_protractor_read_erc;
 extern const struct pp_formula

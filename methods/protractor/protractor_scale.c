@@ -64,7 +64,7 @@ void pp_protractor_scale_densities(double *densities,
     struct pp_angle gamma = pp_angle_of(gamma_rad);
     double through = sin(gamma_rad + protractor->slope_rad), up = gamma.sine;
     if (protractor->receiver != PP_PROTRACTOR_UP)
-        up = fmax(up, 1e-12); /* the limit at the horizon, whose sky counts here */
+        up = fmax(up, 1e-12); /* the limit at the horizon, whose sky is included */
     for (int i = 0; i < count; i++) {
         double across = thetas[i].cosine, cos_i = across * through;
         densities[i] = 0.0;

@@ -2,11 +2,11 @@
  * and sky without azimuth.
  *
  * A protractor represents an endless strip of sky above horizontal edges parallel to
- * the glass [BRE309]. In the section square to the glass a sight line has the altitude
- * gamma, from 0 on the horizon in front of the glass over 90 degrees at the zenith to
- * 180 degrees behind it; theta is the angle of a direction out of that section, within
- * the tilted plane that holds the sight line and the line through the point parallel to
- * the edges:
+ * the glass [BRE309]. In the section perpendicular to the glass a sight line has the
+ * altitude gamma, from 0 on the horizon in front of the glass over 90 degrees at the
+ * zenith to 180 degrees behind it; theta is the angle of a direction out of that
+ * section, within the tilted plane that holds the sight line and the line through the
+ * point parallel to the edges:
  *
  *     u = cos theta (cos gamma, sin gamma) + sin theta along
  *     dSC = L(u) tau(cos i) sin gamma cos^2 theta dtheta dgamma,
@@ -22,12 +22,12 @@
  *
  * The horizontal receiver lies at the protractor's centre. Fractions of Eh.
  *
- * For an upright receiver the weight sin gamma cos theta of a direction is replaced by
+ * For a vertical receiver the weight sin gamma cos theta of a direction is replaced by
  * cos gamma cos theta for a receiver that faces straight ahead, or by sin theta for a
- * receiver that faces square to the section. The scales of the latter count one side
- * only, since both sides cancel. A receiver at the azimuth psi reads cos psi times the
- * first plus sin psi times the second. Straight ahead and without glass F is the light
- * of a vertical plane from below an endless skyline of the angle gamma, VSC(0) -
+ * receiver that faces perpendicular to the section. The scales of the latter count one
+ * side only, since both sides cancel. A receiver at the azimuth psi reads cos psi times
+ * the first plus sin psi times the second. Straight ahead and without glass F is the
+ * light of a vertical plane from below an endless skyline of the angle gamma, VSC(0) -
  * VSC(gamma).
  */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
@@ -40,9 +40,10 @@
 
 /* Receiver of the light. */
 enum pp_protractor_receiver {
-    PP_PROTRACTOR_UP,    /* a level plane that faces up */
-    PP_PROTRACTOR_AHEAD, /* an upright one that faces straight ahead, to the glass */
-    PP_PROTRACTOR_ASIDE, /* an upright one square to that; one side only, doubled */
+    PP_PROTRACTOR_UP,    /* a horizontal plane that faces up */
+    PP_PROTRACTOR_AHEAD, /* a vertical plane that faces the glass */
+    PP_PROTRACTOR_ASIDE, /* a vertical plane perpendicular to the glass; one side
+                          * only, doubled */
 };
 
 struct pp_protractor {
@@ -58,15 +59,15 @@ struct pp_protractor {
 enum pp_status pp_protractor_scale_published(struct pp_protractor *protractor,
                                              int number, struct pp_error *err);
 
-/* The number under which such a protractor was published; 0 if it was not (other glass
- * than clear single, another slope or sky). */
+/* Number under which such a protractor was published; 0 if it was not (glass other than
+ * clear single glass, another slope or sky). */
 int pp_protractor_scale_number(const struct pp_protractor *protractor);
 
 /* End of the primary scale, up to which light reaches the glass from below: pi - slope
  * with glass, pi without. */
 double pp_protractor_scale_range(const struct pp_protractor *protractor);
 
-/* dSC / (dtheta dgamma) of the head of this file. */
+/* dSC / (dtheta dgamma), as defined at the head of this file. */
 double pp_protractor_scale_density(const struct pp_protractor *protractor,
                                    double gamma_rad, double theta_rad);
 
@@ -97,9 +98,9 @@ double pp_protractor_scale_angle(const struct pp_protractor *protractor, double 
 double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
                                      double gamma_rad, double theta_rad);
 
-/* The angle out of the section of a jamb that stands at an azimuth (-pi/2 to pi/2 from
- * the normal) on the plan, for an average altitude gamma below pi/2: tan theta =
- * tan azimuth cos gamma. */
+/* Angle from the section of a jamb whose azimuth on the plan is -pi/2 to pi/2 from the
+ * normal, for an average altitude gamma below pi/2: tan theta = tan azimuth cos
+ * gamma. */
 double pp_protractor_scale_theta(double cos_gamma, struct pp_angle azimuth);
 
 #endif

@@ -1,13 +1,13 @@
 /* protractor_upright.c - `protractor-upright`: direct component at vertical receivers,
  * by protractors in the manner of the published ones [BRE309].
  *
- * The published protractors are for points that face up. For upright receivers there
+ * The published protractors are for points that face up. For vertical receivers there
  * are two of the same construction (protractor_scale.h): one for a receiver that faces
  * the window squarely and one for a receiver at right angles to that. At an azimuth psi
  * from the window's normal the reading is cos psi times the first plus sin psi times
  * the second:
  *
- *   1. the window is cut where the receiver's own plane meets it, which are upright lines
+ *   1. the window is cut where the receiver's own plane meets it, along vertical lines
  *   2. both primary scales at the upper and at the lower sight line: i and j
  *   3. both auxiliary scales at the jambs, for the average altitude: K, as on the published
  *      ones, and J, which is the right jamb's less the left one's on either side

@@ -138,7 +138,7 @@ static enum pp_status evaluate_bre_table(const struct pp_world *world,
         return status;
     struct pp_irc_minimum_entry entry = entry_of(world);
     if (terms.W <= 0.0 || (terms.R_fw <= 0.0 && terms.R_cw <= 0.0))
-        return PP_OK; /* no glass, or only black surfaces are lit first */
+        return PP_OK; /* no glass, or only black surfaces receive light first */
     struct pp_worksheet *sheet = &part->sheet;
     put_reading(sheet, &entry);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_W, opening);

@@ -1,10 +1,11 @@
 /* bre_terms.h - the BRE inter-reflection formula [HLP54], [BRE310] and its terms for
  * one opening.
  *
- * The formula is written here once: `bre` evaluates it, `bre-min` divides it,
- * `bre-table` uses its last factor, and the nomograms represent it by scales. As given
- * in [GEEBELEN]. Several openings add up, each with its own W, C, R_fw and R_cw and the
- * common A and R; in R_fw and R_cw the openings of the other walls count with 0.1.
+ * The formula is defined only here: `bre` evaluates it, `bre-min` divides it,
+ * `bre-table` uses its last factor, and the nomograms represent it by scales. The
+ * notation is that of [GEEBELEN]. Several openings add up, each with its own W, C, R_fw
+ * and R_cw and the common A and R; in R_fw and R_cw the openings of the other walls
+ * count with 0.1.
  */
 #ifndef PP_METHODS_REFLECTED_BRE_TERMS_H
 #define PP_METHODS_REFLECTED_BRE_TERMS_H

@@ -5,8 +5,8 @@
  * [DRE54]. His own formula was not available; this one is derived from that principle,
  * under these conditions: light from above the horizon falls on the lower part first,
  * light from the ground on the upper part; each part is diffuse, of one reflectance and
- * evenly lit, openings with 0.1; the two exchange light through the horizontal plane of
- * area S between them. A part of area A_u sends the share S/A_u of its light to the
+ * uniformly lit, openings with 0.1; the two exchange light through the horizontal plane
+ * of area S between them. A part of area A_u sends the share S/A_u of its light to the
  * plane and the rest to itself. So, seen through the plane, its reflectance is
  *
  *     k_u = rho_u S/A_u / (1 - rho_u (1 - S/A_u))

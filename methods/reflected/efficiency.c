@@ -15,7 +15,7 @@
  * For other slopes the same rule applies to the exact light of the sky on the glass.
  * The published tables of eta were not available, nor a rule for the ground's light.
  * Both are derived here, from the position and the slope of the opening, for a room of
- * three evenly lit zones, the plane, the ceiling and the walls between them.
+ * three uniformly lit zones, the plane, the ceiling and the walls between them.
  *
  *   - The share d of the sky's light falls directly on the plane, the rest on walls.
  *     d is calculated for the open sky at the opening's middle. Light reflected by the

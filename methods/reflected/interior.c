@@ -13,8 +13,8 @@ static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
                       pp_vec_cross(pp_vec_sub(a, o), pp_vec_sub(b, o)));
 }
 
-/* Point where the edge from a to b crosses the level plane at z; z lies between a and
- * b. */
+/* Point where the edge from a to b crosses the horizontal plane at z; z lies between a
+ * and b. */
 static struct pp_vec3 level_crossing_point(struct pp_vec3 a, struct pp_vec3 b, double z)
 {
     return pp_vec_along(a, (z - a.z) / (b.z - a.z), pp_vec_sub(b, a));

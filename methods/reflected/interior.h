@@ -18,7 +18,7 @@
 
 struct pp_interior {
     double area_m2;
-    double reflectance; /* area-weighted mean; 0 where there is no area */
+    double reflectance; /* area-weighted mean; 0 without area */
 };
 
 /* All inside surfaces, openings included: A and R. */
@@ -31,7 +31,8 @@ void pp_interior_put(struct pp_worksheet *sheet, const struct pp_interior *all);
  * their openings. */
 struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role);
 
-/* The same above the level plane at `z`, openings included with 0.1. */
+/* The same for the part above the horizontal plane at `z`, including openings with
+ * 0.1. */
 struct pp_interior pp_interior_role_above(const struct pp_world *world,
                                           enum pp_role role, double z);
 
@@ -56,12 +57,12 @@ struct pp_interior_parts pp_interior_split(const struct pp_world *world, double 
 struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
                                                    double z, int left_out);
 
-/* Area of the room's section by the level plane at `z` (m2). Since the envelope is
+/* Area of the room's section by the horizontal plane at `z` (m2). Since the envelope is
  * closed it equals the projected area of all surfaces below. */
 double pp_interior_section_m2(const struct pp_world *world, double z);
 
-/* Area of a polygon below the level plane at `z` (m2). For any simple plane polygon; a
- * level one counts whole if it is under the plane. */
+/* Area of a polygon below the horizontal plane at `z` (m2), for any simple plane
+ * polygon. The whole area of a horizontal polygon counts if it is below the plane. */
 double pp_interior_area_below(const struct pp_polygon *polygon, double z);
 
 #endif

@@ -28,7 +28,7 @@ const char *pp_irc_minimum_lacks(const struct pp_irc_minimum_entry *entry);
 struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *entry);
 
 /* Ratio of average to minimum of a room, 1.8 to 1.2, by the mean reflectance of the
- * walls; below 0.2 and above 0.8 that of the nearer end. */
+ * walls. Below 0.2 and above 0.8 it is the ratio at that end. */
 double pp_irc_minimum_average_ratio(double walls);
 
 #endif

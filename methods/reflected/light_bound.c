@@ -1,4 +1,4 @@
-/* light_bound.c - equations (1) and (2) of light_bound.h, on the safe side. */
+/* light_bound.c - equations (1) and (2) of light_bound.h, as conservative bounds. */
 #include "methods/reflected/light_bound.h"
 
 #include <math.h>

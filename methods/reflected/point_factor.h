@@ -1,5 +1,5 @@
 /* point_factor.h - the share of the light through a point that falls directly on a
- * level region: of diffuse light, and of the sky's. */
+ * horizontal region, for diffuse light and for light of the sky. */
 #ifndef PP_METHODS_REFLECTED_POINT_FACTOR_H
 #define PP_METHODS_REFLECTED_POINT_FACTOR_H
 
@@ -8,9 +8,10 @@
 #include "model/geometry/vec.h"
 #include "model/light/sky.h"
 
-/* Configuration factor [HSM16]: the share (0 to 1) of light that falls on the region in
- * the level plane at height z. The light leaves a surface at `from`, by the cosine
- * about `normal` (unit). The part of the region behind the surface is not counted. */
+/* Configuration factor [HSM16]: the share (0 to 1) of the diffuse light leaving a
+ * surface at `from` with the unit normal `normal` that falls on the region in the
+ * horizontal plane at height z. The part of the region behind the surface is not
+ * counted. */
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z);
 
@@ -21,8 +22,9 @@ double pp_point_factor_sky(struct pp_vec3 from, struct pp_vec3 normal,
                            const struct pp_region *region, double z,
                            const struct pp_sky *sky);
 
-/* Share of the sky's light from the point `from`, through a convex polygon below it, the
- * foot, of four edges at most, that falls straight on the region below, 0 to 1. */
+/* Share (0 to 1) of the sky's light at the point `from` that falls directly on the
+ * region below through a convex polygon between them, the foot of a well, with at most
+ * four edges. */
 double pp_point_factor_through(struct pp_vec3 from, const struct pp_polygon *foot,
                                const struct pp_region *region, double z,
                                const struct pp_sky *sky);

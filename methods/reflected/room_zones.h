@@ -1,5 +1,5 @@
-/* room_zones.h - the room over the working plane as three zones, each evenly lit: the
- * plane, the ceiling and the walls between them.
+/* room_zones.h - the room over the working plane as three zones, each uniformly lit:
+ * the plane, the ceiling and the walls between them.
  *
  * F is the form factor between plane and ceiling, m that from the walls to each of
  * them, rho_p, rho_c, rho_v the reflectances. The share u_w of light on the walls

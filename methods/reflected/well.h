@@ -11,7 +11,7 @@
  * The efficiencies are calculated from the geometry of the well, not read from a curve.
  * Direct sky light passes a section of the shaft in proportion to the overlap of glass
  * and section along the light. Light on the sides is exchanged between 12 bands, each
- * evenly lit and diffuse, by closed-form factors (lumen/rectangle_factor.h). Above
+ * uniformly lit and diffuse, by closed-form factors (lumen/rectangle_factor.h). Above
  * horizontal glass is the sky of the room file, the overcast sky in place of those of
  * ISO 15469; light through sloping glass or diffusing panes is assumed uniform. A well
  * that is not rectangular is replaced by a square one of the same index.

@@ -1,8 +1,8 @@
-/* block_bounds.h - bounds of the blocks in front of an opening, roughly the nearer ones
- * first. For elevation.c only.
+/* block_bounds.h - bounds of the blocks in front of an opening, roughly in order of
+ * distance. For elevation.c only.
  *
- * A room may have thousands of blocks outside, few of them visible: bounds find those
- * without testing their sides.
+ * A room may have thousands of blocks outside, of which few are visible. The bounds
+ * find these without testing the sides of each block.
  */
 #ifndef PP_METHODS_VIEW_BLOCK_BOUNDS_H
 #define PP_METHODS_VIEW_BLOCK_BOUNDS_H

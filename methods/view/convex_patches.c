@@ -42,8 +42,8 @@ static bool shows(const struct pp_fragment *fragment,
                                         &pieces->list[rings->of[fragment->owner]]));
 }
 
-/* Adds a patch of the fragments that show the light of `hider`, or the sky where that is
- * NULL; without rings, of all fragments. */
+/* Adds a patch of the fragments that show the light of `hider`, or the sky if hider is
+ * NULL. Without rings the patch has all fragments. */
 static enum pp_status add_patch(struct pp_visible *visible,
                                 const struct pp_fragments *fragments,
                                 const struct pp_occluder_rings *rings,
@@ -79,8 +79,8 @@ static enum pp_status add_patch(struct pp_visible *visible,
     return PP_OK;
 }
 
-/* Finds for each different light the first piece that has it, in order; the caller
- * frees *first. */
+/* Finds, for each different light, the first piece with that light, in order; the
+ * caller frees *first. */
 static enum pp_status find_lights(int **first, int *count,
                                   const struct pp_occluders *pieces,
                                   struct pp_error *err)

@@ -85,7 +85,7 @@ static bool is_seen_whole(const struct opening_drawing *drawing)
     return true;
 }
 
-/* The intersection of both outlines of an upright rectangle, above the horizon. All
+/* The intersection of both outlines of a vertical rectangle, above the horizon. All
  * corners of an outline are at the same distance, so two opposite ones define jambs,
  * sill and head. */
 static struct pp_elevation_part through_rectangle(const struct pp_opening *opening,

@@ -1,4 +1,4 @@
-/* elevation.h - an opening and the obstructions in front of it as upright rectangles,
+/* elevation.h - an opening and the obstructions in front of it as vertical rectangles,
  * for tables and protractors.
  *
  * Rectangles are measured as seen from a point, over the distance d of the point from
@@ -11,7 +11,7 @@
  * inside, becomes the rectangle of equal area with the same centroid and the
  * proportions of the bounding box, raised where it would extend below the horizon.
  *
- * Obstructions are upright rectangles too. The skyline of the opening's own wall hides
+ * Obstructions are vertical rectangles too. The skyline of the opening's own wall hides
  * all below its head, at h/d = (head - z)/(D + d), or at tan alpha for a skyline
  * without a distance. A block, a free-standing surface outside or another part of the
  * building becomes the rectangle with the jambs and the lower edge of its silhouette

@@ -1,10 +1,10 @@
-/* elevation_cover.h - areas certainly hidden by the obstructions drawn so far, where
- * nothing more need be drawn. For elevation.c only.
+/* elevation_cover.h - areas that are certainly hidden by the obstructions drawn so far,
+ * in which nothing more has to be drawn. For elevation.c only.
  *
- * The visible part of the opening is divided into vertical columns. Each stores the
- * height to which it is covered without a gap from its foot, and the farthest
- * obstruction needed for that. Nearly all obstructions stand on the ground, where this
- * is their skyline.
+ * The visible part of the opening is divided into vertical columns. For each column the
+ * height up to which it is covered without a gap is stored, with the farthest
+ * obstruction needed for that. Since nearly all obstructions stand on the ground, this
+ * is usually their skyline.
  */
 #ifndef PP_METHODS_VIEW_ELEVATION_COVER_H
 #define PP_METHODS_VIEW_ELEVATION_COVER_H

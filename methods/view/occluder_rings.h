@@ -30,9 +30,9 @@ enum pp_status pp_occluder_rings_cover(struct pp_fragments *open,
                                        const struct pp_occluder_rings *rings,
                                        struct pp_error *err);
 
-/* Removes pieces that others hide entirely, within the extent of the scene. one_light:
- * all pieces give off the same light, so that any may hide another; otherwise the
- * nearer one hides. */
+/* Removes pieces that other pieces hide entirely, within the extent of the scene.
+ * one_light: all pieces have the same reflectance and exitance, so that any may hide
+ * another; otherwise only a nearer piece hides. */
 enum pp_status pp_occluder_rings_drop_hidden(struct pp_occluders *pieces,
                                              const struct pp_occluders_scene *scene,
                                              bool one_light, struct pp_error *err);

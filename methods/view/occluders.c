@@ -8,8 +8,8 @@
 #include "model/geometry/clip.h"
 #include "model/geometry/min_max.h"
 
-/* Coordinates in the view's plane that differ by less than this share of its extent,
- * some rounding errors, count as equal. */
+/* Coordinates in the view's plane that differ by less than this share of its extent
+ * count as equal; the value is a few rounding errors. */
 #define GRAIN 2e-15
 
 /* Room for the planes that may cut a polygon: four of the pyramid, two of depth. */
@@ -262,7 +262,8 @@ static double reach(const struct block_in_view *block, struct pp_vec3 along)
     return far;
 }
 
-/* True if the block is beside the pyramid through the extent, or behind the eye. */
+/* True if the block is entirely outside the pyramid through the extent, or behind the
+ * eye. */
 static bool lies_beside(const struct block_in_view *block, const struct sides *pyramid)
 {
     for (int s = 0; s < CUTS; s++)

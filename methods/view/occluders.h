@@ -1,8 +1,9 @@
 /* occluders.h - the surfaces in a view, cut to the view and projected on to its plane.
  *
  * Surfaces are cut in space to the view's pyramid, so that no part behind the eye or
- * beside the opening is projected, and at the opening's plane: the part on the near
- * side is an occluder inside, the part on the far side an obstruction outside.
+ * outside the pyramid is projected. They are also cut at the opening's plane: the part
+ * on the near side is an occluder inside, the part on the far side an obstruction
+ * outside.
  */
 #ifndef PP_METHODS_VIEW_OCCLUDERS_H
 #define PP_METHODS_VIEW_OCCLUDERS_H
@@ -43,8 +44,8 @@ struct pp_occluders_scene {
     double low[2], high[2]; /* the outline's extent along x and y */
 };
 
-/* Adds the pieces of all surfaces. In a convex room without obstructions there are
- * none; it then takes well under a microsecond and allocates nothing. */
+/* Adds the pieces of all surfaces. A convex room without obstructions has none; the
+ * call then takes well under a microsecond and allocates nothing. */
 enum pp_status pp_occluders_collect(struct pp_occluders *inside,
                                     struct pp_occluders *outside,
                                     const struct pp_occluders_scene *scene,
@@ -59,7 +60,8 @@ struct pp_band {
 struct pp_band pp_occluders_band(const struct pp_world *world,
                                  const struct pp_skyline *skyline);
 
-/* Adds the visible part of such a skyline as a piece, behind all others. */
+/* Adds the visible part of a skyline without a distance as a piece behind all
+ * others. */
 enum pp_status pp_occluders_add_skyline(struct pp_occluders *outside,
                                         const struct pp_occluders_scene *scene,
                                         const struct pp_skyline *skyline,

@@ -8,8 +8,8 @@
 #include "methods/view/visible.h"
 #include "model/geometry/clipper.h"
 
-/* scene, in_parts and, for an outline that is no rectangle, clipper and open are set by
- * the caller; all else is zero. */
+/* The caller sets scene, in_parts and, for an outline that is no rectangle, clipper and
+ * open; all other members are zero. */
 struct pp_patch_builder {
     struct pp_occluders_scene scene;
     struct pp_occluders inside, outside;
@@ -21,7 +21,7 @@ struct pp_patch_builder {
     bool in_parts;              /* patches may be convex rings that meet */
 };
 
-/* Fills visible. The outline is builder->open or, where that is empty, the rectangle
+/* Fills `visible`. The outline is builder->open or, if that is empty, the rectangle
  * visible->ring. Without `with_outside`, obstructions and skylines are left out. */
 enum pp_status pp_patch_builder_fill(struct pp_visible *visible,
                                      struct pp_patch_builder *builder,

@@ -21,8 +21,8 @@ double pp_slope_rectangles_altitude(double b, struct pp_angle slope)
     return fmax(atan2(up, forward), 0.0);
 }
 
-/* The axes of plan and section, in the opening's plane: `along` its level edges, `up`
- * the slope. */
+/* The axes of plan and section, in the opening's plane: `along` its horizontal edges,
+ * `up` the slope. */
 struct axes {
     bool turned; /* for a horizontal opening: the axes are turned along its longer
                   * edges */

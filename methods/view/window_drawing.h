@@ -20,7 +20,8 @@
  * b up + out. */
 struct pp_window_axes {
     struct pp_vec3 along, up; /* unit, in the plane; along is horizontal */
-    struct pp_vec3 out;       /* unit, square to the plane, away from the point */
+    struct pp_vec3 out;       /* unit, perpendicular to the plane, away from the
+                               * point */
 };
 
 struct pp_drawn_part {
@@ -50,13 +51,13 @@ enum pp_status pp_window_drawing_of_view(struct pp_window_drawing *drawing,
                                          struct pp_error *err);
 void pp_window_drawing_clear(struct pp_window_drawing *drawing);
 
-/* Sky or externally reflected component of the part: the count times the worth of one
- * square or dot ("w" on the sheet). */
+/* Formulae of the sky component and the externally reflected component of a part: the
+ * count times the worth of one square or dot ("w" on the sheet). */
 extern const struct pp_formula pp_window_drawing_sc, pp_window_drawing_erc;
 extern const struct pp_formula *const pp_window_drawing_formulae[]; /* both, and NULL */
 
-/* Records `count` squares or dots ("things") of the next part, evaluates its component
- * and returns it. */
+/* Records that the next part has `count` squares or dots (`things`), evaluates its
+ * component and returns it. */
 double pp_window_drawing_work(struct pp_part_steps *terms,
                               const struct pp_drawn_part *part, double count,
                               const char *things);

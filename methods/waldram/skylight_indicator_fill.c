@@ -6,7 +6,7 @@
 #include "methods/waldram/waldram_scale.h"
 #include "methods/waldram/waldram_site.h"
 
-/* The altitude at which the diagram has that Y; 60 bisections reach machine
+/* The altitude that has this Y on the diagram; 60 bisections reach machine
  * precision. */
 static double altitude_of(const struct pp_waldram *waldram, double y)
 {
@@ -34,7 +34,7 @@ static void place_marks(struct pp_skylight_indicator_sheet *sheet,
     }
 }
 
-/* Extent of the plan over the distance of the lowest marks. */
+/* Extent of the plan, relative to the distance of the lowest marks. */
 #define REACH_BEYOND 1.06
 
 static enum pp_status fill_indicator_sheet(struct pp_skylight_indicator_sheet *sheet,

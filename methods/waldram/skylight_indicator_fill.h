@@ -1,7 +1,8 @@
 /* skylight_indicator_fill.h - fills a skylight indicator
- * (model/results/sheets/skylight_indicator_sheet.h): its marks, and the site of a window.
+ * (model/results/sheets/skylight_indicator_sheet.h): its marks, and the site of a
+ * window.
  *
- * The upright receiver's Waldram diagram is divided into 8 rows of equal height and 10
+ * The vertical receiver's Waldram diagram is divided into 8 rows of equal height and 10
  * columns of equal width; a mark stands for the middle of each cell, at
  *
  *     sin phi = (2 j + 1)/10 - 1,    Y(gamma) = (2 i + 1)/16 Y(pi/2)
@@ -23,7 +24,7 @@ enum pp_status pp_skylight_indicator_fill_blank(
     struct pp_skylight_indicator_sheet *sheet, const struct pp_sky *sky,
     struct pp_error *err);
 
-/* Fills the sheet for an upright opening of the world, by its index, under the CIE
+/* Fills the sheet for a vertical opening of the world, by its index, under the CIE
  * overcast sky. */
 enum pp_status pp_skylight_indicator_fill_site(
     struct pp_skylight_indicator_sheet *sheet, const struct pp_world *world,

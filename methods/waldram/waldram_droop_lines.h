@@ -1,4 +1,5 @@
-/* waldram_droop_lines.h - droop lines of Waldram's diagram: level edges as they appear in it.
+/* waldram_droop_lines.h - droop lines of Waldram's diagram: horizontal edges as they
+ * appear in it.
  *
  * With gamma the altitude and phi the azimuth from the window's normal [WW23]:
  *
@@ -12,9 +13,10 @@
 #include "methods/waldram/waldram_scale.h"
 #include "model/geometry/curve.h"
 
-/* Lines of the levels 10, 20 ... 80 degrees, in squares of `width` by `height`. nearest:
- * azimuth delta at which the edges are nearest (radians); NAN: edges perpendicular to the
- * window, on both sides. False if memory is out; the caller clears the list in any case. */
+/* Lines of horizontal edges at the altitudes 10, 20 ... 80 degrees, in squares of
+ * `width` by `height`. nearest: azimuth delta at which the edges are nearest (radians);
+ * NAN: edges perpendicular to the window, on both sides. False: out of memory; the
+ * caller clears the list in any case. */
 bool pp_waldram_droop_lines(struct pp_curve_list *curves,
                             const struct pp_waldram *waldram, double nearest,
                             double width, double height);

@@ -10,7 +10,7 @@
 
 enum { MOST_EVALUATIONS = 50000 };
 
-/* dX/dphi: 1 without glass, tau(cos phi)/tau(1) with it; cos phi for an upright
+/* dX/dphi: 1 without glass, tau(cos phi)/tau(1) with it; cos phi for a vertical
  * receiver. */
 static double x_density(const void *context, double azimuth)
 {

@@ -22,7 +22,7 @@
  *
  * Coordinates are fractions of Eh per unit area: a region's area is its sky component.
  *
- * The diagram of an upright receiver, used in [BR209] for the vertical sky component of
+ * The diagram of a vertical receiver, used in [BR209] for the vertical sky component of
  * a wall: cos i = cos gamma cos phi is a product already, so that without glass
  *
  *     dVSC = L(gamma) cos^2 gamma dgamma cos phi dphi = dX dY
@@ -50,7 +50,7 @@ struct pp_waldram {
     struct pp_sky sky;     /* without azimuth dependence */
     bool glazed;           /* with the losses of clear single vertical glass */
     bool upright;          /* the receiver is a wall's outside; else it faces up */
-    struct pp_vec3 facing; /* normal of an upright receiver, unit, horizontal */
+    struct pp_vec3 facing; /* normal of a vertical receiver, unit, horizontal */
     struct pp_glass glass; /* clear single, or none */
     double x[PP_WALDRAM_PANELS + 1]; /* X at even steps of azimuth from 0 to pi/2 */
     double y[PP_WALDRAM_PANELS + 1]; /* Y at even steps of altitude from 0 to pi/2 */
@@ -62,7 +62,7 @@ enum pp_status pp_waldram_scale_init(struct pp_waldram *waldram,
                                      const struct pp_sky *sky, bool glazed,
                                      struct pp_error *err);
 
-/* Makes the diagram of an upright receiver with that normal (unit, level), without
+/* Makes the diagram of a vertical receiver with that normal (unit, horizontal), without
  * glass. */
 enum pp_status pp_waldram_scale_init_upright(struct pp_waldram *waldram,
                                              const struct pp_sky *sky,
@@ -77,8 +77,8 @@ struct pp_vec3 pp_waldram_scale_direction(const struct pp_waldram *waldram,
                                           const struct pp_window_axes *axes,
                                           const double xy[2]);
 
-/* X of an azimuth from -pi to pi, odd in the azimuth; with glass constant from pi/2
- * on. */
+/* X of an azimuth from -pi to pi, odd in the azimuth; with glass X is constant from
+ * pi/2 on. */
 double pp_waldram_scale_x(const struct pp_waldram *waldram, double azimuth_rad);
 
 /* Y of an altitude, 0 to pi/2; 0 below the horizon. Relative error of both scales

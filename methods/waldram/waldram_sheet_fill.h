@@ -25,7 +25,7 @@ enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
                                           const struct pp_receiver *receiver,
                                           struct pp_error *err);
 
-/* The diagram of an upright receiver without windows; a sky with azimuth dependence is
+/* The diagram of a vertical receiver without windows; a sky with azimuth dependence is
  * refused. */
 enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
                                              const struct pp_sky *sky,

@@ -1,6 +1,6 @@
 /* waldram_site.c - the view from a wall in two vertical projections, to the right and
- * the left of its normal. They end close to the zenith, where the diagram has almost no
- * area. */
+ * to the left of its normal. The projections end close to the zenith, where the diagram
+ * has almost no area. */
 #include "methods/waldram/waldram_site.h"
 
 #include <stdlib.h>
@@ -9,8 +9,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Coordinates are rounded to this where figures are joined: areas change by less than
- * 1e-8. */
+/* Coordinates are rounded to this value when figures are joined; it changes areas by
+ * less than 1e-8. */
 #define SITE_GRID 0x1p-32
 
 struct site_view {

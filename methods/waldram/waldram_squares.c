@@ -17,7 +17,7 @@ enum { DEEPEST = 12 }; /* halvings of one straight edge */
  * 1e-4, relative. */
 static const double NEAR = 0.008;
 
-/* Tolerance within which an edge counts as plumb, in widths of a square. */
+/* Tolerance within which an edge counts as plumb, relative to the width of a square. */
 static const double PLUMB = 1e-9;
 
 void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,

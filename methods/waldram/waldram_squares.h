@@ -38,7 +38,7 @@ enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         const struct pp_window_axes *axes,
                                         const struct pp_region *region,
                                         struct pp_error *err);
-/* The same of a figure on the diagram, in X and Y. */
+/* Counts the squares of a figure on the diagram, in X and Y. */
 enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
                                                 const struct pp_waldram *waldram,
                                                 const struct pp_region *outline,

@@ -58,8 +58,8 @@ struct pp_surface_materials {
     int (*sides)[2]; /* indices of front and back; surfaces, then panes */
 };
 
-/* Makes the materials; equal ones usually share an entry. matt: surfaces without gloss
- * and colour. */
+/* Makes the materials; equal ones usually share an entry. diffuse: surfaces without
+ * gloss and colour. */
 enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
                                          const struct pp_world *world, bool matt,
                                          struct pp_error *err);

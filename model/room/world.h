@@ -50,7 +50,7 @@ struct pp_surface {
     double exitance; /* emitted by each side, over Eh */
     const struct pp_finish *finish; /* named in the file: for the front; for both
                                      * sides of blocks and free-standing surfaces.
-                                     * NULL: grey and matt. Reflectance is that of
+                                     * NULL: grey and diffuse. Reflectance is that of
                                      * `front` */
     int owner;     /* index of: a reveal's opening; a cover's wall (surface); a
                     * block; a facade; a skyline; the opening of a shade of this

@@ -1,7 +1,7 @@
 /* lanes.h - arithmetic on several numbers at once.
  *
  * The compiler's own vectors: an operator works on each number by itself, so that the
- * results are those of the same operations one by one, to the bit. A function is
+ * results are those of the same operations one by one, bit by bit. A function is
  * compiled twice: its body is written once as PP_LANES_BODY and called from a plain
  * function and from one marked PP_LANES_WIDE, for processors with registers of 256
  * bits. pp_lanes_are_wide tests the processor.

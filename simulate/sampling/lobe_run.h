@@ -5,7 +5,7 @@
 #include "model/geometry/frame.h"
 #include "simulate/sampling/lanes.h"
 
-/* Computes pp_lobe_sample_in_frame of u[0][i] and u[1][i], to the bit, for the first
+/* Computes pp_lobe_sample_in_frame of u[0][i] and u[1][i], bit by bit, for the first
  * `count`, at most PP_RUN_MOST; the rest, up to a multiple of PP_LANES, is
  * undefined. */
 void pp_lobe_run(const struct pp_frame *frame, double u[2][PP_RUN_MOST], int count,

@@ -3,8 +3,8 @@
  *
  * The inside surfaces are divided into cells (year_cells.h). Paths from a point or a
  * cell end at the next inside surface that is far enough for its cell to count as
- * evenly lit; at nearer surfaces paths continue. With E the illuminance at a receiver
- * without direct sun, of the points x and of the cells c:
+ * uniformly lit; at nearer surfaces paths continue. With E the illuminance at a
+ * receiver without direct sun, of the points x and of the cells c:
  *
  *     E_c = D_c + N_c s + G_c (E + s),     E_x = D_x + N_x s + G_x (E + s)         (1)
  *

@@ -9,15 +9,15 @@
  *     m = 1/(cos Z + 0.15 (93.885 - Z)^-1.253)          air mass, Z in degrees [KAS66]
  *     W = exp(0.07 Td - 0.075)                          precipitable water, cm
  *
- *     Ed  diffuse irradiance of a level plane, W/m2
- *     En  direct irradiance of a plane square to the sun, W/m2
+ *     Ed  diffuse irradiance of a horizontal plane, W/m2
+ *     En  direct irradiance of a plane perpendicular to the sun, W/m2
  *     E0  1367 W/m2 over the squared distance of the sun in astronomical units
  *     Z   zenith angle of the sun; in radians but for m
  *     Td  dew point, degrees Celsius
  *
- * The model's authors found diffuse illuminances within 5 % (rms, of measured
- * means). Values are kept within 60 to 250 lm/W, which the model leaves only with
- * irradiances that no sky has.
+ * The model's authors found diffuse illuminances within 5 % (rms, of measured means).
+ * Values are kept within 60 to 250 lm/W, which the model leaves only with irradiances
+ * that no sky has.
  */
 #ifndef PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H
 #define PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H

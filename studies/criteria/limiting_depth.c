@@ -30,8 +30,8 @@ static bool is_level(const struct pp_polygon *polygon)
 }
 
 /* The window wall of a box-shaped room with windows in one wall; NULL for any other
- * room, with the reason in *why. A box has one level floor, one level ceiling and four
- * more faces, all with four corners and right angles, to 1e-3. */
+ * room, with the reason in *why. A box has one level floor, one horizontal ceiling and
+ * four more faces, all with four corners and right angles, to 1e-3. */
 static const struct pp_surface *window_wall(const struct pp_world *world,
                                             const char **why)
 {

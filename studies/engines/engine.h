@@ -55,9 +55,9 @@ struct pp_engine {
     const struct pp_engine
         *plain; /* engine with the same results by a plain implementation; NULL: none */
 
-    /* Creates a run at the report's receivers and over its working plane, in the world's
-     * matt scene under this environment. *run is set on success only; scene, environment
-     * and receivers must outlive it. */
+    /* Creates a run at the report's receivers and over its working plane, in the
+     * world's diffuse scene under this environment. *run is set on success only; scene,
+     * environment and receivers must outlive it. */
     enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
                              const struct pp_environment *environment,
                              const struct pp_report *report,

@@ -24,7 +24,7 @@ static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
 
-/* The largest opening by the area of its outline; those that are upright or nearly so
+/* The largest opening by the area of its outline; those that are vertical or nearly so
  * first; -1: there is none. */
 static int largest_window(const struct pp_world *world)
 {

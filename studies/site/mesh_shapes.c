@@ -1,4 +1,4 @@
-/* mesh_shapes.c - see mesh_shapes.h. Upright triangles are seen as lines only. All
+/* mesh_shapes.c - see mesh_shapes.h. Vertical triangles are seen as lines only. All
  * others are oriented counter-clockwise from above: an edge shared by two triangles of
  * one part then occurs in both directions, and the remaining edges bound the part. */
 #include "studies/site/mesh_shapes.h"
@@ -11,7 +11,7 @@
 static const double SAME_M = 1e-3;     /* corners nearer than this are one */
 static const double STRAIGHT_M = 1e-4; /* a corner this near to the line between its
                                         * neighbours is left out */
-static const double UPRIGHT = 1e-3;    /* a triangle is upright if its normal's z is
+static const double UPRIGHT = 1e-3;    /* a triangle is vertical if its normal's z is
                                         * below this */
 static const double BEND_RAD = 20 * PP_RAD; /* least bend that is drawn */
 static const double PLANE_RAD = 0.5 * PP_RAD;
@@ -256,7 +256,7 @@ static void add_shape_corner(struct pp_site_shape *shape, struct pp_vec3 at,
     shape->unseen[shape->count++] = unseen;
 }
 
-/* Adds an open edge of upright triangles as a line, unless it is a point seen from
+/* Adds an open edge of vertical triangles as a line, unless it is a point seen from
  * above, or triangles stand on it, which have an edge above it. */
 static enum pp_status add_line(struct pp_site_sheet *sheet,
                                const struct mesh_parts *parts,

@@ -1,6 +1,5 @@
-/* site_study.h - the rooms of a site and all objects around them, in the
- * building's axes, with the vertical sky component of each upright window, now and
- * before. */
+/* site_study.h - the rooms of a site and all objects around them, in the building's
+ * axes, with the vertical sky component of each vertical window, now and before. */
 #ifndef PP_STUDIES_SITE_SITE_STUDY_H
 #define PP_STUDIES_SITE_SITE_STUDY_H
 

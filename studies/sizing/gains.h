@@ -2,10 +2,10 @@
  *
  * Each change is made to a copy of the room, whose daylight factors are computed by the
  * same method as the room's own: nothing is estimated. pp_gains_simulate simulates the
- * room and the most promising changes, from the same seed, and ranks them anew. The
- * average is over the working plane; the darkest point is that of EN 17037's largest grid
- * (pp_plane_grid_largest), of which a room may have none. The method is exact+bre, or
- * exact+split-flux in rooms that exact+bre does not cover.
+ * room and the most promising changes, from the same seed, and ranks them again. The
+ * average is over the working plane; the darkest point is that of EN 17037's largest
+ * grid (pp_plane_grid_largest), of which a room may have none. The method is exact+bre,
+ * or exact+split-flux in rooms that exact+bre does not cover.
  */
 #ifndef PP_STUDIES_SIZING_GAINS_H
 #define PP_STUDIES_SIZING_GAINS_H

@@ -28,7 +28,7 @@ struct pp_retained_sky_rule {
     double enough;      /* value that is sufficient in any case; INFINITY: none */
 };
 
-/* An upright window, or a room, that counts. */
+/* A vertical window, or a room, that counts. */
 struct pp_retained_sky_place {
     char room[64],
         window[64]; /* names, cut to fit; may be empty; window: empty for a room */

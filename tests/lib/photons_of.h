@@ -32,7 +32,7 @@ static inline struct pp_reading (*pp_test_photons_in(
     return readings;
 }
 
-/* Readings in a world's matt scene. */
+/* Readings in a world's diffuse scene. */
 static inline struct pp_reading (*pp_test_photons(
     const struct pp_world *world, const struct pp_outside_light *light,
     const struct pp_receiver *receivers, int count,

@@ -7,8 +7,8 @@
  * Skylines without a distance are part of the sky's pattern; those with a distance are
  * walls among the surfaces.
  *
- * Finishes are matt and grey, as in the calculation of daylight factors, or have their
- * colour and gloss.
+ * Finishes are diffuse and grey, as in the calculation of daylight factors, or have
+ * their colour and gloss.
  *
  * Rooms that Radiance cannot describe are rejected with a reason: surfaces that emit
  * light, and more than 16 skylines without a distance.

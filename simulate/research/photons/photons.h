@@ -15,7 +15,7 @@
  *
  * The caller holds the loop, as with the tracer: create, then advance until done,
  * looking at the readings whenever it likes, then destroy. By error or samples the
- * answer depends on world, light, receivers and seed alone, to the bit.
+ * answer depends on world, light, receivers and seed alone, bit by bit.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H

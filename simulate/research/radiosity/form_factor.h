@@ -1,4 +1,4 @@
-/* form_factor.h - the form factor from a differential area to a polygon of even
+/* form_factor.h - the form factor from a differential area to a polygon of uniform
  * radiosity, in closed form.
  *
  * Stokes' theorem turns the integral of cos cos'/(pi r^2) over the polygon into a sum

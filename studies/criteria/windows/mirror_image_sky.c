@@ -2,7 +2,7 @@
  * building's mirror image at the boundary ([BR209] appendix F, from memory, no text at
  * hand):
  *
- *   VSC proposed >= VSC with the mirror image             at each upright window
+ *   VSC proposed >= VSC with the mirror image             at each vertical window
  *   area that sees sky, proposed >= with the mirror image
  *
  * The appendix gives these as targets instead of 27 % and of 0.8 of the former value,

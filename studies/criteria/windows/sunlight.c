@@ -39,8 +39,8 @@ static const char other_side[] =
 static const char equator_side[] =
     "the window faces more than 90 degrees from due north: not required";
 
-/* True if the opening faces within 90 degrees of the direction of the noon sun; level
- * glass faces all sides. */
+/* True if the opening faces within 90 degrees of the direction of the noon sun;
+ * horizontal glass faces all sides. */
 static bool faces_noon(const struct pp_world *world, const struct pp_opening *opening)
 {
     const double slack = 1e-9; /* due east and due west count */

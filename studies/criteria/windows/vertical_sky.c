@@ -1,15 +1,15 @@
-/* vertical_sky.c - the sky that a window faces: the vertical sky component, the 0.8 rule
- * and the 25 degree rule of [BR209].
+/* vertical_sky.c - the sky that a window faces: the vertical sky component, the 0.8
+ * rule and the 25 degree rule of [BR209].
  *
  *   VSC >= 27 %                              on the outside, at the window's middle
  *   VSC >= 27 %  or  VSC >= 0.8 VSC before
  *   theta <= 25 degrees                      obstruction angle before the window
  *
  * The vertical sky component VSC is the illuminance of the wall's plane from the sky
- * alone over that of a level plane under the open CIE overcast sky, whatever the room's
- * own sky; without obstructions it is 39.6 %. An endless obstruction of 25 degrees leaves
- * 27.3 %: a window that keeps the 25 degree rule has the vertical sky component too, and
- * where the angle is larger the component decides.
+ * alone over that of a horizontal plane under the open CIE overcast sky, whatever the
+ * room's own sky; without obstructions it is 39.6 %. An endless obstruction of 25
+ * degrees leaves 27.3 %: a window that keeps the 25 degree rule has the vertical sky
+ * component too, and where the angle is larger the component decides.
  */
 #include "studies/criteria/windows/vertical_sky.h"
 
@@ -113,7 +113,7 @@ static enum pp_status find_unshaded(double *share, const struct pp_world *world,
 static const char unshaded[] =
     "without the overhangs and balconies of the window's own building";
 
-/* Adds a finding for each opening: made by `find` for upright ones, not judged for all
+/* Adds a finding for each opening: made by `find` for vertical ones, not judged for all
  * others. */
 static enum pp_status for_each_window(
     const struct pp_inquiry *inquiry, struct pp_finding_list *findings,

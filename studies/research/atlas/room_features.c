@@ -54,7 +54,7 @@ static struct pp_bounds3 polygon_bounds(const struct pp_polygon *outline)
 
 /* ---- proportions ---- */
 
-/* The opening with the most glass, upright ones alone or all; NULL: there is none. */
+/* The opening with the most glass, vertical ones alone or all; NULL: there is none. */
 static const struct pp_opening *largest(const struct pp_world *world, bool upright)
 {
     const struct pp_opening *found = NULL;

@@ -1,34 +1,36 @@
-/* room_features.h - numbers that are known of a room and of a point in it before any light
- * is traced, and by which the errors of hand methods go.
+/* room_features.h - dimensionless properties of a room and of a point in it that are
+ * known without simulation, and on which the errors of hand methods depend.
  *
- * They do not change with the room's size when all lengths grow alike. Openings count with
- * the area of their glass.
+ * They do not change if all lengths of the room are scaled by the same factor. Openings
+ * count with the area of their glass.
  *
  *     glass-floor     area of glass over that of the floor
  *     glass-inside    the same over the area of all inside surfaces, W/A
  *     reflectance     R, the area-weighted mean of all inside surfaces
  *     floor, ceiling  reflectances of these
- *     depth-head      depth of the room from its largest upright opening over the height of
- *                     that opening's head above the working plane; without one, the root of
- *                     the floor's area over the mean height of the openings above the plane
+ *     depth-head      depth of the room from its largest vertical opening over the height
+ *                     of that opening's head above the working plane; without one, the
+ *                     root of the floor's area over the mean height of the openings
+ *                     above the plane
  *     depth-width     depth over width of the room, seen from that opening
  *     below           share of the openings' area below the working plane
- *     upright         share that is upright (from 75 degrees)
+ *     upright         share of the openings' area that is vertical (from 75 degrees)
  *     walls           number of faces that have openings
  *     spread          area of the largest opening over that of all
  *     reveal          depth of the openings over the root of their area, mean
  *     pane            diffuse transmittance over the normal one, mean
- *     obstruction     degrees: the angle of endless skylines in place of all that stands
- *                     outside, mean (methods/reflected/obstruction.h)
+ *     obstruction     degrees: the mean angle of the endless skylines that replace all
+ *                     obstructions (methods/reflected/obstruction.h)
  *     things          0: nothing outside or skylines; 1: blocks, surfaces, facades or other
  *                     parts of the building
  *     ground          reflectance of the ground
  *     facing          illuminance of the open sky on the openings' planes, mean, over Eh
- *     opposite        the same on planes that face them, as buildings across a street do
- *     ordinary        1: a room as architects draw them: those above from glass-floor to
- *                     ground lie in the ranges of offices, schools and homes; else 0
+ *     opposite        the same on planes that face the openings, such as the facades
+ *                     across a street
+ *     ordinary        1: an ordinary room: the properties above from glass-floor to ground
+ *                     are in the ranges of offices, schools and homes; else 0
  *
- * and of a point, NAN of a room as a whole:
+ * and of a point, NAN for a room as a whole:
  *
  *     depth           horizontal distance from the nearest part of an opening over that
  *                     opening's height above the point, the least of all openings

@@ -15,7 +15,7 @@ static enum pp_status check_rectangles(struct pp_known_cases *cases,
 {
     static const struct {
         bool overhead;
-        double a, b, per_cent[2]; /* upright: height, width; overhead: both sides */
+        double a, b, per_cent[2]; /* vertical: height, width; overhead: both sides */
     } list[] = {
         {false, 0.5, 0.5, {1.3928, 0.9430}},  {false, 1.0, 1.0, {5.5734, 4.5251}},
         {false, 1.0, 2.0, {6.8697, 5.4586}},  {false, 2.0, 1.0, {9.5068, 8.8164}},

@@ -49,7 +49,8 @@ double pp_known_room_at_point(const struct pp_known_room *room,
 double pp_known_room_average(const struct pp_known_room *room,
                              enum pp_component component, const char *name);
 
-/* All components at `count` receivers, matt surfaces; readings[i] are the i-th one's. */
+/* All components at `count` receivers, diffuse surfaces; readings[i] are the i-th
+ * one's. */
 enum pp_status pp_known_room_trace(struct pp_reading (*readings)[PP_COMPONENT_COUNT],
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,

@@ -69,7 +69,7 @@ static struct side *side_facing(struct side *sides, int *count, struct pp_vec3 o
     return &sides[(*count)++];
 }
 
-/* Groups all openings by direction; *covered is false if a level opening has an
+/* Groups all openings by direction; *covered is false if a horizontal opening has an
  * obstruction. */
 static enum pp_status gather_opening_sides(struct side *sides, int *count,
                                            bool *covered, const struct pp_world *world,

@@ -10,7 +10,7 @@
  * hidden by the room's own walls remains hidden, and its share of the light is
  * subtracted from that hidden by the skyline.
  *
- * A level opening has no side for a skyline, and glass in a roof needs a wall that
+ * A horizontal opening has no side for a skyline, and glass in a roof needs a wall that
  * faces the same direction. If such an opening has an obstruction, the room's
  * surroundings are kept.
  */
