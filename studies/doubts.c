@@ -80,7 +80,7 @@ static void doubt_site(struct pp_mistakes *doubts, const struct pp_world *world)
                         world->country);
 }
 
-/* Is a part of the surfaces before the opening? */
+/* True if any part of the surfaces is in front of the opening. */
 static bool is_before(const struct pp_world *world, const struct pp_opening *opening,
                       int first, int count)
 {
@@ -104,7 +104,7 @@ static bool faces_an_opening(const struct pp_world *world, const struct pp_block
     return false;
 }
 
-/* Does the block touch the room? It may then be the room's own building. */
+/* True if the block touches the room, and so may be the room's own building. */
 static bool touches_room(const struct pp_world *world, const struct pp_block *block)
 {
     for (int i = 0; i < world->face_count; i++) {

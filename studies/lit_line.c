@@ -13,7 +13,7 @@
 #define LEGAL_PLANE_M 0.85
 #define INSET_M 0.001 /* points on the plane's edge are moved this far inside */
 
-/* The law's sky, and no ground. */
+/* The uniform sky that the law assumes, without ground. */
 static struct pp_outside_light legal_light(void)
 {
     return (struct pp_outside_light){.sky = pp_sky_uniform()};

@@ -18,7 +18,7 @@ static const char traced[] = "traced";
 
 /* ---- methods that can be drawn ---- */
 
-/* Why a plan cannot show a method, or NULL. */
+/* Reason why a plan cannot show a method, or NULL. */
 static const char *has_no_contours(const struct pp_choice *choice)
 {
     const struct pp_method *method = choice->method;
@@ -115,8 +115,8 @@ static enum pp_status settle_plan_grid(struct pp_plan_study *study,
 
 /* ---- contours ---- */
 
-/* Makes a shallow copy of the world whose plane has holes where objects stand in the
- * room: there is no light for contours. The caller clears its plane. */
+/* Makes a shallow copy of the world whose plane has holes at objects in the room, where
+ * contours have no light. The caller clears its plane. */
 static enum pp_status open_world(struct pp_world *open, const struct pp_world *world,
                                  struct pp_error *err)
 {
@@ -128,7 +128,7 @@ static enum pp_status open_world(struct pp_world *open, const struct pp_world *w
 /* ---- by hand ---- */
 
 /* Reading that a method of the internally reflected component adds at every point: the
- * room's average, or its minimum where that is all it gives. */
+ * room's average, or its minimum if the method gives only that. */
 static struct pp_reading everywhere(const struct pp_report *report, const char *name)
 {
     const struct pp_column *column = pp_report_find(report, PP_IRC, name);

@@ -15,7 +15,7 @@
 #include "model/results/report.h"
 #include "studies/study_room.h"
 
-/* The room with the smaller plane, and no points. */
+/* The room with the smaller plane, without points. */
 struct pp_plane_margin {
     struct pp_world world; /* as the room's, except for its plane */
     struct pp_study_room room;
@@ -27,9 +27,9 @@ enum pp_status pp_plane_margin_init(struct pp_plane_margin *margin,
                                     struct pp_error *err);
 void pp_plane_margin_clear(struct pp_plane_margin *margin);
 
-/* Copies the averages of `inside`, a report with the same columns on the margin's room
- * (NULL: there is none), to the report's columns. A formula for the plane as a whole
- * gets none. */
+/* Copies the averages of `inside`, a report with the same columns for the margin's room
+ * (NULL: there is none), to the report's columns. A formula for the whole plane gets
+ * none. */
 enum pp_status pp_plane_margin_take(struct pp_report *report,
                                     const struct pp_report *inside,
                                     struct pp_error *err);

@@ -35,7 +35,7 @@ const struct pp_reliability_band *pp_reliability_band(enum pp_reliability_kind k
     return NULL;
 }
 
-/* The columns of a pair A+B, and of its parts. */
+/* The columns of a pair A+B, and of its components. */
 struct pair {
     const struct pp_column *sc, *erc, *irc, *df;
 };

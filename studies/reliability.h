@@ -1,18 +1,19 @@
-/* reliability.h - where the figures of hand methods cannot be relied on, and by how much
- * such figures were off.
+/* reliability.h - kinds of rooms in which the figures of hand methods are unreliable,
+ * and the errors measured there.
  *
- * Four kinds of rooms, each with the thresholds at which a room is one of them and the
- * ratios of hand to traced figures that were measured in rooms of the kind
- * (tables/reliability.csv):
+ * There are four kinds, each with a threshold and with the ratios of hand to traced
+ * figures that were measured in rooms of that kind (tables/reliability.csv):
  *
  *     outside      0.3 or more of the average daylight factor is reflected from outside
  *     inside       at the darkest point no sky is seen, or 0.65 or more of the daylight
  *                  factor is the room's average reflected light
- *     proportions  the room is more than twice as deep as wide: the table behind `bre-min`
- *                  ends there
- *     ground       it reflects 0.3 more or less than that built into the method
+ *     proportions  the room is more than twice as deep as wide, the limit of the table
+ *                  of `bre-min`
+ *     ground       its reflectance differs by 0.3 or more from the one built into the
+ *                  method
  *
- * A method with a ground of its own built in that answers is named wherever the room's is another.
+ * Methods with a built-in ground reflectance that differs from the room's are always
+ * named.
  */
 #ifndef PP_STUDIES_RELIABILITY_H
 #define PP_STUDIES_RELIABILITY_H
@@ -53,12 +54,12 @@ struct pp_reliability_band {
 const struct pp_reliability_band *pp_reliability_band(enum pp_reliability_kind kind);
 
 /* Assesses the hand figures of the report: the first daylight factor by a pair of
- * methods, at its points and on average, and all other methods in it. A report without
- * such figures has no room of the first two kinds. */
+ * methods, at its points and on average, and all other methods in the report. A report
+ * without a pair has no room of the first two kinds. */
 struct pp_reliability pp_reliability_of(const struct pp_report *report);
 
 /* "Hand figures here are not to be relied on: ...", a sentence without a full stop;
- * empty if they can be relied on. */
+ * empty if the figures are reliable. */
 void pp_reliability_sentence(const struct pp_reliability *reliability, char *text,
                              size_t size);
 

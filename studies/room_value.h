@@ -1,5 +1,5 @@
-/* room_value.h - one daylight factor of a room by one hand method: the figure by which
- * a design is judged as the room is changed step by step. */
+/* room_value.h - one daylight factor of a room by one hand method, for following a
+ * design while the room is changed step by step. */
 #ifndef PP_STUDIES_ROOM_VALUE_H
 #define PP_STUDIES_ROOM_VALUE_H
 
@@ -18,10 +18,10 @@ struct pp_room_value {
     char why[512];                    /* text to which a reading's why points */
 };
 
-/* The figure in that world, under the light of `value`. If the method gives no daylight
- * factor, the figure is the method's component: the internally reflected one, or the
- * direct one (sky component plus externally reflected component). A reading without a
- * value says why. */
+/* The figure of that world, under the light of `value`. If the method gives no daylight
+ * factor, the figure is the component that the method gives: the internally reflected
+ * one, or the direct one (sky component plus externally reflected component). A reading
+ * without a value has the reason. */
 enum pp_status pp_room_value(struct pp_room_value *value, const struct pp_world *world,
                              struct pp_reading *reading, struct pp_error *err);
 

@@ -28,10 +28,10 @@ enum pp_status pp_study_report_settle(struct pp_report *report,
                                       const struct pp_study_room *room,
                                       struct pp_error *err);
 
-/* Adds the columns "traced" of all components, by the path engine. If a watch stops it
+/* Adds the columns "traced" of all components, by the path engine. If a watch stops it,
  * the results so far are kept, and report->finished is false. *by_clock: the time limit
- * ended the simulation. The second function simulates direct light alone: its error is
- * over the sum of sky and externally reflected component. */
+ * ended the simulation. The second function simulates only direct light, with an error
+ * relative to the sum of sky and externally reflected component. */
 enum pp_status pp_study_report_traced(struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err);

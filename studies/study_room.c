@@ -1,4 +1,4 @@
-/* study_room.c - takes ownership of a room's world and points, and frees both. */
+/* study_room.c - creates and clears study rooms. */
 #include "studies/study_room.h"
 
 #include <stdlib.h>

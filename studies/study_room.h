@@ -20,8 +20,9 @@ struct pp_study_room {
                                        * not owned */
 };
 
-/* Takes ownership of world; its receivers are the points. description: room `index` of
- * the building, or a changed copy of it; light: from its own sky, or another. */
+/* Takes ownership of `world`, whose receivers become the points. description: room
+ * `index` of the building, or a changed copy of it; light: of the room's own sky, or
+ * another. */
 void pp_study_room_init(struct pp_study_room *room, const char *file,
                         struct pp_building *building, int index,
                         const struct pp_room *description, struct pp_world *world,

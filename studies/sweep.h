@@ -1,6 +1,7 @@
-/* sweep.h - changes of attributes of room files: one value, or many runs.
+/* sweep.h - changes of attributes of room files: fixed values, and values that vary
+ * from run to run.
  *
- * Several sweeps are combined: each value of one with each of the others. The last one
+ * The runs combine each value of a sweep with each value of the others. The last sweep
  * changes fastest.
  */
 #ifndef PP_STUDIES_SWEEP_H
@@ -32,7 +33,7 @@ int pp_sweep_count(const struct pp_sweep *sweep);
 /* The value of an axis in that run. */
 const char *pp_sweep_value(const struct pp_sweep *sweep, int run, int axis);
 
-/* Puts the changes of that run in sweep->now. PP_SYSTEM: out of memory. */
+/* Sets sweep->now to the changes of that run. PP_SYSTEM: out of memory. */
 enum pp_status pp_sweep_choose(struct pp_sweep *sweep, int run, struct pp_error *err);
 
 void pp_sweep_clear(struct pp_sweep *sweep);

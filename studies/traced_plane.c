@@ -17,8 +17,8 @@
  * and their largest side (m). */
 static const double squares = 240.0, largest_m = 0.45;
 
-/* A square is halved if an opening is nearer than this many of its sides, twice at
- * most. */
+/* A square is halved, at most twice, if an opening is nearer than this number of its
+ * sides. */
 static const double near_sides = 2.0;
 enum { HALVINGS = 2 };
 
@@ -101,7 +101,7 @@ static enum pp_status add_screen(struct pp_traced_plane *plane, const double a[2
     return status;
 }
 
-/* The lines in which the plane cuts a surface that stands in the room. */
+/* Adds the lines in which the plane cuts a surface in the room. */
 static enum pp_status add_cut(struct pp_traced_plane *plane,
                               const struct pp_polygon *outline, struct pp_error *err)
 {
@@ -161,7 +161,7 @@ static enum pp_status find_openings(struct pp_traced_plane *plane, struct pp_err
         return pp_fail_memory(err);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_polygon *outline = &world->openings[i].inner;
-        /* High above the plane an opening lights it evenly. */
+        /* An opening high above the plane lights the plane evenly. */
         double low = INFINITY;
         for (int k = 0; k < outline->count; k++)
             low = fmin(low, outline->vertices[k].z);
@@ -217,7 +217,7 @@ static enum pp_status add_square(struct pp_traced_plane *plane, double x, double
     return status;
 }
 
-/* Squares of equal size over the plane's extent, which they fill. */
+/* Chooses the points, from squares of equal size that fill the plane's extent. */
 static enum pp_status choose_points(struct pp_traced_plane *plane, struct pp_error *err)
 {
     const struct pp_region *region = &plane->world->plane;
@@ -419,9 +419,9 @@ static void find_neighbours(struct neighbours *found,
             }
 }
 
-/* Limits a fit to the range of its points plus a quarter of it, and to at least half of
- * the least. Beside a cupboard, for example, few points are visible, and all on one
- * side. */
+/* Limits a fit to the range of its points plus a quarter of that range, and to at least
+ * half of the least value. Beside a cupboard, for example, few points are visible, and
+ * all on one side. */
 static double bounded(double rest, const struct neighbours *of)
 {
     double low = INFINITY, high = -INFINITY;

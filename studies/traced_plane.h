@@ -1,15 +1,16 @@
 /* traced_plane.h - simulated daylight factor at any place of the working plane,
  * interpolated between a number of simulated points.
  *
- * The points are the centres of squares that cover the plane, half and a quarter as
- * large near openings, where daylight factors are steep. Daylight factors have kinks
- * where the edge of a visible part of the sky appears, which no fit of so few points
- * follows. So the direct component of `exact`, known at every place, is subtracted from
- * the simulated factors at the points and added again at the place: its sky component,
- * and its externally reflected one times the factor that fits the simulation best. The
- * latter need not be accurate: the same amount is subtracted and added.
+ * The points are the centres of squares that cover the plane. Squares near openings,
+ * where daylight factors are steep, are a half or a quarter as large. Daylight factors
+ * have kinks where the edge of a visible part of the sky appears, which a fit of so few
+ * points cannot follow. Therefore the direct component of `exact`, known at every
+ * place, is subtracted from the simulated factors at the points and added again at the
+ * place: the sky component, and the externally reflected component times the factor
+ * that fits the simulation best. The latter need not be accurate, since the same amount
+ * is subtracted and added.
  *
- * The rest is smooth. Between the points it is a moving least squares fit of a
+ * The remainder is smooth. Between the points it is a moving least squares fit of a
  * quadratic (moving_fit.h; weights (1 - d²/R²)², R about two and a half squares wide)
  * to the points that are visible from the place: a wall's corner or a partition at the
  * height of the plane separates its two sides. The fit's standard error follows from

@@ -97,8 +97,8 @@ static struct pp_vec3 axes_direction(const struct opening_axes *axes, double x,
     return pp_vec_along(pp_vec_along(v, y, axes->up), 1.0, axes->out);
 }
 
-/* Adds the bearings of one ring of an opening's visible part, measured from that of the
- * opening's normal, from which none is a quarter turn or more away. */
+/* Adds the bearings of one ring of an opening's visible part, relative to that of the
+ * opening's normal; they differ from it by less than 90 degrees. */
 static enum pp_status add_bearings(struct view_sum *sum,
                                    const struct opening_axes *axes,
                                    const struct pp_ring *ring, struct pp_error *err)

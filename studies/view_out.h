@@ -28,7 +28,7 @@ enum pp_view_layer {
     PP_VIEW_SKY = 1,
     PP_VIEW_LANDSCAPE = 2,
     PP_VIEW_GROUND = 4,
-    PP_VIEW_LAYERS = 7 /* all of them */
+    PP_VIEW_LAYERS = 7 /* all layers */
 };
 
 /* Levels of [EN17037]; PP_VIEW_NONE: below the minimum. */
@@ -55,8 +55,9 @@ enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world 
 extern const double pp_view_out_angle_rad[4];  /* 14, 28, 54 degrees */
 extern const double pp_view_out_distance_m[4]; /* 6, 20, 50 m */
 
-/* Level of each of the three quantities, and of the view: the lowest of them. Layers:
- * landscape; landscape and one more through the same opening; all three. */
+/* Level of each of the three quantities, and of the view: the lowest of the three.
+ * Levels of layers: landscape; landscape and one more through the same opening; all
+ * three. */
 enum pp_view_level pp_view_out_angle_level(const struct pp_view_out *view);
 enum pp_view_level pp_view_out_distance_level(const struct pp_view_out *view);
 enum pp_view_level pp_view_out_layer_level(const struct pp_view_out *view);

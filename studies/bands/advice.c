@@ -14,7 +14,7 @@
  * points. */
 static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 
-/* The records of the daylight factors that have figures at a place, in the report's order;
+/* The band records of the daylight factors at a place, in the order of the report;
  * space for all columns. */
 struct ranking {
     struct pp_band_index index;

@@ -1,9 +1,9 @@
-/* advice.h - which method to use in a room, for the average and for each point: the one
- * whose band in the atlas is narrowest.
+/* advice.h - recommends a method for the average and for each point of a room: the
+ * method whose band in the atlas is narrowest.
  *
- * If bands are about equally narrow, the first method is chosen. At points the method with
- * the narrowest bands over all points is chosen, unless another method's band is narrower
- * there by a fifth (logarithms of high over low).
+ * If bands are about equally narrow, the first method is chosen. At points the method
+ * with the narrowest bands over all points is chosen, unless the band of another method
+ * at the point is narrower by a fifth (in logarithms of high over low).
  */
 #ifndef PP_STUDIES_BANDS_ADVICE_H
 #define PP_STUDIES_BANDS_ADVICE_H
@@ -13,7 +13,7 @@
 
 enum { PP_ADVICE_OTHERS = 3 };
 
-/* The points (or the average) that one method in one regime is the best for. */
+/* The points (or the average) for which a method in one regime is the best. */
 struct pp_advice_item {
     struct pp_band_record best;
     struct pp_band_record others[PP_ADVICE_OTHERS]; /* the next best at the first of
@@ -30,7 +30,7 @@ struct pp_advice_item {
 struct pp_advice {
     struct pp_advice_item *items; /* the average's first */
     int count;
-    char why_not[256]; /* why there is no advice; empty if there is */
+    char why_not[256]; /* reason if there is no advice, else empty */
 };
 
 /* Recommends methods by the daylight factors of a report, which must have all methods

@@ -7,7 +7,7 @@
 #include "studies/bands/band_features.h"
 #include "studies/bands/band_fit.h"
 
-/* Known ratios of one column's figures at points, or of its averages. */
+/* Bands of the ratios of one column, at points or of averages. */
 struct pp_atlas_column {
     enum pp_band_place place;
     char component[8], name[48];

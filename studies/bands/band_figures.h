@@ -11,7 +11,7 @@
 
 #include "model/base/error.h"
 
-/* Place for which a column has its figures. */
+/* The place of a column's figures. */
 enum pp_band_place { PP_BAND_POINT, PP_BAND_AVERAGE, PP_BAND_PLACES };
 extern const char *const pp_band_figures_places[]; /* "point", "average" */
 
@@ -21,7 +21,7 @@ struct pp_band_figures {
     char column[48];
     int count, capacity;
     int *rooms;
-    double *hand, *own, *truth; /* own: NAN where it is unknown */
+    double *hand, *own, *truth; /* own: NAN if unknown */
     int feature_count;          /* of each row */
     double *features;           /* row after row */
 };
@@ -39,11 +39,12 @@ struct pp_band_row {
 enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
                                    const struct pp_band_row *row, struct pp_error *err);
 
-/* Half that a room belongs to, 0 or 1: by a hash of its number, as the even and the odd
- * numbers of a Sobol sequence are in different halves of its first dimension. */
+/* The half of the atlas, 0 or 1, to which a room belongs, by a hash of its number. Even
+ * and odd numbers would not do: in a Sobol sequence they are in different halves of the
+ * first dimension. */
 int pp_band_figures_side(int room);
 
-/* Adds the rows whose room is on that side. */
+/* Adds the rows whose rooms are in that half. */
 enum pp_status pp_band_figures_half(struct pp_band_figures *half,
                                     const struct pp_band_figures *figures, int side,
                                     struct pp_error *err);

@@ -1,4 +1,5 @@
-/* band_fit.c - a column's ratios, their regimes, and both halves against each other. */
+/* band_fit.c - the ratios of a column, their regimes, and the test of the bands of each
+ * half on the other half. */
 #include "studies/bands/band_fit.h"
 
 #include <math.h>
@@ -68,9 +69,9 @@ static enum pp_status fill_entry(struct pp_band_entry *entry,
     return status;
 }
 
-/* Separates ordinary rooms from others: in common, their bands would be too wide, and
- * those of unusual rooms too narrow. All are one regime if either are too few. Returns
- * the number of regimes. */
+/* Separates ordinary rooms from others: common bands would be too wide for ordinary
+ * rooms and too narrow for unusual ones. All rooms form one regime if there are too few
+ * of either kind. Returns the number of regimes. */
 static int begin_band_regimes(struct pp_band_regime begun[2],
                               const struct column_fit *fit,
                               const struct pp_band_rules *rules)
@@ -144,7 +145,7 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
 
 /* ---- halves ---- */
 
-/* Tests each entry on the rooms; *inside becomes the share of all points in their
+/* Tests each entry on the rooms; *inside: the share of all points that are in their
  * bands. */
 static enum pp_status test_entries(struct pp_band_trial *trials, int count,
                                    double *inside,

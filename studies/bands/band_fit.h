@@ -1,20 +1,18 @@
 /* band_fit.h - the bands of a column: for the ratio of simulated to hand figures, and
- * for its two parts, the method's assumptions and its formula.
+ * for its two parts, which are due to the method's assumptions and to its formula.
  *
- * Regimes (band_tree.h) are those of the whole ratio. In each there are also the bands
- * of
+ * Regimes (band_tree.h) are those of the whole ratio. Each regime also has the bands of
  *
  *     formula      simulated value in the method's own world over the hand figure
  *     assumption   simulated value of the room over that in the method's world
  *
- * each with the offset of band_regime.h. A test on rooms that were not fitted passes
- * if in each regime the share of rooms differs from 95 % by at most three standard
- * errors,
+ * each with the offset of band_regime.h. A test on rooms that were not fitted passes if
+ * in each regime the share of rooms differs from 95 % by at most three standard errors,
  *
  *     3 sqrt(0.95 0.05 (1 / n_fit + 1 / n_test))                                 (2)
  *
- * with n in rooms, as the errors of a room's points are correlated: the share of its
- * points inside varies by no more than that of one point.
+ * with n the number of rooms and not of points, as the errors of a room's points are
+ * correlated.
  */
 #ifndef PP_STUDIES_BANDS_BAND_FIT_H
 #define PP_STUDIES_BANDS_BAND_FIT_H
@@ -29,7 +27,7 @@
 /* A regime and the bands of a column in it. */
 struct pp_band_entry {
     struct pp_band_regime regime; /* with the ratio of simulated to hand figures */
-    double spread; /* half the distance of its quantiles of 16 and 84 % */
+    double spread; /* half the distance between its quantiles of 16 and 84 % */
     struct pp_band_quantiles formula, assumption; /* NAN if the values in the method's
                                                    * own world are unknown */
 };
@@ -40,7 +38,7 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
                            const struct pp_band_figures *figures,
                            const struct pp_band_rules *rules, struct pp_error *err);
 
-/* Performance of a band on rooms that it was not made from. */
+/* Test of a band on rooms from which it was not made. */
 struct pp_band_trial {
     struct pp_band_entry entry; /* from the rooms fitted */
     int rooms;                  /* tested */
@@ -48,12 +46,11 @@ struct pp_band_trial {
                                  * there are none */
     double between; /* that share without the band's ends; it is smaller if figures are
                      * exact in all digits, like figures of 0 */
-    double limit;   /* (2): how far from 0.95 that may be */
+    double limit;   /* largest permitted difference of `inside` from 0.95, from (2) */
 };
 
-/* Fits the rooms of a side (band_figures.h) and tests the others. *inside: the share of
- * all tested rooms that are in the band, over all regimes. The caller frees the
- * list. */
+/* Fits the rooms of one half (band_figures.h) and tests the others. *inside: the share
+ * of all tested rooms in their bands, over all regimes. The caller frees the list. */
 enum pp_status pp_band_fit_try(struct pp_band_trial **trials, int *count,
                                double *inside, const struct pp_band_figures *figures,
                                const struct pp_band_rules *rules, int side,

@@ -1,4 +1,4 @@
-/* band_sample.c - quantiles and shares in which every room counts once. */
+/* band_sample.c - quantiles and shares in which each room has a weight of 1. */
 #include "studies/bands/band_sample.h"
 
 #include <math.h>
@@ -33,9 +33,9 @@ int pp_band_sample_rooms(const struct pp_band_sample *sample, const int *rows,
     return rooms;
 }
 
-/* The ratio below which the share p of the weight lies, interpolated between ratios
- * that are each in the middle of their weight. `list` is in rising order; its weights
- * sum to `total`. */
+/* The ratio below which the share p of the weight lies. Each ratio is assigned the
+ * middle of its own weight in the cumulative weight, with linear interpolation between
+ * ratios. `list` is in ascending order; its weights sum to `total`. */
 static double quantile(const struct weighted *list, int count, double total, double p)
 {
     double wanted = p * total, below = 0.0, last = 0.0;
@@ -79,7 +79,7 @@ enum pp_status pp_band_sample_quantiles(struct pp_band_quantiles *quantiles,
     struct weighted *list = sorted(sample, rows, count, &rooms);
     if (!list)
         return pp_fail_memory(err);
-    /* Rank r of n stands at the share (r - 1/2) / n. */
+    /* Rank r of n is at the share (r - 1/2) / n. */
     double tail = fmax((0.025 * (rooms + 1) - 0.5) / rooms, 0.0);
     *quantiles = (struct pp_band_quantiles){quantile(list, count, rooms, tail),
                                             quantile(list, count, rooms, 0.5),

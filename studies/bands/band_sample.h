@@ -12,7 +12,7 @@
 
 struct pp_band_sample {
     int count;              /* of rows */
-    const int *rooms;       /* the room of each row; rows of a room stand together */
+    const int *rooms;       /* the room of each row; rows of a room are adjacent */
     const double *ratios;   /* greater than 0 */
     int feature_count;      /* of each row */
     const double *features; /* row after row */
@@ -31,14 +31,14 @@ enum pp_status pp_band_sample_quantiles(struct pp_band_quantiles *quantiles,
                                         const int *rows, int count,
                                         struct pp_error *err);
 
-/* Half the distance of the quantiles of 16 and 84 %: the standard deviation, were the
- * ratios normal. */
+/* Half the distance between the quantiles of 16 and 84 %: the standard deviation if the
+ * ratios are normally distributed. */
 enum pp_status pp_band_sample_spread(double *spread,
                                      const struct pp_band_sample *sample,
                                      const int *rows, int count, struct pp_error *err);
 
-/* Share of rows, weighted as above, whose ratio lies in the band; with or without its
- * ends. */
+/* Share of rows, weighted as above, whose ratio lies in the band, with or without the
+ * band's ends. */
 double pp_band_sample_inside(const struct pp_band_sample *sample, const int *rows,
                              int count, const struct pp_band_quantiles *band,
                              bool ends);

@@ -65,8 +65,8 @@ static bool is_record(const struct row *row)
     return strcmp(row->place, "span") != 0;
 }
 
-/* Adds the next condition of a regime. The condition at the same place in an earlier
- * row mostly has the same feature. */
+/* Adds the next condition of a regime. The condition at the same position in an earlier
+ * row usually has the same feature. */
 static void add_condition(struct pp_band_regime *regime,
                           const struct pp_band_regime *before, const char *name,
                           double from, double to)
@@ -129,7 +129,7 @@ static bool is_of(const struct row *row, enum pp_component component,
            && strcmp(row->component, pp_band_features_components[component]) == 0;
 }
 
-/* The rows of a column stand together. */
+/* The rows of a column are adjacent. */
 void pp_band_table_index(struct pp_band_index *index, const struct pp_band_table *table)
 {
     const struct row *last = NULL;

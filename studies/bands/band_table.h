@@ -1,7 +1,7 @@
-/* band_table.h - the bands that were found in the shipped runs of the atlas, compiled in: of
- * rooms under the overcast sky (tables/atlas_bands.csv) and under the skies of ISO 15469
- * (tables/atlas_bands_iso.csv), as `pepperpot atlas FILE --bands` writes them.
- */
+/* band_table.h - the bands found in the atlas runs supplied with the program, compiled
+ * in: for rooms under the overcast sky (tables/atlas_bands.csv) and under the skies of
+ * ISO 15469 (tables/atlas_bands_iso.csv), in the form written by `pepperpot atlas FILE
+ * --bands`. */
 #ifndef PP_STUDIES_BANDS_BAND_TABLE_H
 #define PP_STUDIES_BANDS_BAND_TABLE_H
 
@@ -11,7 +11,7 @@
 struct pp_band_table;
 extern const struct pp_band_table pp_band_table_overcast, pp_band_table_iso;
 
-/* Table of the run under such skies; NULL: there was none. */
+/* Table of the run under such skies; NULL: there is no such run. */
 const struct pp_band_table *pp_band_table_under(const struct pp_sky *sky);
 
 /* Entry of a table for a column in one regime. */
@@ -26,8 +26,8 @@ struct pp_band_record {
 bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
                       int index);
 
-/* Start of each column's records, stored since a search would pass over the whole
- * table. */
+/* Index of the first record of each column, stored because a search would read the
+ * whole table. */
 enum { PP_BAND_COLUMNS = 128 };
 struct pp_band_index {
     const struct pp_band_table *table;
@@ -37,7 +37,7 @@ struct pp_band_index {
 void pp_band_table_index(struct pp_band_index *index,
                          const struct pp_band_table *table);
 
-/* The regimes of one column, of points and of averages; none where the atlas has none. */
+/* The regimes of one column, at points and of averages; none if the atlas has none. */
 enum { PP_BAND_REGIMES = 20 };
 struct pp_band_regimes {
     int count[PP_BAND_PLACES];
@@ -47,7 +47,8 @@ void pp_band_table_find(struct pp_band_regimes *regimes,
                         const struct pp_band_index *index, enum pp_component component,
                         const char *column);
 
-/* Record of a place whose regime fits the features; NULL: none. */
+/* Record of a column at points or of averages whose regime fits the features; NULL:
+ * none. */
 const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *regimes,
                                                   enum pp_band_place place,
                                                   const double *features);

@@ -1,5 +1,6 @@
-/* band_tree.c - splits regimes by histograms: features and ratios are put into bins once,
- * so that the scores of all splits of a regime cost one pass over its rows a feature. */
+/* band_tree.c - splits regimes by histograms: features and ratios are sorted into bins
+ * once, so that the scores of all splits of a regime need one pass over its rows for
+ * each feature. */
 #include "studies/bands/band_tree.h"
 
 #include <math.h>

@@ -1,13 +1,14 @@
 /* band_tree.h - the regimes of a sample, found by splitting rooms and points so that
- * the bands become narrowest.
+ * the bands become as narrow as possible.
  *
- * Starting from the regimes given, the one whose best split lowers the sum of the
- * interval scores of the logarithms of ratios most is split in two, repeatedly. The
- * interval score of a central interval of level 1 - alpha is its width plus 2/alpha
- * times the distance of rows outside it. It is smallest for the right quantiles and the
- * narrowest bands [GR07] (eq. 43). It is summed over the levels 0.5 and 0.8. With the
- * level 0.95, regimes are chosen that have a narrow band by chance: of 418 then 5 were
- * outside their limits on rooms held out, and 1 without it, with bands 1 % wider.
+ * In each step the regime whose best split reduces the sum of interval scores most is
+ * split in two, starting from the given regimes. The interval score of a central
+ * interval of level 1 - alpha is its width plus 2/alpha times the distance of rows
+ * outside it; it is smallest for the right quantiles and the narrowest bands [GR07]
+ * (eq. 43). It is calculated for logarithms of ratios and summed over the levels 0.5
+ * and 0.8. The level 0.95 would select regimes that have a narrow band by chance: 5 of
+ * 418 regimes were outside their limits on rooms held out, against 1 without it, with
+ * bands 1 % wider.
  */
 #ifndef PP_STUDIES_BANDS_BAND_TREE_H
 #define PP_STUDIES_BANDS_BAND_TREE_H
@@ -36,8 +37,8 @@ enum pp_status pp_band_tree_grow(struct pp_band_regime **regimes, int *count,
                                  const struct pp_band_regime *begun, int begun_count,
                                  struct pp_error *err);
 
-/* The rows of the sample in a regime, in their order, in `rows` with space for all;
- * returns how many. */
+/* Writes the rows of the sample in a regime, in their order, to `rows`, which has space
+ * for all rows; returns their number. */
 int pp_band_tree_rows(int *rows, const struct pp_band_sample *sample,
                       const struct pp_band_regime *regime);
 

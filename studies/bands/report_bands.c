@@ -11,7 +11,7 @@
 #include "studies/bands/band_table.h"
 #include "studies/bands/band_words.h"
 
-/* ---- is the room one of the atlas? ---- */
+/* ---- is the room like those of the atlas? ---- */
 
 static bool plane_is_convex(const struct pp_region *plane)
 {
@@ -28,12 +28,13 @@ static bool plane_is_convex(const struct pp_region *plane)
 }
 
 /* True if a wall has a dado whose reflectance differs by more than 0.2: walls in the
- * atlas have one reflectance. With a dado of 1.1 m that differed by 0.2 in 51 of its
- * rooms, the simulated value left the band of exact+split-flux in five; without, in
- * three of 90. */
+ * atlas have one reflectance. In 51 of its rooms with a dado 1.1 m high that differed
+ * by 0.2 the simulated value left the band of exact+split-flux in five; without a dado
+ * in three of 90. */
 static bool has_contrasting_dado(const struct pp_world *world)
 {
-    const double contrast = 0.2 + 1e-9; /* 0.8 and 0.6 are no further apart */
+    const double contrast = 0.2 + 1e-9; /* with a tolerance: 0.8 and 0.6 do not
+                                         * differ by more than 0.2 */
     for (int i = world->face_count; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
         if (surface->role == PP_COVER && !surface->is_door
@@ -43,7 +44,8 @@ static bool has_contrasting_dado(const struct pp_world *world)
     return false;
 }
 
-/* Why rooms of that kind are not in the atlas; NULL: they are. */
+/* Reason why rooms of that kind are not in the atlas; NULL: the atlas has such
+ * rooms. */
 static const char *why_not(const struct pp_world *world,
                            const struct pp_outside_light *light)
 {
@@ -64,8 +66,8 @@ static bool is_within(double value, double from, double to)
     return isnan(value) || (value >= from - slack && value <= to + slack);
 }
 
-/* First feature from `first` up to `end` whose value is outside that of all rooms of
- * the table; -1: there is none. */
+/* First feature from `first` to end - 1 whose value is outside the range of all rooms
+ * of the table; -1: there is none. */
 static int find_unlike(const struct pp_band_table *table, const double *features,
                        int first, int end, double *from, double *to)
 {
@@ -131,7 +133,7 @@ bool pp_report_bands_has(const struct pp_report *report, const struct pp_column 
 
 enum { OF_POINT = PP_ROOM_FEATURES - PP_ROOM_OF_POINTS };
 
-/* Features of a point; false: no point of the atlas is in such a place. */
+/* Features of a point; false: no point of the atlas is in a similar place. */
 struct place {
     bool known;
     double features[OF_POINT];

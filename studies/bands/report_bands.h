@@ -10,12 +10,13 @@
 #include "model/results/report.h"
 #include "studies/bands/band_features.h"
 
-/* Fills the bands of the report's columns, or gives the reason in report->no_bands.
- * Points that do not face up, or are in places unlike those of the atlas, have none. */
+/* Fills in the bands of the report's columns, or the reason in report->no_bands. Points
+ * that do not face up, or whose features are outside the ranges of the atlas, have
+ * none. */
 enum pp_status pp_report_bands_fill(struct pp_report *report, struct pp_error *err);
 
-/* The features of the report's room. *why: why the atlas does not cover it, kept with
- * the report's sentences; NULL: it does. */
+/* Features of the report's room. *why: the reason if the atlas does not cover the room,
+ * stored with the report's sentences; NULL: it covers the room. */
 enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
                                         const char **why, struct pp_report *report,
                                         struct pp_error *err);
@@ -25,8 +26,8 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
 bool pp_report_bands_point(double features[PP_BAND_FEATURES],
                            const struct pp_report *report, int index);
 
-/* True if a column can have bands: not the simulated ones, nor those by a user's own
- * tables or formulae. */
+/* True if a column can have bands. Simulated columns and columns by a user's own tables
+ * or formulae have none. */
 bool pp_report_bands_has(const struct pp_report *report,
                          const struct pp_column *column);
 

@@ -12,7 +12,7 @@ double pp_availability_needed_lx(double lx, double daylight_factor)
     return daylight_factor > 0.0 ? lx / daylight_factor : INFINITY;
 }
 
-/* Writes an hour of the day as "8" or "17:30"; returns the length of that text. */
+/* Writes an hour of the day as "8" or "17:30"; returns the length of the text. */
 static int write_clock(char *text, size_t room, double hour)
 {
     int minutes = (int)lround(60.0 * hour);
@@ -101,8 +101,8 @@ static void add_rows(struct pp_availability_sheet *sheet, int place,
     }
 }
 
-/* All rows, without their shares: points in their order, then the median, then the
- * average. */
+/* Fills in all rows without their shares: points in their order, then the median, then
+ * the average. */
 static enum pp_status fill_rows(struct pp_availability_sheet *sheet,
                                 struct pp_error *err)
 {

@@ -25,9 +25,9 @@ void pp_diffuse_light_clear(struct pp_diffuse_light *light)
 
 /* ---- from a weather file ---- */
 
-/* Sun of a record: its mean height (sine of the altitude) over those of STEPS times in
- * the record at which it is up. If it is always down it is put on the horizon, and *up
- * is false. */
+/* Position of the sun in a record: its mean height (sine of the altitude) over those of
+ * STEPS instants in the record at which it is above the horizon. If it never is, it is
+ * put on the horizon, and *up is false. */
 static struct pp_sun sun_of(const struct pp_epw *epw,
                             const struct pp_epw_record *record, bool *up)
 {

@@ -20,7 +20,7 @@ struct pp_diffuse_light {
     struct pp_diffuse_hour *list; /* owned */
     int filled;     /* hours whose illuminance was calculated from their irradiance */
     int missing;    /* hours with neither illuminance nor irradiance */
-    double total_h; /* length of all hours together */
+    double total_h; /* total length of all hours */
 };
 
 /* Reads the diffuse horizontal illuminance of a weather file. An hour without

@@ -1,8 +1,10 @@
 /* sunshine.h - probability of sunshine while the sun is above the horizon, by month and
  * hour of solar time, from a weather file.
  *
- * The sun shines if its irradiance on a plane normal to it is more than 120 W/m2
- * [WMO8]. A record has only its mean, so that it counts entirely or not at all. */
+ * The sun shines if its irradiance on a plane normal to its direction is more than 120
+ * W/m2 [WMO8]. Since a record has only the mean irradiance, it counts entirely or not
+ * at all.
+ */
 #ifndef PP_STUDIES_CLIMATE_SUNSHINE_H
 #define PP_STUDIES_CLIMATE_SUNSHINE_H
 

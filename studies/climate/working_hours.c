@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* A number that rises through the year, by one from day to day within a month. */
+/* A number that increases through the year, by one from day to day within a month. */
 static int day_number(struct pp_month_day date)
 {
     return 32 * date.month + date.day;

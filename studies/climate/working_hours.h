@@ -15,8 +15,9 @@ struct pp_working_hours {
     unsigned days;       /* bits of the days of the week */
 };
 
-/* The days of summer time, from the first to the last; over the new year where the last
- * has the earlier date. from.month 0: there is no summer time. */
+/* The days of summer time, from the first to the last, both included. If the last is
+ * earlier in the year than the first, the period extends over the new year. from.month
+ * 0: there is no summer time. */
 struct pp_summer_time {
     struct pp_month_day from, to;
 };

@@ -1,5 +1,5 @@
-/* assessment.c - chooses criteria, computes the factors they need, and runs them in
- * turn. */
+/* assessment.c - chooses criteria, computes the daylight factors they need, and
+ * evaluates them one by one. */
 #include "studies/bands/report_bands.h"
 #include "studies/criteria/assessment.h"
 
@@ -109,7 +109,8 @@ static const double small_error = 0.02;
 enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
 
 /* True if the grid causes more error than noise does and may change the verdict. A
- * minimum (without a share of the plane) depends on every grid and is left out. */
+ * minimum (without a share of the plane) is left out, because it depends on every
+ * grid. */
 static bool is_coarse(const struct pp_finding *finding)
 {
     if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over))

@@ -15,7 +15,7 @@
 struct pp_assess_options {
     const struct pp_study_options *study; /* not owned */
     const char
-        *criteria; /* names with commas between, judged whatever the room's use and
+        *criteria; /* comma-separated names, evaluated whatever the room's use and
                     * country; NULL: the profile's */
     const struct pp_profile *profile; /* not owned; NULL: all */
     const char *place; /* a capital of the standard's table; NULL: the room's site */
@@ -28,8 +28,8 @@ struct pp_assess_options {
     const struct pp_rooms_before
         *mirrored;              /* the rooms of the same files with the mirror
                                  * image outside; not owned; NULL: none */
-    bool of_averages;           /* the simulation's error is also that of the average
-                                 * over the plane, whatever the criteria */
+    bool of_averages;           /* the target error of the simulation also applies to
+                                 * the average over the plane, whatever the criteria */
     bool verdicts_only;         /* improvements are not searched for */
     struct pp_grid_choice grid; /* the grid of the plane; empty: the file's, or the
                                  * default one, halved as often as the verdicts need */

@@ -8,26 +8,28 @@
 #include "model/room/world.h"
 #include "studies/criteria/criterion.h"
 
-/* The kinds of rooms of a dwelling that British figures tell apart, as bits. */
+/* Kinds of rooms of a dwelling for which British guidance has separate figures, as
+ * bits. */
 enum pp_dwelling_room {
     PP_DWELLING_BEDROOM = 1,
     PP_DWELLING_LIVING_ROOM = 2,
     PP_DWELLING_KITCHEN = 4
 };
 
-/* Kinds of habitable room that the room counts as. A room of several uses is the one
- * with the highest target [BS8206]; a room of unknown use is all of them; 0: not a
- * habitable room of a dwelling. */
+/* Kinds of habitable room that the room counts as. A room with several uses counts as
+ * the kind with the highest target [BS8206], a room of unknown use as all kinds; 0: not
+ * a habitable room of a dwelling. */
 int pp_bearing_dwelling_rooms(enum pp_room_use use);
 
 /* Values for bears_on_use of criteria. */
-bool pp_bearing_needs_daylight(enum pp_room_use use); /* no bathroom, hall, store */
+bool pp_bearing_needs_daylight(enum pp_room_use use); /* all uses except bathroom,
+                                                       * hall and store */
 bool pp_bearing_is_dwelling(enum pp_room_use use);
 bool pp_bearing_is_lived_in(
-    enum pp_room_use use); /* a living room is all or part of it */
+    enum pp_room_use use); /* all or part of the room is a living room */
 
-/* True if the criterion applies to the room: by its use and, if by_country, by the
- * site's country. It applies if these are unknown. */
+/* True if the criterion applies to the room by its use and, if by_country, by the
+ * site's country. It also applies if these are unknown. */
 bool pp_bearing_bears(const struct pp_criterion *criterion,
                       const struct pp_world *world, bool by_country);
 

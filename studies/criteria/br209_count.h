@@ -1,16 +1,18 @@
-/* br209_count.h - how many windows and rooms keep their light by [BR209], each counted once.
+/* br209_count.h - number of windows and rooms that keep their light according to
+ * [BR209], each counted once.
  *
  * A window meets the guide if its vertical sky component is 27 % or 0.8 of its former
- * value; a room, if 0.8 of the former area that saw sky still does. A window or room that
- * is not judged is not counted.
+ * value, a room if the area that sees sky is 0.8 of its former area. A window or room
+ * that is not judged is not counted.
  */
 #ifndef PP_STUDIES_CRITERIA_BR209_COUNT_H
 #define PP_STUDIES_CRITERIA_BR209_COUNT_H
 
 #include "studies/criteria/assessment.h"
 
-/* Losses of a window's vertical sky component in bands, as consultants name them in
- * assessments of effects: below 20 %, from there (minor), 30 (moderate), 40 (major). */
+/* Bands of the loss of a window's vertical sky component, as used by consultants in
+ * assessments of effects: below 20 %, from 20 % (minor), from 30 % (moderate), from 40
+ * % (major). */
 enum { PP_LOSS_BANDS = 4 };
 extern const double pp_loss_bands[PP_LOSS_BANDS]; /* lower ends, fractions */
 

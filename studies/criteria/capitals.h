@@ -10,7 +10,7 @@
  * site, E_v,d,med of [EN17037]. */
 struct pp_median {
     double lux;    /* NAN: not known */
-    char how[200]; /* where it comes from ("London, 12 km away"), or why it is not
+    char how[200]; /* its origin ("London, 12 km away"), or the reason why it is not
                     * known, as a sentence without a full stop */
 };
 
@@ -27,22 +27,23 @@ struct pp_capital {
 int pp_capitals_count(void);
 const struct pp_capital *pp_capitals_at(int index);
 
-/* The capital of that name, upper and lower case alike; NULL where there is none. */
+/* The capital of that name, in upper or lower case; NULL: none. */
 const struct pp_capital *pp_capitals_find(const char *name);
 
 /* The capital of a country, by its two letters; NULL: the table has none. */
 const struct pp_capital *pp_capitals_of_country(const char *country);
 
-/* Angle at the earth's centre between a place and the capital; radians, all of them. */
+/* Angle at the earth's centre between a place and the capital. All angles in
+ * radians. */
 double pp_capitals_apart_rad(const struct pp_capital *capital, double latitude_rad,
                              double longitude_rad);
 
-/* The median illuminance of a site: that of its country's capital, as the table goes by
- * nation. Where country is empty or has no capital in the table, that of the nearest
- * capital by great circle, and `how` warns of it, if it is within 1000 km; for a site
- * without longitude that of the capital whose latitude is nearest, if it is within 2.5
- * degrees. Angles in radians, NAN where not known. lux is
- * NAN where no capital is near, and `how` says why. */
+/* The median illuminance of a site. It is that of the country's capital, since the
+ * table is arranged by nation. If the country is empty or has no capital in the table,
+ * it is that of the nearest capital within 1000 km by great circle, and `how` has a
+ * warning. For a site without longitude it is that of the capital with the nearest
+ * latitude, within 2.5 degrees. Angles in radians, NAN if unknown. lux is NAN if there
+ * is no such capital, with the reason in `how`. */
 struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                                     const char *country);
 

@@ -1,5 +1,4 @@
-/* criteria.h - the list of all criteria, and each one's own entry for tests.
- */
+/* criteria.h - the list of all criteria, and the entry of each criterion for tests. */
 #ifndef PP_STUDIES_CRITERIA_CRITERIA_H
 #define PP_STUDIES_CRITERIA_CRITERIA_H
 
@@ -23,8 +22,8 @@ extern const struct pp_criterion pp_criterion_en17037;
 extern const struct pp_criterion pp_criterion_uk_annex;
 extern const struct pp_criterion pp_criterion_rights_of_light;
 
-/* All criteria, in the order in which they are shown; NULL at the end. index is at most
- * one past the last. */
+/* All criteria, in the order of results; NULL at the end. index is at most one past the
+ * last. */
 const struct pp_criterion *pp_criteria_at(int index);
 
 /* True if that is the criterion's name or its alias. */

@@ -1,9 +1,9 @@
 /* criterion.h - a criterion of daylight: a rule that a room meets or does not meet.
  *
- * Each criterion is one entry in one list (studies/criteria/criteria.c); a file holds
- * one criterion, or a family of them. It adds findings about the room: figures, each
- * with its bound and a verdict. Criteria do not simulate: simulated daylight factors
- * come in as readings.
+ * Each criterion is one entry in one list (studies/criteria/criteria.c); a file
+ * contains one criterion, or a family of criteria. It adds findings about the room:
+ * figures, each with its bound and a verdict. Criteria do not simulate: they receive
+ * simulated daylight factors as readings.
  */
 #ifndef PP_STUDIES_CRITERIA_CRITERION_H
 #define PP_STUDIES_CRITERIA_CRITERION_H
@@ -51,9 +51,10 @@ struct pp_criterion {
     const char *name;        /* as typed on the command line, and in JSON */
     const char *alias;       /* its usual short name, also accepted; NULL: none */
     const char *title;       /* for people */
-    const char *source;      /* keys in docs/SOURCES.md, with ", " between */
+    const char *source;      /* keys in docs/SOURCES.md, separated by ", " */
     const char *summary;     /* one line for the help, without a full stop */
-    bool needs_before;       /* is evaluated only where there is a room before */
+    bool needs_before;       /* is evaluated only if there is a former state of the
+                              * room */
     bool needs_mirror_image; /* needs a result with the mirror image */
     bool of_gardens;         /* is evaluated only with a room that has gardens */
     bool of_factors; /* judges by the inquiry's factors; else they may be NULL */

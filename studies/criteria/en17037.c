@@ -47,8 +47,8 @@ static bool is_lit_by_rooflights(const struct pp_world *world)
     return all;
 }
 
-/* Adds the finding of one target: by the daylight factors in `column`, or, if `why`
- * gives a reason, not judged. */
+/* Adds the finding on one target, by the daylight factors in `column`; not judged if
+ * there is a reason `why`. */
 static enum pp_status add_target(const struct pp_inquiry *inquiry,
                                  const struct target *target,
                                  const struct pp_column *column, const char *why,

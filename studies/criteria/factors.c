@@ -102,8 +102,8 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
     return NULL;
 }
 
-/* Level that a part of the points reaches if each is at the lower, or upper, end of its
- * band. */
+/* Level that a part of the points reaches if all points are at the lower, or all at the
+ * upper, ends of their bands. */
 static enum pp_status level_at(double *level, const struct pp_band_ends *bands,
                                int count, double part, bool upper, struct pp_error *err)
 {

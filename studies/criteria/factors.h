@@ -12,8 +12,8 @@
  * `exact+split-flux`. */
 enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err);
 
-/* Why criteria of daylight factors do not apply to the room: its sky is not overcast.
- * NULL where they apply. */
+/* Reason why criteria of daylight factors do not apply to the room: its sky is not
+ * overcast. NULL if they apply. */
 const char *pp_factors_refuse(const struct pp_inquiry *inquiry);
 
 /* Daylight factors at the grid's points: the column "traced" if there is one, else that

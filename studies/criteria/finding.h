@@ -25,7 +25,7 @@ struct pp_finding {
     int line;      /* of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
     double figure;           /* NAN: not judged */
-    double now, before;      /* the values that the figure compares
+    double now, before;      /* the values compared by the figure
                               * (pp_finding_compares); NAN: none */
     enum pp_figure compared; /* their kind */
     double std_error;  /* of the figure, by noise and by the grid; NAN: nothing was
@@ -54,7 +54,7 @@ struct pp_finding {
  * that is only stated. Static. */
 const char *pp_finding_verdict(enum pp_verdict verdict);
 
-/* The same for people: "not applicable" for what is not judged. */
+/* The same for users: "not applicable" for PP_NOT_JUDGED. */
 const char *pp_finding_word(enum pp_verdict verdict);
 
 /* The word for a finding's verdict: "reached" or "not reached" for an optional level. */
@@ -64,8 +64,8 @@ const char *pp_finding_own_word(const struct pp_finding *finding);
 struct pp_finding_list {
     struct pp_finding *list;
     int count;
-    char basis[320]; /* method by which the figures were found, as a sentence without a
-                      * full stop; empty: none, they follow from the room file */
+    char basis[320]; /* method by which the figures were found, as a sentence without
+                      * a full stop; empty if they follow from the room file */
     struct pp_lit_change
         lit; /* for rights of light; for other findings, and if it is not assessed,
               * plane_m2 is 0 */
@@ -75,7 +75,7 @@ struct pp_finding_list {
  * of statistical tests, not calibrated. */
 #define PP_SURE 0.95
 
-/* Finding with a figure and its bound: a figure within 1e-9 of the bound, relative,
+/* A finding with a figure and its bound. A figure within 1e-9 of the bound, relative,
  * meets it. wanted NAN: the figure is only stated. A figure of NAN is not judged.
  * `what` is a printf format. */
 struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wanted,

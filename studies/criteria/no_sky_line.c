@@ -21,7 +21,7 @@
 
 static const char no_plane[] = "the room has no working plane";
 
-/* The working plane, and the part of it that sees sky. */
+/* Areas of the working plane, and of its part that sees sky. */
 struct sky_view_area {
     double plane_m2, sky_m2;
     double error_m2; /* of sky_m2, by the tolerance of the line */
@@ -37,7 +37,7 @@ static enum pp_status find_view(struct sky_view_area *view,
     return status;
 }
 
-/* Adds the finding; not judged where the room has no working plane. */
+/* Adds the finding; not judged if the room has no working plane. */
 static enum pp_status add_if_plane(struct pp_finding_list *findings,
                                    const struct sky_view_area *view,
                                    struct pp_finding finding, struct pp_error *err)

@@ -7,12 +7,13 @@
 #include "model/base/error.h"
 #include "model/room/world.h"
 
-/* (*pairs)[i] is the index in `before` of the opening whose outline is that of the i-th
- * opening of `world`, whatever the order in the files. *pairs is the caller's to free.
+/* Sets (*pairs)[i] to the index in `before` of the opening with the outline of opening
+ * i of `world`, whatever the order in the files. The caller frees *pairs.
  *
  * Faces, openings and working plane must be in the same places, to 10 mm; surroundings,
- * glass, finishes and sky may differ. Else PP_BAD_INPUT, whose message names the first
- * difference, as the end of a sentence that begins with the file's name. */
+ * glass, finishes and sky may differ. Otherwise PP_BAD_INPUT, whose message names the
+ * first difference, as the end of a sentence that begins with the file's name.
+ */
 enum pp_status pp_pair_rooms(int **pairs, const struct pp_world *world,
                              const struct pp_world *before, struct pp_error *err);
 

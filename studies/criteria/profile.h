@@ -1,4 +1,4 @@
-/* profile.h - the criteria of a kind of report, by the name of its purpose. */
+/* profile.h - named sets of criteria, one for each kind of report. */
 #ifndef PP_STUDIES_CRITERIA_PROFILE_H
 #define PP_STUDIES_CRITERIA_PROFILE_H
 
@@ -15,7 +15,7 @@ struct pp_profile {
  * allowed. */
 const struct pp_profile *pp_profile_at(int index);
 
-/* NULL, with PP_BAD_INPUT in err, if there is none of that name. */
+/* The profile of that name; NULL, with PP_BAD_INPUT in err, if there is none. */
 const struct pp_profile *pp_profile_find(const char *name, struct pp_error *err);
 
 #endif

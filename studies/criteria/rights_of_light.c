@@ -1,8 +1,8 @@
 /* rights_of_light.c - the area of a room that is adequately lit in the English law of
  * easements (studies/lit_line.h), and the part of it that was lost.
  *
- * A room is adequately lit where the 0.2 % contour of the sky factor encloses half of its
- * area or more. What is lost is counted by zones, too.
+ * A room is adequately lit if the 0.2 % contour of the sky factor encloses half of its
+ * area or more. The lost area is also divided into zones.
  */
 #include <math.h>
 

@@ -7,8 +7,8 @@
 #include "methods/exact/exterior.h"
 #include "model/geometry/tolerance.h"
 
-/* The section: the eye is the middle of the opening's outside, `ahead` runs level out of
- * the wall, `across` is the section's normal. */
+/* The section: the eye is the middle of the opening's outside, `ahead` is horizontal
+ * and out of the wall, `across` is the section's normal. */
 struct section_plane {
     struct pp_vec3 eye, ahead, across;
 };
@@ -60,7 +60,7 @@ static bool is_before(const struct edge_crossing *a, const struct edge_crossing 
     return a->along < b->along || (a->along == b->along && a->edge < b->edge);
 }
 
-/* The first crossing behind `last` along the line; false: there is none. */
+/* The first crossing after `last` along the line; false: there is none. */
 static bool next_crossing(struct edge_crossing *next, const struct edge_crossing *last,
                           const struct section_plane *section,
                           const struct pp_polygon *polygon)
@@ -80,8 +80,8 @@ static bool next_crossing(struct edge_crossing *next, const struct edge_crossing
     return isfinite(next->along);
 }
 
-/* Pairs of crossings in order along the line, the first two and each two that follow, are
- * the ends of pieces of the polygon. */
+/* Consecutive pairs of crossings along the line are the ends of the pieces of the
+ * polygon. */
 static double angle_of_polygon(const struct section_plane *section,
                                const struct pp_polygon *polygon)
 {

@@ -1,8 +1,9 @@
-/* site_table.c - sorts findings into windows, rooms, sunlight, gardens, rights of light and others.
+/* site_table.c - sorts findings into windows, rooms, sunlight, gardens, rights of light
+ * and others.
  *
- * Where a room has been judged with the room as it was, its windows stand with the
- * criterion that compares (former-sky), else with the one that does not (vertical-sky).
- * The values with the building's mirror image stand beside them.
+ * If the former state of a room is given, its windows are listed with the criterion
+ * that compares both states (former-sky), otherwise with the one for the present state
+ * (vertical-sky). Values with the building's mirror image are added to the same lines.
  */
 #include "studies/criteria/site_table.h"
 
@@ -32,8 +33,8 @@ static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
     return PP_OK;
 }
 
-/* Adds a value by the mirror image to the line of its window or room; false if there is
- * no such line. */
+/* Adds a value with the mirror image to the line of its window or room; false if there
+ * is no such line. */
 static bool put_beside(struct pp_site_table *table, const struct pp_assessment *room,
                        const struct pp_finding *finding)
 {
@@ -52,7 +53,7 @@ static bool put_beside(struct pp_site_table *table, const struct pp_assessment *
     return false;
 }
 
-/* True if the room has findings of that criterion. */
+/* True if the room has findings by that criterion. */
 static bool has(const struct pp_assessment *room, const struct pp_criterion *criterion)
 {
     for (int i = 0; i < room->answer_count; i++)
@@ -61,7 +62,7 @@ static bool has(const struct pp_assessment *room, const struct pp_criterion *cri
     return false;
 }
 
-/* A room's line has the verdict on its share, or why there is none. */
+/* The line of a room has the verdict on its share, or the reason why there is none. */
 static enum pp_status add_rights(struct pp_site_table *table,
                                  const struct pp_assessment *room,
                                  const struct pp_answer *answer, struct pp_error *err)
@@ -98,7 +99,8 @@ static enum pp_status add_answer(struct pp_site_table *table,
                   || criterion == &pp_criterion_former_sky;
     if (criterion == &pp_criterion_vertical_sky && has(room, &pp_criterion_former_sky))
         return PP_OK;
-    /* The last finding of the no-sky line is the comparing one, if there is any. */
+    /* The last finding of the no-sky line is the one that compares both states, if
+     * there is one. */
     if (criterion == &pp_criterion_no_sky_line)
         return findings->count == 0
                    ? PP_OK

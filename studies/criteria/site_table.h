@@ -43,8 +43,8 @@ struct pp_site_table {
 enum pp_status pp_site_table_of(struct pp_site_table *table,
                                 const struct pp_assessment *rooms, int count,
                                 struct pp_error *err);
-/* "Sunlight hours, possible" or "..., probable": the hours are probable where they are
- * judged. Static. */
+/* Title of the table: "Sunlight hours, possible" or "..., probable" if probable hours
+ * are judged. Static. */
 const char *pp_site_table_sun_title(const struct pp_site_table *table);
 
 void pp_site_table_clear(struct pp_site_table *table);

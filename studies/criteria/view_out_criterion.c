@@ -142,7 +142,8 @@ static enum pp_status add_views(struct pp_finding_list *findings,
     return status;
 }
 
-/* A grid of spacing_m, or of wider cells where there would be more than most_points. */
+/* Makes a grid with spacing_m, or with wider cells if it would have more than
+ * most_points. */
 static enum pp_status make_grid(struct pp_plane_grid *grid,
                                 const struct pp_world *world, struct pp_error *err)
 {

@@ -43,13 +43,13 @@ struct pp_engine_options {
 
 struct pp_engine {
     const char *name;   /* as typed: "path" */
-    const char *column; /* of its results: "traced" */
+    const char *column; /* name of its columns of results: "traced" */
     const char *summary;
     const char *said;      /* description of its figures below a table: "by
                             * simulation" */
     const char *deviation; /* name of the error beside a figure: "one standard error" */
-    const char *from;      /* heading for deviations from it: "from traced, %"; NULL:
-                            * none, as it is not a reference */
+    const char *from;      /* heading for deviations from its results: "from traced,
+                            * %"; NULL: the engine is no reference */
     bool is_truth;         /* true if hand figures can be compared with it */
     bool is_sampled;       /* figures depend on the seed */
     const struct pp_engine
@@ -72,13 +72,13 @@ struct pp_engine {
     void (*read)(const void *run, int index,
                  struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-    /* Correlated share of the variance of the receivers' factors (common_error.h):
-     * among all of them, and among neighbours; NULL: none. */
+    /* Correlated share of the variance of the receivers' daylight factors
+     * (common_error.h): among all receivers, and among neighbours; NULL: none. */
     double (*common)(const void *run);
     double (*common_near)(const void *run);
 
-    /* Data with which a later run may begin, as the content of a file; NULL: nothing to
-     * keep. The caller frees it. */
+    /* Data with which a later run may begin, as the content of a file; NULL: there are
+     * none. The caller frees it. */
     enum pp_status (*keep)(const void *run, char **bytes, size_t *length,
                            struct pp_error *err);
     void (*destroy)(void *run); /* NULL is allowed */
@@ -93,8 +93,8 @@ const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none
 /* Engine whose columns have this name; NULL: the name of a method. */
 const struct pp_engine *pp_engine_of_column(const char *column);
 
-/* The column of daylight factors with which others are compared: of the first engine of
- * the list that is a reference and is in the report; NULL: none. */
+/* The reference column of daylight factors: that of the first engine of the list that
+ * is a reference and is in the report; NULL: none. */
 const struct pp_column *pp_engine_truth(const struct pp_report *report);
 
 #endif

@@ -48,7 +48,7 @@ static struct pp_vec3 polygon_middle(const struct pp_polygon *polygon)
     return sum;
 }
 
-/* The distance of the nearest surface in a direction; INFINITY where there is none. */
+/* Distance of the nearest surface in a direction; INFINITY: there is none. */
 static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
                        struct pp_vec3 to)
 {
@@ -57,7 +57,8 @@ static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
     return pp_light_scene_first(scene, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* Distance from a place to the nearest surface at its height, limited to `most`. */
+/* Distance to the nearest surface in the horizontal plane of a place, limited to
+ * `most`. */
 static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place,
                         double most)
 {
@@ -80,8 +81,8 @@ static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
     return free_m < 0.98 * distance_m - 0.02 ? 1e3 : 0.0;
 }
 
-/* Harmonic mean of the free distances across the picture, level: a near wall on one
- * side of it counts as much as it obstructs the view. */
+/* Harmonic mean of the free distances across the picture in the horizontal plane, in
+ * which a near wall on one side has the weight of the view that it obstructs. */
 static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
                        struct pp_vec3 target)
 {
@@ -214,7 +215,7 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
     struct pp_vec3 size = pp_vec_sub(high, low);
     place->eye = pp_bounds3_middle(&room);
     place->down_m = size.z;
-    /* Looks into the room at right angles to the window, which is at the right in the
+    /* Looks into the room perpendicular to the window, which is at the right in the
      * drawing. */
     struct pp_vec3 right =
         size.y >= size.x ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);

@@ -25,7 +25,8 @@ enum pp_room_view {
     PP_ROOM_VIEW_PERSPECTIVE,
     PP_ROOM_VIEW_FISHEYE,
     PP_ROOM_VIEW_PLAN,    /* from above; +y is up */
-    PP_ROOM_VIEW_SECTION, /* through the middle of the largest window, it on the left */
+    PP_ROOM_VIEW_SECTION, /* through the middle of the largest window, which is on
+                           * the left */
 };
 
 struct pp_view_place {

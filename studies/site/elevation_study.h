@@ -1,6 +1,5 @@
-/* elevation_study.h - the outer walls of a site's rooms that have windows, seen square from
- * outside, with contours of the vertical sky component over them.
- */
+/* elevation_study.h - elevations of the outer walls of a site's rooms that have
+ * windows, with contours of the vertical sky component. */
 #ifndef PP_STUDIES_SITE_ELEVATION_STUDY_H
 #define PP_STUDIES_SITE_ELEVATION_STUDY_H
 

@@ -1,11 +1,11 @@
-/* mesh_shapes.h - a mesh in a site plan: instead of triangles, the parts that look
- * connected from above, and their edges.
+/* mesh_shapes.h - a mesh in a site plan. Instead of triangles the plan shows the parts
+ * that look connected from above, and their edges.
  *
- * Triangles that share an edge are in one part if they bend by less than 20 degrees and
- * lie beside each other as seen from above; that edge is not drawn. Edges are drawn
- * that belong to one triangle, to a bend, or to a place where a part turns under
+ * Triangles that share an edge are in one part if the bend is less than 20 degrees and
+ * they do not overlap when seen from above; that edge is not drawn. Edges are drawn if
+ * they belong to one triangle, to a bend, or to a place where a part turns under
  * itself. Sheets are painted from low to high. So that low areas are not painted over
- * high ones, a part that bends is cut, without a line, where it rises by more than two
+ * high ones, a bent part is cut, without a line, where it rises by more than two
  * metres, and a plane part where it rises by more than ten.
  */
 #ifndef PP_STUDIES_SITE_MESH_SHAPES_H

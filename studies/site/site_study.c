@@ -87,7 +87,7 @@ static enum pp_status add_site_windows(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* True if two windows stand in one plane, one above the other. */
+/* True if two windows are in one plane, one above the other. */
 static bool is_above(const struct pp_site_window *a, const struct pp_site_window *b)
 {
     struct pp_vec3 along = pp_vec_sub(b->to, b->from);

@@ -1,13 +1,14 @@
 /* block_height.h - greatest height of a block at which the windows or rooms around it
  * retain their required share of the sky (retained_sky.h).
  *
- * Their sky decreases as the block rises. `before` is the site as existing or, if the
- * file has no states, the site with the block only 2 mm high.
+ * The visible sky of these windows and rooms decreases as the block rises. `before` is
+ * the existing site or, if the file has no states, the site with the block only 2 mm
+ * high.
  *
- * The height at which the first window or room has just its required value
+ * The height at which the value of the first window or room equals its required value
  * (root_bracket.h) is found to 1e-6 of a vertical sky component, or to 1e-4 of a lit
- * area, whose line is known to a millimetre. If the value falls in a step, the height
- * is within 10 um below that.
+ * area, whose boundary is known to a millimetre. If the value jumps at the required
+ * value, the height is at most 10 um below the jump.
  */
 #ifndef PP_STUDIES_SIZING_BLOCK_HEIGHT_H
 #define PP_STUDIES_SIZING_BLOCK_HEIGHT_H

@@ -1,6 +1,7 @@
-/* criterion_margin.h - margin by which a room meets a criterion: the least ratio of its
- * findings' figures to their bounds (of the bounds to the figures, for upper bounds). 1
- * or more: all are met. A sampled figure counts with its 95 % limit. */
+/* criterion_margin.h - margin by which a room meets a criterion: the least ratio of the
+ * figures of its findings to their bounds (for upper bounds, of the bounds to the
+ * figures). 1 or more: all findings are met. A sampled figure is replaced by its
+ * one-sided 95 % limit. */
 #ifndef PP_STUDIES_SIZING_CRITERION_MARGIN_H
 #define PP_STUDIES_SIZING_CRITERION_MARGIN_H
 
@@ -11,9 +12,10 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
-/* Checks the words: a criterion's name, optionally followed by a colon and the
- * beginning of its findings that count: "en17037:minimum"; without a colon all count.
- * PP_BAD_INPUT, with the valid names, if they name no criterion. */
+/* Checks the words of a request: the name of a criterion, optionally followed by a
+ * colon and the beginning of the findings that count ("en17037:minimum"); without a
+ * colon all findings count. PP_BAD_INPUT, with the valid names, if the words name no
+ * criterion. */
 enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err);
 
 /* Margin of `world`, the room or a changed one, on the same grid as assess.

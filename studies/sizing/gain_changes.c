@@ -22,7 +22,7 @@ static const double light_ceiling = 0.85, light_walls = 0.7, light_floor = 0.4;
 
 /* ---- Finishes ---- */
 
-/* Gives the darker faces of one role the reflectance `wanted`. */
+/* Changes the darker faces of one role to the reflectance `wanted`. */
 static enum pp_status lighten(struct pp_room **changed, struct pp_gain *gain,
                               const struct pp_room *room, const struct pp_world *world,
                               enum pp_role role, double wanted, const char *name,
@@ -164,7 +164,7 @@ static enum pp_status windows_of(int **windows, int *count, const struct pp_room
 }
 
 /* Enlarges all windows by that number of steps of one kind of change, or as far as they
- * can grow; *changed stays NULL if they cannot grow. */
+ * can grow. *changed stays NULL if they cannot grow. */
 static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *room,
                               enum pp_size_change change, int steps,
                               struct pp_error *err)

@@ -18,7 +18,8 @@
  * measured. */
 static const double least_share = 0.002;
 
-/* Average and darkest grid point of a world by the method; NAN where it gives none. */
+/* Average and darkest grid point of a world by the method; NAN if the method has no
+ * value. */
 static enum pp_status evaluate_gain(struct pp_gain_values *values,
                                     const struct pp_world *world,
                                     const struct pp_outside_light *light,

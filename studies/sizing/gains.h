@@ -18,7 +18,7 @@
 #include "model/room/world.h"
 #include "studies/study_options.h"
 
-/* Daylight factors, fractions; NAN where there is none. */
+/* Daylight factors, fractions; NAN: no value. */
 struct pp_gain_values {
     double average, darkest;
 };
@@ -52,9 +52,10 @@ enum pp_status pp_gains_find(struct pp_gains *gains, const struct pp_room *room,
                              struct pp_error *err);
 
 /* Replaces the hand values by simulated ones, for the room and for the
- * PP_GAINS_SIMULATED changes that raise the average most by hand; other changes are
+ * PP_GAINS_SIMULATED changes with the largest averages by hand; other changes are
  * dropped. Standard errors of the averages are 2 % or less, unless options->samples or
- * options->seconds end the simulation sooner. Does nothing if there is no method. */
+ * options->seconds end the simulation sooner. Does nothing if no method covers the
+ * room. */
 enum { PP_GAINS_SIMULATED = 6 };
 enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *room,
                                  const struct pp_world *world,
@@ -63,7 +64,7 @@ enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *r
                                  struct pp_error *err);
 
 /* The room's three largest faults as a sentence ("Main causes: low window heads and a
- * dark ceiling."), in `text` of `size` bytes; empty where no change raises the average. */
+ * dark ceiling."), in `text` of `size` bytes; empty if no change raises the average. */
 void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t size);
 
 #endif

@@ -1,8 +1,8 @@
-/* plot_cells.h - the plot of a block, in cells that may each be built to their own
- * height.
+/* plot_cells.h - the plot of a block, divided into cells, each of which can have its
+ * own height.
  *
- * The cells are nearly squares, in rows along the longest side of the plot's outline: 1
- * m wide, or a twelfth of the plot's extent if that is more. Cells that lie completely
+ * The cells are nearly square, in rows along the longest side of the plot's outline: 1
+ * m wide, or a twelfth of the plot's extent if that is more. Cells that are completely
  * inside the outline can be built on.
  */
 #ifndef PP_STUDIES_SIZING_PLOT_CELLS_H
@@ -18,7 +18,8 @@ struct pp_plot_cells {
     int *columns_of, *rows_of; /* of each cell, from 0 */
 };
 
-/* PP_BAD_INPUT where no cell lies on the plot. To be cleared in any case; heights are 0. */
+/* Divides the plot into cells with heights of 0. PP_BAD_INPUT if no cell is inside the
+ * plot. The caller clears the cells in any case. */
 enum pp_status pp_plot_cells_lay(struct pp_plot_cells *cells,
                                  const struct pp_building *building, const char *block,
                                  struct pp_error *err);

@@ -46,7 +46,7 @@ enum pp_plot_envelope_verdict {
 
 struct pp_plot_envelope {
     enum pp_plot_envelope_verdict verdict;
-    struct pp_plot_cells cells; /* height_m: 0 where nothing can be built */
+    struct pp_plot_cells cells; /* height_m: 0 if nothing can be built on the cell */
     double volume_m3;
     struct pp_retained_sky retained;
     double *altitudes_rad; /* of the planes, atan(s tan a_i); INFINITY if a window sets

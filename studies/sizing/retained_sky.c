@@ -50,7 +50,8 @@ static bool is_called(const char *own, const char *wanted)
     return !wanted || (own && strcmp(own, wanted) == 0);
 }
 
-/* Adds the windows; if `only` is given, only those of its line of the file. */
+/* Adds the windows; if `only` is given, only the windows of the same line of the
+ * file. */
 static enum pp_status add_retained_windows(struct pp_retained_sky *retained,
                                            const struct pp_retained_sky_rule *rule,
                                            const struct pp_retained_sky_place *only,
@@ -138,9 +139,9 @@ enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
                : pp_fail(err, PP_BAD_INPUT, "no room has a vertical window");
 }
 
-/* Values of the building in its present state, in the order of the list. List and
- * building have rooms and lines in the same order, and the windows of one line in the
- * same sequence. */
+/* Values of the building in its present state, in the order of the list. The list and
+ * the building have rooms and lines in the same order, and the windows of one line in
+ * the same sequence. */
 static enum pp_status measure_retained_sky(struct pp_retained_sky *retained,
                                            bool before,
                                            const struct pp_retained_sky_rule *rule,

@@ -21,8 +21,8 @@ extern const char *const pp_retained_sky_words[];
 
 struct pp_retained_sky_rule {
     enum pp_retained_sky_of of;
-    const char *room;   /* only rooms of that name count; NULL: all */
-    const char *window; /* only windows of that name count, of VSC; NULL: all */
+    const char *room;   /* counts only rooms of that name; NULL: all */
+    const char *window; /* counts only windows of that name, for VSC; NULL: all */
     double keep;        /* share to retain, above 0, below 1 */
     double french_m;    /* as for pp_vertical_sky_at_point (vertical_sky.h); 0: none */
     double enough;      /* value that is sufficient in any case; INFINITY: none */
@@ -65,7 +65,7 @@ enum pp_status pp_retained_sky_after(struct pp_retained_sky *retained,
                                      struct pp_building *building,
                                      struct pp_error *err);
 
-/* Fills in `after` of one place alone, by its index in the list. */
+/* Fills in `after` of one place, given by its index in the list. */
 enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int number,
                                          const struct pp_retained_sky_rule *rule,
                                          struct pp_building *building,

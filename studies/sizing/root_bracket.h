@@ -15,7 +15,7 @@ struct pp_root_bracket_range {
     double low, at_low;   /* an argument, and its value, which is not below 0 */
     double high, at_high; /* a greater argument, and its value, which is below 0 */
     double near_value;    /* values within this of 0 count as 0 */
-    double near_argument; /* arguments within this of each other count as equal */
+    double near_argument; /* arguments that differ by at most this count as equal */
 };
 
 /* The last call of the function is that at *found. */

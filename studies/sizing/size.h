@@ -30,8 +30,8 @@ struct pp_size_task {
                           * pp_window_sizes_create */
     int opening_count;
     double target;  /* a fraction, as the value is */
-    bool by_counts; /* the value is a count (of dots, say) and rises in steps, so finer
-                     * sizes do not come closer to the target */
+    bool by_counts; /* the value is a count (for example of dots) and rises in steps,
+                     * so that finer sizes do not come closer to the target */
     bool sampled;   /* the value is the lower limit of a sampled figure and must itself
                      * reach the target: a search may end within 1 % above it */
     pp_size_value *value;
@@ -44,9 +44,10 @@ struct pp_size_answer {
     struct pp_reading smallest; /* of the smallest size */
     struct pp_reading largest;  /* of the largest size */
     struct pp_reading reading;  /* at step `step` */
-    struct pp_room *room;       /* at the size given, owned; NULL: there is no value */
+    struct pp_room *room;       /* room with the size found, owned; NULL: there is no
+                                 * value */
     struct pp_room
-        *largest_room; /* at the largest size, owned; NULL: there is no value */
+        *largest_room; /* room with the largest size, owned; NULL: there is no value */
     bool is_largest;   /* the size given is the largest */
     int evaluations;   /* number of sizes that were evaluated */
 };

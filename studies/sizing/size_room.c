@@ -110,7 +110,7 @@ static enum pp_status sized_room_value(void *data, const struct pp_world *world,
                                 : value_by_hand(valuation, world, reading, err);
 }
 
-/* True if the opening is one of those that may change. */
+/* True if the opening may be changed. */
 static bool is_chosen(const struct pp_size_request *request,
                       const struct pp_room_opening *opening, enum pp_opening_kind kind)
 {
@@ -120,8 +120,8 @@ static bool is_chosen(const struct pp_size_request *request,
            && (!request->wall || strcmp(opening->wall, request->wall) == 0);
 }
 
-/* The indices of the openings that change: the windows, or the rooflights where there
- * are no windows. Fails where there are none. */
+/* Indices of the openings that change: the windows, or the rooflights if there are no
+ * windows. Fails if there are none. */
 static enum pp_status choose_sized_openings(int *openings, int *count,
                                             const struct pp_size_request *request,
                                             const struct pp_room *room,

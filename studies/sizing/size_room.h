@@ -1,5 +1,5 @@
-/* size_room.h - the smallest window with which a room reaches a target, by a hand
- * method or by simulation, and the edits of the room file for it. */
+/* size_room.h - the smallest window for which a room reaches a target, by a hand method
+ * or by simulation, and the corresponding edits of the room file. */
 #ifndef PP_STUDIES_SIZING_SIZE_ROOM_H
 #define PP_STUDIES_SIZING_SIZE_ROOM_H
 
@@ -40,7 +40,7 @@ struct pp_size_room_result {
     const char *file_text; /* not owned */
     size_t file_length;
     int file_opening; /* number of openings in the file before the room's first */
-    const char *why;  /* reason why there is no value; not owned */
+    const char *why;  /* reason if there is no value; not owned */
     struct pp_reading traced; /* of the sized room; NAN if nothing was simulated */
     bool holds; /* false: the simulated value of the size found by hand is below the
                  * target, by more than two standard errors; if that of the largest size
@@ -58,7 +58,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
                             const struct pp_size_request *request,
                             struct pp_error *err);
 
-/* Turns it into the result of a room that cannot be sized, with the reason. */
+/* Marks the result as that of a room that cannot be sized, with the reason. */
 void pp_size_room_result_refuse(struct pp_size_room_result *result, const char *why);
 
 /* Quantity that a method, a pair or "traced" gives, to which the target applies. */

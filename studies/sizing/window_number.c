@@ -12,7 +12,8 @@
  * measured. */
 enum { NUMBER_MOST = 200 };
 
-/* PP_BAD_INPUT unless the windows are in one wall and of one size and sill. */
+/* PP_BAD_INPUT unless the windows are in one wall and have the same size and sill
+ * height. */
 static enum pp_status check_alike(const struct pp_room *room, const int *openings,
                                   int opening_count, struct pp_error *err)
 {

@@ -148,8 +148,8 @@ static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
     return PP_OK;
 }
 
-/* Sets the speed of each edge that is blocked by itself to 0; *stopped: their
- * number. */
+/* Sets the speed of each edge that cannot move even alone to 0; *stopped: number of
+ * these edges. */
 static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *sizes,
                                    struct pp_room *trial, const double *edges,
                                    double *way, double *moved, struct pp_error *err)
@@ -204,8 +204,8 @@ static enum pp_status advance_sizes(bool *done, struct pp_window_sizes *sizes,
 }
 
 /* Outward speed of each edge in part `leg` of the change; 0 for an edge that stays.
- * False if there is no such part: a height has two, for head and sill, every other
- * change one. */
+ * False if there is no such part: a change of height has two (head and sill), every
+ * other change one. */
 static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
 {
     double widest = 0.0;

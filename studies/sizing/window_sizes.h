@@ -2,15 +2,17 @@
  * change, step by step from the smallest to the largest; each size encloses the one
  * before.
  *
- * The windows change together. Widths change in proportion, about each window's middle;
- * an edge that meets the end of its wall or another opening stays there while the
- * others go on. Heads are raised and sills lowered by equal lengths, each until it is
- * blocked; a height changes by the head first and then by the sill. A size is possible
- * if pp_world_create accepts the room. Edges that move are on a grid (a millimetre, or
- * finer; half of it if both edges move), rounded towards the window's inside.
+ * The windows change together. Widths change in proportion, about the middle of each
+ * window; an edge that meets the end of its wall or another opening stays there while
+ * the other edges continue. Heads are raised and sills lowered by equal lengths, each
+ * until it is blocked; a height changes by the head first and then by the sill. A size
+ * is possible if pp_world_create accepts the room. Edges that move are on a grid (a
+ * millimetre, or finer; half of that if both edges move), and are rounded towards the
+ * inside of the window.
  *
- * A change of number is for equal windows in one wall, each in the middle of its share
- * of the wall's length; at the room's own number the windows keep their places.
+ * The number of windows can be changed for equal windows in one wall, each in the
+ * middle of its share of the wall's length; at the room's own number the windows keep
+ * their positions.
  */
 #ifndef PP_STUDIES_SIZING_WINDOW_SIZES_H
 #define PP_STUDIES_SIZING_WINDOW_SIZES_H
@@ -27,8 +29,8 @@
 struct pp_window_sizes;
 
 /* openings: indices of the openings that change, windows or rooflights; for
- * PP_CHANGE_NUMBER windows of one wall and one size. PP_BAD_INPUT if these openings do
- * not allow the change. Copies the needed data of room, which must be valid. */
+ * PP_CHANGE_NUMBER windows of one size in one wall. PP_BAD_INPUT if these openings do
+ * not allow the change. Copies the needed data of `room`, which must be valid. */
 enum pp_status pp_window_sizes_create(struct pp_window_sizes **sizes,
                                       const struct pp_room *room,
                                       enum pp_size_change change, const int *openings,

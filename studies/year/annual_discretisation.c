@@ -40,7 +40,7 @@ static void choose(int *list, int count, int all, uint64_t seed)
     }
 }
 
-/* Sum over groups of one batch's light at one hour. */
+/* Sum over groups of the light of one batch in one hour. */
 static double sum_at(const float *rows, int groups, size_t step, int batch, int hour)
 {
     double sum = 0.0;
@@ -109,8 +109,8 @@ static bool sample_point(void *data, int worker, int p)
 
 /* ---- errors ---- */
 
-/* Sum of the batches' values without batch `left` (-1: of all), over a point's hours
- * from `first` to `end` - 1. */
+/* Sum of the values of all batches except `left` (-1: of all), over a point's hours
+ * from `first` to end - 1. */
 static double light_of_hours(const struct discretisation_work *d, int p, size_t member,
                              int first, int end, int left)
 {
@@ -180,7 +180,7 @@ static void judge_sample(struct discretisation_work *d)
                       pp_year_metrics_error(paths, PP_YEAR_BATCHES))}};
 }
 
-/* ---- all of it ---- */
+/* ---- the measurement ---- */
 
 static void choose_sample(struct discretisation_work *d)
 {

@@ -1,4 +1,4 @@
-/* annual_plane.c - means over the points, and shares of them. */
+/* annual_plane.c - means over the points, and shares of the points. */
 #include "studies/year/annual_plane.h"
 
 #include <math.h>
@@ -6,10 +6,10 @@
 
 #include "studies/year/year_metrics.h"
 
-/* The points' figures: of all batches, or without one of them. */
+/* The figures of the points: from all batches, or without one of them. */
 struct figures_of_points {
     const struct pp_annual_sheet *sheet;
-    const double *without; /* of the batch; NULL: of all */
+    const double *without; /* batch left out; NULL: none */
     size_t step;           /* numbers from one point to the next */
 };
 

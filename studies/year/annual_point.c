@@ -9,7 +9,7 @@
 struct pp_annual_space {
     float *sky, *sun;     /* [group][batch][step] */
     float *open, *blinds; /* [batch][step]: all light */
-    float *sums[5];       /* by hour: means over batches, or without one of them */
+    float *sums[5];       /* by hour: means over all batches, or over all but one */
     float *rank;
     double parts[2][PP_YEAR_BATCHES]; /* light of the year, lx h: of the sky, of sunlit
                                        * surfaces */
@@ -58,8 +58,8 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
     return enough ? PP_OK : pp_fail_memory(err);
 }
 
-/* Adds up all light of each batch, open and with blinds, and its parts, the means over
- * batches. */
+/* Adds up all light of each batch, without and with blinds, and its parts, the means
+ * over batches. */
 static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, int x)
 {
     int count = work->year->sky_count, groups = work->groups.count;
@@ -110,7 +110,7 @@ static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, i
         }
 }
 
-/* Mean of all batches but one, from the mean of all. */
+/* Mean of all batches except one, from the mean of all. */
 static void leave_out(float *out, const float *mean, const float *batch, int count)
 {
     for (int t = 0; t < count; t++)

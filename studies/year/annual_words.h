@@ -1,4 +1,5 @@
-/* annual_words.h - the hours of an annual sheet, and sentences on what its figures assume. */
+/* annual_words.h - the hours of an annual sheet, and sentences on the assumptions of
+ * its figures. */
 #ifndef PP_STUDIES_YEAR_ANNUAL_WORDS_H
 #define PP_STUDIES_YEAR_ANNUAL_WORDS_H
 

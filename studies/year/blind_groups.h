@@ -1,5 +1,5 @@
-/* blind_groups.h - openings whose blinds close together, and the rule for it, by
- * LM-83-12. */
+/* blind_groups.h - groups of openings whose blinds close together, and the rule for
+ * closing them, by LM-83-12. */
 #ifndef PP_STUDIES_YEAR_BLIND_GROUPS_H
 #define PP_STUDIES_YEAR_BLIND_GROUPS_H
 
@@ -14,7 +14,7 @@ enum { PP_BLIND_GROUPS_MOST = 16 };
 struct pp_blind_groups {
     int count;
     int *of_opening;                 /* owned */
-    int first[PP_BLIND_GROUPS_MOST]; /* an opening of each */
+    int first[PP_BLIND_GROUPS_MOST]; /* index of one opening of each group */
     double
         transmittance[PP_BLIND_GROUPS_MOST]; /* diffuse, of its panes without blinds */
 };
@@ -26,8 +26,8 @@ enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
                                         struct pp_error *err);
 void pp_blind_groups_clear(struct pp_blind_groups *groups);
 
-/* True if the group is closed in an hour with that number of points in direct sun of
- * 1000 lx or more through it: if they are more than 2 %. */
+/* True if the group is closed in an hour in which more than 2 % of the points have
+ * direct sun of 1000 lx or more through it; sunlit_points: their number. */
 bool pp_blind_groups_closes(int sunlit_points, int points);
 
 #endif

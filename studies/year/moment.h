@@ -1,8 +1,8 @@
 /* moment.h - sky and sun of one moment, and the illuminances of a room's points under
  * them.
  *
- * They come from the record of a weather file, or from irradiances: then the position
- * of the sun is given, or follows from a time at the room's site.
+ * Sky and sun come from a record of a weather file or from irradiances. In the latter
+ * case the position of the sun is given, or follows from a time at the room's site.
  */
 #ifndef PP_STUDIES_YEAR_MOMENT_H
 #define PP_STUDIES_YEAR_MOMENT_H
@@ -35,8 +35,8 @@ struct pp_moment_irradiances {
     double latitude_rad, longitude_rad; /* NAN: not known */
 };
 
-/* Precipitable water is 2 cm. PP_BAD_INPUT for direct light with the sun below the
- * horizon, for a time without a place, and if there is no light. */
+/* Assumes 2 cm of precipitable water. PP_BAD_INPUT for direct light with the sun below
+ * the horizon, for a time without a place, and if there is no light. */
 enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
                                         const struct pp_moment_irradiances *of,
                                         struct pp_error *err);

@@ -20,7 +20,7 @@ int pp_sun_closure_year(const struct pp_epw *epw)
     return year >= 1950 && year <= 2050 ? year : 2001;
 }
 
-/* Sums of squares by shift, with the columns as they are, and swapped. */
+/* Sums of squares by shift, for the columns of the file and for swapped columns. */
 struct closure_sums {
     double squares[SHIFTS], swapped;
     int records;

@@ -1,5 +1,5 @@
-/* sun_closure.h - the time within a record at which a weather file has its sun, from
- * its own radiation.
+/* sun_closure.h - the time within a record for which a weather file gives the sun's
+ * position, found from its radiation.
  *
  * In most files global horizontal = direct normal x sin(altitude) + diffuse horizontal
  * by construction. The sun is placed at the middle of each record plus a shift. The
@@ -31,8 +31,8 @@ struct pp_sun_closure {
 
 struct pp_sun_closure pp_sun_closure_of_epw(const struct pp_epw *epw);
 
-/* Year for the sun's positions: that of all records if they have one within 1950 to
- * 2050; else (a typical year) 2001. */
+/* Year for the sun's positions: that of the records if all have the same year from 1950
+ * to 2050, otherwise (a typical year) 2001. */
 int pp_sun_closure_year(const struct pp_epw *epw);
 
 #endif

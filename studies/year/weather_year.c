@@ -1,4 +1,5 @@
-/* weather_year.c - records to skies: the sun's place, and the Perez sky of it. */
+/* weather_year.c - converts records to skies: the position of the sun, and the Perez
+ * sky for it. */
 #include "studies/year/weather_year.h"
 
 #include <math.h>

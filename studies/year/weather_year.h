@@ -37,7 +37,7 @@ struct pp_weather_year {
     struct pp_perez_sky *skies; /* axes: x east, y north, z up */
     struct pp_sun_closure closure;
     double sun_shift_h; /* in use */
-    int sun_year;       /* of all sun positions */
+    int sun_year;       /* year of all sun positions */
 
     int leap_records;  /* records of 29 February that were left out */
     int missing;       /* records without direct or diffuse irradiance */
@@ -48,7 +48,8 @@ struct pp_weather_year {
     int sunless_beams; /* records whose direct light was left out, as the sun is down */
     int no_diffuse;    /* records with direct light alone: a black sky */
     int positive_b;    /* skies whose coefficient b was above 0 and is set to 0 */
-    int brightness, clearness; /* number of skies beyond the model's limits of each */
+    int brightness, clearness; /* number of skies beyond the model's limits of each
+                                * quantity */
 };
 
 /* PP_BAD_INPUT where the file covers less than a year, or has no light. file: its name,
@@ -59,8 +60,9 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
                                       const char *file, struct pp_error *err);
 void pp_weather_year_clear(struct pp_weather_year *year);
 
-/* The sky of one moment of the file, given by date and clock time (h): of the record
- * that contains it. PP_BAD_INPUT if there is no such record, or it is unknown. */
+/* The sky of one moment of the file, given by date and clock time (h): that of the
+ * record that contains the moment. PP_BAD_INPUT if there is no such record, or if it is
+ * unknown. */
 enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
                                       const struct pp_weather_year *year,
                                       struct pp_month_day date, double clock_h,

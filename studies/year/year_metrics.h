@@ -23,7 +23,7 @@ struct pp_year_clock {
     double diffuse_median_lx;
 };
 
-/* PP_BAD_INPUT where no hour is occupied. On success the caller clears *clock. */
+/* PP_BAD_INPUT if no hour is occupied. On success the caller clears *clock. */
 enum pp_status pp_year_clock_init(struct pp_year_clock *clock,
                                   const struct pp_weather_year *year,
                                   const struct pp_working_hours *hours,

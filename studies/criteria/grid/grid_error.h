@@ -1,10 +1,10 @@
 /* grid_error.h - the error due to the spacing of a grid: in a median, in the level that
- * another part of the plane reaches, and in the area over a target.
+ * a given part of the plane reaches, and in the area over a target.
  *
- * A point represents its whole cell. Here each cell gets 16 points, whose factors
- * follow the slopes to the neighbouring cells: a piecewise linear surface instead of a
- * piecewise constant one. The difference between both is the error, to first order in
- * the spacing.
+ * A point represents its whole cell. To find the error, each cell gets 16 points whose
+ * factors follow the slopes to the neighbouring cells: a piecewise linear surface
+ * instead of a piecewise constant one. The difference between the two is the error, to
+ * first order in the spacing.
  */
 #ifndef PP_STUDIES_CRITERIA_GRID_GRID_ERROR_H
 #define PP_STUDIES_CRITERIA_GRID_GRID_ERROR_H

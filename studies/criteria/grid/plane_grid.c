@@ -21,7 +21,8 @@ double pp_plane_grid_largest_spacing(double width_m, double depth_m)
     return fmin(0.5 * pow(5.0, log10(d)), 10.0);
 }
 
-/* True if a receiver can stand there, outside the margin along the walls. */
+/* True if a receiver can be placed at this point, outside the margin along the
+ * walls. */
 static bool is_grid_point(const struct pp_world *world, double margin_m, double x,
                           double y)
 {
@@ -31,7 +32,7 @@ static bool is_grid_point(const struct pp_world *world, double margin_m, double 
                                           pp_vec(0.0, 0.0, 1.0));
 }
 
-/* Spacing before it is halved, for a rectangle of that extent; sets the origin. */
+/* Spacing, before any halving, for a rectangle of that extent; sets the origin. */
 static double first_spacing(struct pp_plane_grid *grid, const double extent[2],
                             const struct pp_room *room,
                             const struct pp_grid_choice *choice)

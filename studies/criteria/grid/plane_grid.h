@@ -1,7 +1,6 @@
-/* plane_grid.h - the grid of points over the working plane by which criteria of daylight
- * factors are judged: equal cells inside a margin along the walls, a point at the centre
- * of each.
- */
+/* plane_grid.h - the grid of points over the working plane used by criteria of daylight
+ * factors: equal cells inside a margin along the walls, with a point at the centre of
+ * each. */
 #ifndef PP_STUDIES_CRITERIA_GRID_PLANE_GRID_H
 #define PP_STUDIES_CRITERIA_GRID_PLANE_GRID_H
 

@@ -1,10 +1,11 @@
-/* plane_share.c - the Poisson binomial distribution of the number of points that reach a
- * level, and levels of given probability by bisection.
+/* plane_share.c - the Poisson binomial distribution of the number of points that reach
+ * a level, and levels of given probability by bisection.
  *
- * The median of 2 m points is half way between the m-th and the next. It reaches a level if
- * m + 1 points do, or if m do and the gap from the level up to the least of these is no less
- * than the gap down to the greatest of the others. The two gaps' joint distribution comes
- * from the same sums, with two levels in place of one.
+ * The median of 2 m points is half way between the m-th and the next value. It reaches
+ * a level if m + 1 points reach the level. It also does if m points reach the level and
+ * the gap from the level up to the least of them is no less than the gap down to the
+ * greatest of the others. The joint distribution of the two gaps comes from the same
+ * sums, with two levels in place of one.
  */
 #include "studies/criteria/grid/plane_share.h"
 
@@ -18,8 +19,8 @@
 /* Distance of a probability from 0 or 1 within which the point counts as certain. */
 static const double surely = 1e-12;
 
-/* Standard errors from a level at which a point is certainly on one side of it:
- * normal_below(-7.04) = 0.96e-12. */
+/* Distance from a level, in standard errors, beyond which a point is certainly on one
+ * side of the level: normal_below(-7.04) = 0.96e-12. */
 static const double surely_off = 7.04;
 
 /* Values and targets are computed: a relative difference below this is rounding. */
@@ -134,9 +135,9 @@ static double gap_above_is_greater(const struct plane_points *points, double lev
            + gap_above_is_greater(points, level, shift, &far, odds);
 }
 
-/* Probability that exactly the wanted points reach the level, and that the middle
- * between the least of them and the next also reaches it. `reach`: an upper bound on
- * gaps. */
+/* Probability that exactly the wanted number of points reach the level, and that the
+ * middle between the least of these and the next value also reaches it. `reach`: an
+ * upper bound on gaps. */
 static double tie_probability(const struct plane_points *points, double level,
                               double shift, double *odds)
 {

@@ -1,7 +1,7 @@
-/* plane_trace.h - simulates the daylight factors of a grid until the plane's figures
- * have the target error: its median, the level that 95 % of it reach and, if a
- * criterion needs it, its average. Single points have a larger error, which saves most
- * of the time. */
+/* plane_trace.h - simulates the daylight factors of a grid until the figures of the
+ * plane have the target error: the median, the level that 95 % of the plane reach and,
+ * if a criterion needs it, the average. Single points have a larger error, which saves
+ * most of the time. */
 #ifndef PP_STUDIES_CRITERIA_GRID_PLANE_TRACE_H
 #define PP_STUDIES_CRITERIA_GRID_PLANE_TRACE_H
 

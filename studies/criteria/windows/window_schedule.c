@@ -27,7 +27,7 @@ double pp_schedule_scale(enum pp_schedule_quantity quantity)
     return quantity == PP_SCHEDULE_AREA ? 1.0 : 100.0;
 }
 
-/* The row of that window, a new one where there is none; NULL: out of memory. */
+/* The row of that window, which is added if it does not exist; NULL: out of memory. */
 static struct pp_schedule_row *row_of(struct pp_window_schedule *schedule,
                                       const struct pp_assessment *room, int line,
                                       struct pp_error *err)

@@ -1,5 +1,5 @@
-/* window_schedule.h - the schedule of a planning report: a line a window with its sky, its
- * sunlight and its room's lit area, existing and proposed. */
+/* window_schedule.h - the schedule of a planning report: one line for each window with
+ * its sky, its sunlight and the lit area of its room, existing and proposed. */
 #ifndef PP_STUDIES_CRITERIA_WINDOWS_WINDOW_SCHEDULE_H
 #define PP_STUDIES_CRITERIA_WINDOWS_WINDOW_SCHEDULE_H
 
@@ -18,7 +18,7 @@ enum { PP_SCHEDULE_CHANGES = 4 };
 enum pp_schedule_quantity {
     PP_SCHEDULE_SKY,    /* vertical sky component */
     PP_SCHEDULE_YEAR,   /* share of sunlight hours in the year */
-    PP_SCHEDULE_WINTER, /* of these hours in winter */
+    PP_SCHEDULE_WINTER, /* share of these hours in winter */
     PP_SCHEDULE_AREA    /* of the window's room with a view of the sky, m2 */
 };
 

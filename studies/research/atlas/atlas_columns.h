@@ -23,7 +23,7 @@
 
 enum { PP_ATLAS_NAME = 64 }; /* bytes of a column's name at most */
 
-/* The columns that reports have: of a method, and of its own world. */
+/* The columns of a report: for each the method, and the method's own world. */
 struct pp_atlas_columns {
     int count;
     struct pp_atlas_method {
@@ -32,7 +32,8 @@ struct pp_atlas_columns {
     } * methods;
 };
 
-/* Columns of that report, which they do not refer to. On success to be cleared. */
+/* Lists the columns of a report; the result does not refer to the report. On success
+ * the caller clears it. */
 enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
                                    const struct pp_report *report,
                                    struct pp_error *err);

@@ -94,7 +94,7 @@ static void put_ridge(struct pp_atlas_layout *room, double w, double d, double l
          {w, 0, low});
 }
 
-/* Lengths as they are printed, so that faces meet. */
+/* Rounds lengths as they are printed, so that faces meet exactly. */
 static void round_shape(struct pp_atlas_layout *room)
 {
     room->width = 0.01 * round(100.0 * room->width);
@@ -277,7 +277,8 @@ static bool put_openings(struct pp_atlas_layout *room)
         put_windows(room, PP_ATLAS_EAST, PP_ATLAS_WALL_2);
     if (place == PP_ATLAS_OPPOSITE)
         put_windows(room, PP_ATLAS_NORTH, PP_ATLAS_WALL_2);
-    /* A room under slopes has windows in them as often as not. */
+    /* Half of the rooms with windows in walls and a sloping ceiling also have roof
+     * windows. */
     if (place == PP_ATLAS_ROOF_ONLY
         || u[1] < (room->roof == PP_ATLAS_FLAT ? ranges->rooflights : 0.5)) {
         if (room->roof == PP_ATLAS_FLAT)

@@ -29,7 +29,7 @@
 
 enum pp_atlas_sky {
     PP_ATLAS_OVERCAST,
-    PP_ATLAS_ISO, /* one of ISO 15469's skies for each room, and a sun for it */
+    PP_ATLAS_ISO, /* a sky of ISO 15469 for each room, and a sun for it */
 };
 
 enum {

@@ -18,7 +18,7 @@ struct pp_atlas_drawn {
     struct pp_building *building;
     struct pp_study_room room;
     struct pp_study_options options; /* by one thread; the room's own seed */
-    struct pp_report report;         /* of all methods */
+    struct pp_report report;         /* report with the figures of all methods */
 };
 
 /* Room `index` of the sweep. To be cleared in any case. PP_BAD_INPUT, with the reason,

@@ -9,7 +9,7 @@
 #include "studies/research/atlas/atlas_design.h"
 #include "studies/research/atlas/atlas_ranges.h"
 
-/* Groups of six coordinates each for a room; each point uses two more of its own. */
+/* Groups of up to six coordinates of a room; each point has two more. */
 enum pp_atlas_group {
     PP_ATLAS_SHAPE,
     PP_ATLAS_FINISHES,

@@ -1,5 +1,5 @@
-/* atlas_mapping.c - sorts an atlas's rows into the classes of a map, and finds
- * quantiles of each. */
+/* atlas_mapping.c - sorts an atlas's rows into the classes of a map, and finds the
+ * quantiles of each class. */
 #include "studies/research/atlas/atlas_mapping.h"
 
 #include <stdio.h>
@@ -184,10 +184,10 @@ static void weigh_room_points(struct mapped_ratio *list, int count,
     }
 }
 
-/* Weighted quantile of ratios in rising order: the least ratio at which the rooms up to
- * it have at least that share. If they have exactly that share, the mean of it and the
- * next, so the median of an even number of rooms is the mean of the middle two. Sums of
- * weights have rounding errors. */
+/* Weighted quantile of ratios in ascending order: the least ratio for which the ratios
+ * up to it have at least that share of the weight. If they have exactly that share, it
+ * is the mean of that ratio and the next, so that the median of an even number of rooms
+ * is the mean of the middle two. Sums of weights have rounding errors. */
 static double quantile(const struct mapped_ratio *list, int count, int rooms,
                        double share)
 {

@@ -69,12 +69,13 @@ struct pp_atlas_ranges {
     double share[2]; /* of a wall's length that windows take */
     double panes[PP_ATLAS_PANES];
     double transmittance[2];
-    double clean[2]; /* frame factor and maintenance factor, where they are not 1 */
+    double clean[2]; /* frame factor and maintenance factor, if not 1 */
     double reveal_m[2];
 
     double surroundings[PP_ATLAS_SURROUNDINGS];
     double far_deg[2];             /* of a skyline without a distance */
-    double near_deg[2], near_m[2]; /* of one with it; the distance in the logarithm */
+    double near_deg[2], near_m[2]; /* of a skyline with a distance; the distance is
+                                    * uniform in the logarithm */
     double street_m[2], street[2]; /* width, logarithm; height over width */
     double ground[2];              /* reflectance */
     double snow;                   /* share of rooms with snow on the ground */

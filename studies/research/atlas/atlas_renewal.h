@@ -10,8 +10,8 @@
 #include "studies/research/atlas/atlas_drawn.h"
 #include "studies/research/atlas/atlas_table.h"
 
-/* Number of complete rooms in the table; PP_BAD_INPUT if its rows are not those of such
- * a sweep, one room after another. */
+/* Number of complete rooms in the table. PP_BAD_INPUT if the rows are not those of
+ * consecutive rooms of such a sweep. */
 enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
                                       struct pp_error *err);
 

@@ -28,8 +28,8 @@ struct cause_candidate {
     double log_density; /* including the prior; from white noise alone if the set is not
                          * likely */
     bool is_known;
-    double off;   /* best-fitting deviation of its pairs, as for
-                   * pp_set_effects_predict */
+    double off;   /* deviation of the pairs' effects from the sums that fits best, as
+                   * for pp_set_effects_predict */
     double level; /* fitted value, 0 to 1 over its range */
     double width; /* width of the likelihood around that level; logarithm */
 };
@@ -67,7 +67,8 @@ static struct pp_supposition supposed(const struct cause_search *search,
     return supposition;
 }
 
-/* Evaluates a candidate by white noise; a set that was not simulated, at its best. */
+/* Evaluates a candidate with white noise only; a set that was not simulated with the
+ * deviation that fits best. */
 static void judge_roughly(struct cause_search *search,
                           struct cause_candidate *candidate)
 {
@@ -117,7 +118,7 @@ static enum pp_status judge_fully(struct cause_search *search,
     return status;
 }
 
-/* Best of the sets that are traced. */
+/* Best logarithm of density among the sets that are simulated. */
 static double best(const struct cause_search *search)
 {
     double most = -INFINITY;
@@ -158,7 +159,7 @@ static bool excludes(const struct cause_search *search, int a, int b)
     return same_kind(search, a, b) || causes[a]->is_alone || causes[b]->is_alone;
 }
 
-/* Prior odds that a cause is at work; logarithm. */
+/* Logarithm of the prior odds that a cause is present. */
 static double odds(const struct cause_search *search, int cause)
 {
     int alike = 0;
@@ -234,9 +235,9 @@ static const struct cause_candidate *to_trace(const struct cause_search *search)
     return next;
 }
 
-/* Finds the next set to simulate among three causes: all of them, or the pair not yet
- * simulated that may deviate most from its sum, and so tells more. Returns its number
- * of causes. */
+/* Finds the next set of three causes or fewer to simulate: all three, or the pair not
+ * yet simulated whose effect may deviate most from the sum, and which is therefore most
+ * informative. Returns the number of causes. */
 static int first_to_trace(const struct cause_search *search,
                           int causes[PP_CAUSE_SEARCH_MOST], int count, double level)
 {

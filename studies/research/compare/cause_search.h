@@ -32,7 +32,7 @@ enum { PP_CAUSE_SEARCH_MOST = 3 };
 struct pp_cause_set {
     int causes[PP_CAUSE_SEARCH_MOST]; /* indices in the list of causes, ascending */
     int count;
-    double value; /* of its fitted cause */
+    double value; /* value of its fitted cause */
     double probability;
     struct pp_likelihood likelihood; /* of the remainder after the set */
 };
@@ -44,7 +44,7 @@ struct pp_cause_search_question {
 
     /* Simulates the effect of a set without a common factor: effect[i] and variance[i]
      * of a pp_supposition. value: of its fitted cause. PP_BAD_INPUT: the set is not
-     * possible there. */
+     * possible in this room or scene. */
     enum pp_status (*trace)(void *tracer, const int *causes, int count, double value,
                             double *effect, double *variance, struct pp_error *err);
     void *tracer;
@@ -54,13 +54,13 @@ struct pp_cause_search_question {
 struct pp_cause_search {
     struct pp_cause_set *sets; /* the likeliest first */
     int count;
-    double probability[PP_CAUSES_MOST]; /* that a cause is at work */
+    double probability[PP_CAUSES_MOST]; /* probability that each cause is present */
     /* Least root mean square (logarithm) left by a simulated set without the cause. */
     double without[PP_CAUSES_MOST];
     bool is_cut; /* more sets should have been simulated than traced_most */
 };
 
-/* sets: those with a probability of at least 0.001. */
+/* Finds the likely sets. sets: those with a probability of at least 0.001. */
 enum pp_status pp_cause_search_find(struct pp_cause_search *found,
                                     const struct pp_cause_search_question *question,
                                     struct pp_error *err);

@@ -1,10 +1,12 @@
-/* cause_shares.c - sums over the subsets without a member, each weighted by the share
- * of orders in which just these come before it: s! (n - s - 1)! / n!. */
+/* cause_shares.c - sums over the subsets without a given member. Each subset of s
+ * members has the weight s! (n - s - 1)! / n!: the share of the orders in which exactly
+ * these come before the member. */
 #include "studies/research/compare/cause_shares.h"
 
 static double weight(int before, int count)
 {
-    double weight = 1.0 / count; /* divided by binomial(count - 1, before) */
+    double weight = 1.0 / count; /* divided by binomial(count - 1, number of members
+                                  * before) */
     for (int i = 0; i < before; i++)
         weight *= (i + 1.0) / (count - 1.0 - i);
     return weight;

@@ -1,8 +1,10 @@
-/* causes.h - list of possible differences in another program's input or settings: each
- * with a switch of ours that imitates it (room_variant.h), and its description.
+/* causes.h - list of possible differences in another program's input or settings. Each
+ * has a description and a switch of our own simulation that imitates it
+ * (room_variant.h).
  *
- * Causes of one kind exclude each other. A common factor has no value of its own: the
- * best-fitting one is used; the same applies to the reflectance of the ground. */
+ * Causes of one kind exclude each other. A common factor has no given value: the
+ * best-fitting one is used, as for the reflectance of the ground.
+ */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
 #define PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
 
@@ -15,7 +17,7 @@ struct pp_cause {
     const char *remedy; /* correction to make there */
     bool is_factor;
     bool is_alone; /* true if no other cause can be present with it */
-    /* True if it can be detected there; NULL: anywhere. */
+    /* True if the cause can be detected in this room or scene; NULL: in any. */
     bool (*applies)(const struct pp_compare_subject *subject);
 };
 

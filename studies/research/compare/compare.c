@@ -1,5 +1,5 @@
-/* compare.c - simulates our values, with sets of causes as needed; computes the
- * remainder of the likeliest set, and the effect of each of its causes. */
+/* compare.c - simulates our values, and those with sets of causes as needed; computes
+ * the remainder of the most likely set, and the effect of each of its causes. */
 #include "studies/research/compare/compare.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ static const double SURE = 0.98;
 enum { TRACED_MOST = 40 };
 static const int nobody[1] = {0};
 
-/* Our values with a set of causes. */
+/* Our values under a set of causes. */
 struct traced_set {
     int causes[PP_CAUSE_SEARCH_MOST], count;
     double value;          /* of its fitted cause; 0: there is none */

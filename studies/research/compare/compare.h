@@ -18,7 +18,8 @@ struct pp_compare_options {
         variant; /* variant of our values before causes are searched */
     struct pp_variant_tracing tracing;
     double noise;    /* of the other program (logarithm), as stated; 0: not known */
-    int traced_most; /* sets of several causes, of one explanation; 0: 40 */
+    int traced_most; /* most sets of several causes to simulate for one explanation;
+                      * 0: 40 */
 };
 
 /* Results of a comparison. Arrays have a value a point, fractions. */
@@ -37,16 +38,16 @@ struct pp_compared {
     double left, left_rms;    /* gap and gap_rms with the likeliest set included */
     struct pp_left_over over; /* test of the remainder against the other program's
                                * noise */
-    /* Effects of the likeliest set's causes, averaged over orders: the effect of each
-     * on the mean (logarithm), and its share of the squares of the gap, whose total is
-     * 1. */
+    /* Effects of the causes of the most likely set, averaged over orders: the effect of
+     * each on the mean (logarithm), and its share of the sum of squares of the gap,
+     * which total 1. */
     double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
     double factor; /* the common factor, if the likeliest set has it; else 1 */
 };
 
 struct pp_compare;
 
-/* The subject's pointers must outlive the comparison. PP_BAD_INPUT where there are more
+/* The subject's pointers must outlive the comparison. PP_BAD_INPUT if there are more
  * points than PP_COMPARE_POINTS_MOST. */
 enum pp_status pp_compare_create(struct pp_compare **compare,
                                  const struct pp_compare_subject *subject,
@@ -67,8 +68,8 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
 void pp_compare_clear(struct pp_compared *compared);
 
 /* Noise (logarithm) from which no cause is certain. The remainder without a certain
- * cause must be at least as large: unlisted mistakes of reflectances or dimensions can
- * be of this size, and so decide between sets that are closer to each other. */
+ * cause must be at least as large. Unlisted mistakes in reflectances or dimensions can
+ * be of this size, and so decide between sets whose remainders differ by less. */
 #define PP_COMPARE_HIDES 0.05
 
 /* True if the cause (index in the list) is certain: its probability is at least 98 %,

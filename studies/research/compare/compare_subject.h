@@ -15,12 +15,12 @@ struct pp_compare_subject {  /* owns nothing */
     const struct pp_scene_description *scene; /* NULL: a room */
 };
 
-/* The room at its receivers. */
+/* The subject for a room at its receivers. */
 struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room *room);
 
-/* Our values at its points with a variant's switches, fractions, with their standard
- * errors. PP_BAD_INPUT if a switch is not possible there, PP_INTERRUPTED if look
- * returns false. */
+/* Our values at the subject's points with the switches of a variant, fractions, with
+ * their standard errors. PP_BAD_INPUT if a switch is not possible for the subject,
+ * PP_INTERRUPTED if `look` returns false. */
 enum pp_status pp_compare_subject_values(double *values, double *errors,
                                          const struct pp_compare_subject *subject,
                                          const struct pp_room_variant *variant,

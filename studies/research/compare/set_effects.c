@@ -17,9 +17,10 @@ struct pp_known_set {
     double *middle, *most;
 };
 
-/* Deviation of two effects together from their sum: up to this share of the smaller
- * one, to either side, about the same at all points. The second is the further
- * deviation at each single point, and that of three from the sum of their pairs. */
+/* Greatest deviation of the effect of two causes from the sum of their effects, as a
+ * share of the smaller one, to either side: about the same at all points. The second
+ * constant is the further deviation at single points, and that of three causes from the
+ * sum of their pairs. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
 /* Least effect (root mean square of logarithms) of a cause that is considered. */
 static const double LEAST_EFFECT = 0.001;
@@ -103,7 +104,7 @@ enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *c
     return pp_fail(err, status, "%s", own.message);
 }
 
-/* Effect at level t of a fitted value: on the parabola through three levels of its
+/* Effect at level t of a fitted value, on the parabola through three levels of the
  * range. */
 static double effect_at(const struct pp_known_set *known, int point, double t)
 {
@@ -119,8 +120,8 @@ static double smaller(double a, double b)
     return fmin(fabs(a), fabs(b));
 }
 
-/* Excess of a pair over the sum of both, at a point: simulated, or assumed. *slack is
- * increased by the uncertainty. */
+/* Deviation of a pair's effect from the sum of both at a point, simulated or assumed.
+ * *slack is increased by the uncertainty. */
 static double together(const struct pp_set_effects *effects,
                        const struct pp_known_set *a, const struct pp_known_set *b,
                        int point, double off, double level, double *slack)
@@ -223,7 +224,8 @@ double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int
         else
             low = high - inner;
     }
-    /* An error of the level by its standard error raises the squares by s^2. */
+    /* A deviation of the level by one standard error raises the sum of squares by the
+     * variance s^2 of the noise. */
     double level = fmin(fmax(0.5 * (low + high), step), 1.0 - step);
     double least = pp_set_effects_left(effects, causes, count, has_factor, level);
     double bend =

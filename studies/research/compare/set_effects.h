@@ -22,8 +22,7 @@ enum pp_status pp_set_effects_init(struct pp_set_effects *effects,
                                    struct pp_error *err);
 void pp_set_effects_clear(struct pp_set_effects *effects);
 
-/* Simulates a set. Also PP_OK for a set that is not possible, which is then known to be
- * so. */
+/* Simulates a set. A set that is not possible is stored as such, with PP_OK. */
 enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *causes,
                                     int count, struct pp_error *err);
 
@@ -34,10 +33,10 @@ bool pp_set_effects_are_known(const struct pp_set_effects *effects, const int *c
 bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *causes,
                                int count);
 
-/* Fills effect and variance with the effect of the set. If it is not simulated, it is
- * predicted from its parts: its pairs deviate from their sums by `off` (-1 to 1) times
- * the greatest deviation, and slack is the uncertainty. False if the set is not
- * possible. */
+/* Fills effect and variance with the effect of the set. If the set is not simulated,
+ * its effect is predicted from its parts: its pairs deviate from their sums by `off`
+ * (-1 to 1) times the greatest deviation, and slack is the uncertainty. False if the
+ * set is not possible. */
 bool pp_set_effects_predict(struct pp_set_effects *effects, const int *causes,
                             int count, double off, double level);
 
@@ -49,12 +48,12 @@ void pp_set_effects_lean(struct pp_set_effects *effects);
 double pp_set_effects_left(struct pp_set_effects *effects, const int *causes, int count,
                            bool has_factor, double level);
 
-/* Level with the least squares. *width: of its likelihood, over the range, at most
- * 1. */
+/* Level with the least sum of squares. *width: width of the likelihood around the
+ * level, relative to the range, at most 1. */
 double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int count,
                           bool has_factor, double *width);
 
-/* Greatest possible deviation of a pair's effect from the sum of both: in proportion to
+/* Greatest possible deviation of a pair's effect from the sum of both, in proportion to
  * the smaller one at each point. 0: the pair is simulated. */
 double pp_set_effects_unknown(const struct pp_set_effects *effects, const int pair[2],
                               double level);

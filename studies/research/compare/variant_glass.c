@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-/* Transmittance at normal incidence of a pane of transmissivity t (the transmitted
- * share of one passage through it), with rho reflected at each face, n = 1.52 [WS98]:
- * (1 - rho)^2 t / (1 - rho^2 t^2). */
+/* Transmittance at normal incidence of a pane of transmissivity t (the share
+ * transmitted in one passage through the pane) with the reflectance rho at each face, n
+ * = 1.52 [WS98]: (1 - rho)^2 t / (1 - rho^2 t^2). */
 static double of_transmissivity(double t)
 {
     double rho = (1.52 - 1.0) / (1.52 + 1.0);

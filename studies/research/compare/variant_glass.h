@@ -1,4 +1,4 @@
-/* variant_glass.h - glass as another program may have modelled it. */
+/* variant_glass.h - glass modelled in the ways of other programs. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_GLASS_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_GLASS_H
 

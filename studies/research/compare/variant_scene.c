@@ -10,7 +10,7 @@
 #include "studies/research/compare/variant_glass.h"
 #include "studies/research/compare/variant_sensors.h"
 
-/* ---- the scene that it is as if it were ---- */
+/* ---- the changed scene ---- */
 
 static struct pp_rgb grey(struct pp_rgb colour)
 {
@@ -67,7 +67,8 @@ static enum pp_status read_sensor_values(double *values, double *errors,
         return pp_fail_memory(err);
     struct pp_room_variant followed = *variant;
     if (followed.bounces >= 0)
-        followed.bounces++; /* the sky is a surface here: reaching it takes one more */
+        followed.bounces++; /* the sky is a surface in this scene, and reaching it
+                             * takes one more bounce */
     enum pp_status status =
         pp_variant_sensors(readings, scene, NULL, points, count,
                            pp_rgb_luminance(horizontal), &followed, tracing, err);

@@ -1,8 +1,8 @@
 /* variant_scene.h - simulated daylight factors of a changed imported scene.
  *
  * Reflections, glass, frames and dirt, colours, the points' height and a factor can be
- * switched. The scene's sky, ground and surroundings are ordinary shapes of it and do
- * not change.
+ * changed by switches. The scene's sky, ground and surroundings are ordinary shapes and
+ * do not change.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_SCENE_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_SCENE_H

@@ -9,16 +9,16 @@
 
 #define PP_VARIANT_SLICE_S 0.1 /* seconds between calls of look */
 
-/* readings: `count` of them, one for each point. horizontal: irradiance of the open
- * ground. environment: of a world; NULL: of a description. PP_INTERRUPTED if look
- * returns false. */
+/* Creates and runs sensors. readings: `count`, one for each point. horizontal:
+ * irradiance of the open ground. environment: of a world; NULL: of a description.
+ * PP_INTERRUPTED if `look` returns false. */
 enum pp_status pp_variant_sensors(
     struct pp_sensor_reading *readings, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *points,
     int count, double horizontal, const struct pp_room_variant *variant,
     const struct pp_variant_tracing *tracing, struct pp_error *err);
 
-/* PP_INTERRUPTED if look returns false; done: 0 to 1. */
+/* Calls `look`, with done from 0 to 1; PP_INTERRUPTED if it returns false. */
 enum pp_status pp_variant_sensors_go_on(const struct pp_variant_tracing *tracing,
                                         double done, struct pp_error *err);
 

@@ -13,7 +13,7 @@
 #include "studies/research/compare/variant_glass.h"
 #include "studies/research/compare/variant_sensors.h"
 
-/* ---- the room that it is as if it were ---- */
+/* ---- the changed room ---- */
 
 static enum pp_status change(struct pp_room *room, const struct pp_study_room *is,
                              const struct pp_room_variant *variant,
@@ -97,8 +97,8 @@ static enum pp_status place_points(struct varied_room *varied,
         receiver->position.z = variant->plane_m;
         const char *fault = pp_position_receiver_fault(
             varied->world, receiver->position, receiver->normal);
-        /* Points inside a desk are valid too: they get no light here nor in the other
-         * program. */
+        /* Points inside a desk are valid too: they receive no light here, as in the
+         * other program. */
         if (fault && !pp_position_in_fitting(varied->world, receiver->position))
             return pp_fail(err, PP_BAD_INPUT, "plane=%g: the point %g, %g %s",
                            variant->plane_m, receiver->position.x, receiver->position.y,

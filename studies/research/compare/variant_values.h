@@ -1,8 +1,8 @@
 /* variant_values.h - simulated daylight factors of a variant of a room.
  *
- * A variant is a changed copy of the room's description, its light or its points. The path
- * tracer calculates it, or, where reflections are limited, the sensors of
- * simulate/transport, which end paths there.
+ * A variant is a changed copy of the room's description, its light or its points. The
+ * path tracer calculates it; if reflections are limited, the sensors of
+ * simulate/transport do, because they can end paths there.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
@@ -12,7 +12,7 @@
 
 /* Values at the room's receivers, fractions, with their standard errors: values[i] and
  * errors[i]. PP_BAD_INPUT if a switch is not possible in this room, PP_INTERRUPTED if
- * look returns false. */
+ * `look` returns false. */
 enum pp_status pp_variant_values(double *values, double *errors,
                                  const struct pp_study_room *room,
                                  const struct pp_room_variant *variant,

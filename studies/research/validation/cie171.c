@@ -46,8 +46,9 @@ static bool is_glazed(const struct figure *figure)
     "<vertex x='2000' y='%g' z='%g'/><vertex x='2000' y='%g' z='%g'/>"                 \
     "<vertex x='-2000' y='%g' z='%g'/></surface>"
 
-/* A canopy's underside has the exitance that reproduces the printed figures; that of a
- * building opposite was not found, and its cases are those of the sky alone. */
+/* The underside of a canopy has the exitance that reproduces the printed figures. No
+ * such exitance was found for a building opposite; its cases are those of the sky
+ * alone. */
 static const double CANOPY_EXITANCE = 0.05;
 
 /* Writes the opening and the obstructions as elements of a room file. */
@@ -199,7 +200,7 @@ static enum pp_status by_exact(double *value, const struct pp_world *world,
     return status;
 }
 
-/* The table's experiment: "5.9, roof 1 x 1 m". */
+/* The name of the table's experiment: "5.9, roof 1 x 1 m". */
 static void name_group(char text[48], const struct figure *figure)
 {
     static const struct {
@@ -248,7 +249,7 @@ static enum pp_status add_figure(struct pp_known_cases *cases,
     return PP_OK;
 }
 
-/* The figures of one room, which stand together in the table. */
+/* Adds the figures of one room, which are adjacent in the table. */
 static enum pp_status add_room(struct pp_known_cases *cases,
                                const struct figure *figure, int count,
                                const struct pp_known_trace *how, double std_errors,

@@ -9,7 +9,7 @@
 
 /* ---- by hand methods ---- */
 
-/* Rectangles seen from a point one metre off, one corner on the perpendicular. */
+/* Rectangles seen from a point one metre away, with one corner on the perpendicular. */
 static enum pp_status check_rectangles(struct pp_known_cases *cases,
                                        struct pp_error *err)
 {
@@ -92,7 +92,7 @@ static void check_skies(struct pp_known_cases *cases)
 
 /* ---- traced ---- */
 
-/* A component at one receiver, within four of its standard errors. */
+/* Checks a component at one receiver, within four standard errors. */
 static enum pp_status check_traced(struct pp_known_cases *cases, const char *what,
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,
@@ -172,16 +172,17 @@ static double parallel_factor(double a, double b)
     return (a / p * atan(b / p) + b / q * atan(a / q)) / (2.0 * PP_PI);
 }
 
-/* Configuration factor of a rectangle that stands on the receiver's plane, with a
- * corner in front of the receiver; w, h: its width and height over its distance. */
+/* Configuration factor of a rectangle perpendicular to the receiver's plane, with its
+ * lower edge in that plane and a corner in front of the receiver; w, h: width and
+ * height over the distance. */
 static double upright_factor(double w, double h)
 {
     double r = sqrt(1.0 + h * h);
     return (atan(w) - atan(w / r) / r) / (2.0 * PP_PI);
 }
 
-/* In a black room 4 x 3 x 2.5 m one surface glows: at a point of the floor, 1 m from two
- * walls, its configuration factor. */
+/* Checks the configuration factor of one luminous surface in a black room, 4 x 3 x 2.5
+ * m, at a point of the floor 1 m from two walls. */
 static enum pp_status check_configuration_factors(struct pp_known_cases *cases,
                                                   const struct pp_known_trace *how,
                                                   struct pp_error *err)
@@ -259,8 +260,8 @@ static enum pp_status check_windows(struct pp_known_cases *cases,
     return status;
 }
 
-/* Sky component of the hall's window through glass, simulated and by `exact`: two
- * independent ways. */
+/* Checks the sky component of the hall's window through glass, simulated and by
+ * `exact`, which are independent of each other. */
 static enum pp_status check_traced_and_exact(struct pp_known_cases *cases,
                                              const struct pp_known_trace *how,
                                              struct pp_error *err)

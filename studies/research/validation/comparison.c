@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "model/results/common_error.h"
-/* The standard error of a reading; 0 where nothing was sampled. */
+/* Standard error of a reading; 0 if nothing was sampled. */
 static double known_error(const struct pp_reading *reading)
 {
     return isfinite(reading->std_error) ? reading->std_error : 0.0;
@@ -26,8 +26,8 @@ static const char *reason(const struct pp_report *report,
 
 /* ---- the parts of a difference ---- */
 
-/* Columns of a method's simulated values in its own world: the sum of `count` columns,
- * one per component, beside those of the room. */
+/* Columns of a method's simulated values in its own world, one for each component and
+ * `count` in total, and those of the room. */
 struct own_value {
     int count;
     const struct pp_column *own[3], *room[3]; /* room: the same in the room's world;

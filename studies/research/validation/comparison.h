@@ -28,8 +28,8 @@ struct pp_error_parts {
     double formula, formula_error;       /* method - own, and its standard error */
 };
 
-/* Comparison of one column of a report with "traced" of its component; fractions of the
- * open sky. */
+/* Comparison of one column of a report with the simulated column of its component;
+ * fractions of the open sky. */
 struct pp_comparison {
     enum pp_component component;
     const char *name; /* the report's */
@@ -45,9 +45,9 @@ struct pp_comparison {
                                                 * traced_average */
 };
 
-/* Compares each column of the report with "traced" of the same component; worlds: the
- * methods' own, traced. *list is the caller's to free; *count is 0 where nothing was
- * traced. */
+/* Compares each column of the report with the simulated column of its component;
+ * worlds: the methods' own worlds, simulated. The caller frees *list; *count is 0 if
+ * nothing was simulated. */
 enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
                                        const struct pp_report *report,
                                        const struct pp_own_worlds *worlds,
@@ -68,7 +68,7 @@ struct pp_overall {
     int rooms, points; /* rooms with values at points, and all their points */
     double bias, spread;
     double worst;          /* the difference at the worst point of all rooms */
-    int worst_room;        /* index of its room */
+    int worst_room;        /* index of the room with the worst point */
     int averages;          /* rooms for which both give an average */
     double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
     double average_spread; /* root mean square of the same */

@@ -1,5 +1,5 @@
-/* known_case.h - a result of the program beside one from elsewhere: worked on paper,
- * printed, or computed by an independent part of the program. */
+/* known_case.h - comparison of a result of the program with a known one: calculated on
+ * paper, printed, or computed by an independent part of the program. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_KNOWN_CASE_H
 #define PP_STUDIES_RESEARCH_VALIDATION_KNOWN_CASE_H
 
@@ -14,21 +14,23 @@ struct pp_known_case {
     char what[80];
     const char *by; /* the method, or "traced" */
     double answer, expected;
-    double limit;     /* the largest difference allowed: the rounding of `expected`, or
-                       * standard errors of the answer; NAN: there is no verdict */
+    double limit;     /* largest difference allowed: the rounding of `expected`, or a
+                       * number of standard errors of the answer; NAN: there is no
+                       * verdict */
     double least;     /* least difference allowed; -limit unless a band gives another */
     double std_error; /* of a sampled result; NAN: not sampled */
     double assumption,
         formula;             /* the parts of the difference (own_world.h); NAN: it has
                               * none */
     const char *room, *file; /* of a user's room; NULL: not a user's room. Not owned */
-    const char *why; /* why there is no verdict; NULL: there is one. Not owned */
+    const char *why;         /* reason if there is no verdict, else NULL. Not owned */
 };
 
 struct pp_known_cases {
     int count;
     struct pp_known_case *list;
-    const char *group; /* of the cases that are added; NULL: each one's method */
+    const char *group; /* group of the cases to be added; NULL: each case has its
+                        * method as group */
     bool whole;        /* false: out of memory, and cases are missing */
 };
 
@@ -46,7 +48,8 @@ void pp_known_case_add_per_cent(struct pp_known_cases *cases, const char *what,
                                 const char *by, double answer, double per_cent,
                                 int decimals);
 
-/* Adds a case of a simulated value, whose limit is this many of its standard errors. */
+/* Adds a case for a simulated value, with this number of its standard errors as
+ * limit. */
 void pp_known_case_add_traced(struct pp_known_cases *cases, const char *what,
                               struct pp_reading reading, double expected,
                               double std_errors);
@@ -60,7 +63,7 @@ void pp_known_case_add_traced_printed(struct pp_known_cases *cases, const char *
 /* True if the difference is within its limits; false without a verdict. */
 bool pp_known_case_is_right(const struct pp_known_case *one);
 
-/* True if it has limits. A case without limits is neither right nor wrong. */
+/* True if the case has limits. A case without limits is neither right nor wrong. */
 bool pp_known_case_is_judged(const struct pp_known_case *one);
 
 /* Reason `index` among the distinct reasons why cases have no verdict, and the number

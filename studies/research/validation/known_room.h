@@ -26,12 +26,13 @@ struct pp_known_trace {
     double error; /* target standard error over daylight factor */
 };
 
-/* The room of that text (UTF-8) and the light on it; *world is the caller's to destroy. */
+/* Reads a room from its text (UTF-8) and makes its light; the caller destroys
+ * *world. */
 enum pp_status pp_known_room_world(struct pp_world **world,
                                    struct pp_outside_light *light, const char *xml,
                                    struct pp_error *err);
 
-/* Room, with the results of methods at its first point and on average. */
+/* A room with the results of methods at its first point and on average. */
 struct pp_known_room {
     struct pp_world *world;
     struct pp_outside_light light;
@@ -49,8 +50,8 @@ double pp_known_room_at_point(const struct pp_known_room *room,
 double pp_known_room_average(const struct pp_known_room *room,
                              enum pp_component component, const char *name);
 
-/* All components at `count` receivers, diffuse surfaces; readings[i] are the i-th
- * one's. */
+/* All components at `count` receivers, with diffuse surfaces; readings[i] belong to
+ * receiver i. */
 enum pp_status pp_known_room_trace(struct pp_reading (*readings)[PP_COMPONENT_COUNT],
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,

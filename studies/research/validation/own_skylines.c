@@ -19,13 +19,13 @@ static const double same_angle_rad = 1e-6, same_way = 1e-9;
 /* A skyline's angle is less than 90 degrees. */
 static const double most_rad = 89.9 * PP_RAD;
 
-/* The openings that face one direction. */
+/* The openings that face in one direction. */
 struct side {
     struct pp_vec3 outward; /* horizontal, unit */
     double area_m2, sum;    /* total area of the openings; sum of area times angle */
 };
 
-/* Outward direction of a face, in the horizontal; false: the face is level. */
+/* Outward horizontal direction of a face; false: the face is horizontal. */
 static bool way_out(struct pp_vec3 *outward, const struct pp_polygon *outline)
 {
     struct pp_vec3 n = outline->normal;

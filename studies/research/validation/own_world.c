@@ -13,7 +13,7 @@
 #include "studies/study_report.h"
 #include "studies/research/validation/own_skylines.h"
 
-/* The way in which a world differs from the room's; its ground is open. */
+/* The differences of a world from the room's; its ground is open. */
 struct own_kind {
     double ground_reflectance;
     bool surroundings; /* with the room's own surroundings, not skylines */
@@ -36,7 +36,8 @@ struct pp_own_worlds {
 
 /* ---- which world ---- */
 
-/* The method of that name, or of a variant of that name; length: of the name. */
+/* The method of that name, or the method whose variant has that name; length: of the
+ * name. */
 static const struct pp_method *method_of(const char *name, size_t length,
                                          const struct pp_method_options *options)
 {
@@ -75,8 +76,8 @@ static struct own_kind kind_of(const struct pp_own_worlds *worlds,
                              .real = method->of_real_room};
 }
 
-/* Index of that world; -1: it is the room's. Equal to the count if it is not in the
- * list yet. */
+/* Index of that world in the list; -1: the room's own world. Equal to the count if the
+ * world is not in the list yet. */
 static int index_of(const struct pp_own_worlds *worlds, struct own_kind kind,
                     enum pp_component component)
 {

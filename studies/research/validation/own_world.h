@@ -39,16 +39,17 @@ void pp_own_world_destroy(struct pp_own_worlds *worlds); /* NULL is allowed */
 
 int pp_own_world_count(const struct pp_own_worlds *worlds);
 
-/* Simulates one of them into its report, or into one of the same world, at the points
- * of the room's report, as pp_study_report_traced does for the room. Only direct light
- * is simulated if no column has its internally reflected component from that world. */
+/* Simulates world `index` into its report, or into that of an equal world, at the
+ * points of the room's report, as pp_study_report_traced does for the room. Only direct
+ * light is simulated if no column has its internally reflected component from that
+ * world. */
 enum pp_status pp_own_world_trace_one(const struct pp_own_worlds *worlds, int index,
                                       struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err);
 
-/* Simulates all of them. *finished, true at first, becomes false if a watch stopped it;
- * the remaining worlds then have no readings. */
+/* Simulates all worlds. *finished, true at first, becomes false if a watch has stopped
+ * the simulation; the remaining worlds then have no readings. */
 enum pp_status pp_own_world_trace(struct pp_own_worlds *worlds,
                                   const struct pp_study_options *options,
                                   bool *finished, bool *by_clock, struct pp_error *err);

@@ -20,9 +20,9 @@ static const double brs[][21] = {
  * digit. */
 static const double ENDLESS = 300.0;
 
-/* Greatest error of a cell, per cent: half a unit of its last digit, and 6 per cent of
- * itself, since the table was worked by hand. Its lowest row is one or two units off
- * throughout. */
+/* Greatest error of a cell, per cent: half a unit of its last digit plus 6 per cent of
+ * the value, since the table was calculated by hand. Its lowest row deviates by one or
+ * two units throughout. */
 static double brs_limit(double per_cent, double h)
 {
     if (h < 0.15)
@@ -109,8 +109,8 @@ static const double irc[][13] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* The formula from which our figures come agrees with all cells, of one decimal, within
- * 0.25 %. */
+/* The formula of our figures agrees with all cells, which have one decimal, within 0.25
+ * %. */
 static const double IRC_LIMIT = 0.0025;
 
 /* The room that fits the table best, 20 x 20 x 10 ft with a window from 3 ft to the
@@ -262,8 +262,8 @@ static enum pp_status check_row(struct pp_known_cases *cases, struct pp_surface 
     return status;
 }
 
-/* Case 5.6, a plate 4 x 4 m on the ground; case 5.7, with Ashdown's corrections, a wall
- * 4 x 3 m with a black box 1 m high before it. */
+/* Case 5.6: a plate of 4 x 4 m on the ground. Case 5.7, with Ashdown's corrections: a
+ * wall of 4 x 3 m with a black box 1 m high in front of it. */
 static enum pp_status check_configuration_factors(struct pp_known_cases *cases,
                                                   const struct pp_known_trace *how,
                                                   struct pp_error *err)

@@ -1,6 +1,5 @@
-/* room_cases.h - the figures of a user's room as cases: each method's beside the simulation's,
- * the simulation's beside Radiance's.
- */
+/* room_cases.h - the figures of a user's room as cases: those of each method compared
+ * with the simulation, and those of the simulation compared with Radiance. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_ROOM_CASES_H
 #define PP_STUDIES_RESEARCH_VALIDATION_ROOM_CASES_H
 

@@ -1,6 +1,5 @@
-/* worked_examples.h - the program against small rooms worked by hand, and protractors
- * whose scales are known in closed form.
- */
+/* worked_examples.h - comparison of the program with small rooms calculated by hand,
+ * and with protractors whose scales are known in closed form. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_WORKED_EXAMPLES_H
 #define PP_STUDIES_RESEARCH_VALIDATION_WORKED_EXAMPLES_H
 
