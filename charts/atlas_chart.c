@@ -14,7 +14,7 @@ struct atlas_plot {
     struct pp_style style;
     const struct pp_atlas_map *map;
     struct pp_box field;
-    struct pp_axis up; /* of ratios; for maps by one number */
+    struct pp_axis up; /* axis of ratios, in maps by one number */
 };
 
 /* ---- edges of classes ---- */

@@ -17,7 +17,7 @@ struct availability_plot {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_availability_sheet *sheet;
-    const struct pp_availability_row *rows; /* of the place and method that are drawn */
+    const struct pp_availability_row *rows; /* rows of the place and method drawn */
     int row_count;                          /* 0: none */
     char place[64];                         /* "on average", "at 1.50, 2.00" */
     struct pp_axis across, up;

@@ -20,7 +20,7 @@ struct picture_drawing {
     cairo_t *cr;
     const struct pp_style *style;
     const struct pp_picture_sheet *sheet;
-    struct pp_box box;       /* of the picture */
+    struct pp_box box;       /* box of the picture */
     double mm;               /* mm per pixel */
     struct pp_labels labels; /* figures keep clear of each other */
 };

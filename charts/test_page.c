@@ -22,7 +22,7 @@ static const struct pp_page page = {
 struct test_page {
     cairo_t *cr;
     struct pp_style style;
-    double left, width; /* of all rows */
+    double left, width; /* left end and width of all rows */
 };
 
 static void label(const struct test_page *sheet, double x, double y, double across,

@@ -25,7 +25,7 @@ struct pp_option {
     const char *value; /* name of its value in the help; NULL: a switch */
     const char *help;
     pp_option_reader *read; /* NULL: a switch, which sets its bool */
-    size_t offset;          /* of the value in the group's struct */
+    size_t offset;          /* offset of the value in the group's struct */
 };
 
 /* Options that write to the same struct. In the help, consecutive groups with the same
@@ -33,7 +33,7 @@ struct pp_option {
 struct pp_option_group {
     const char *title; /* NULL ends a list of groups */
     const struct pp_option *options;
-    size_t offset; /* of the group's struct in the command's own */
+    size_t offset; /* offset of the group's struct in the command's own */
 };
 
 struct pp_command_line {

@@ -19,7 +19,7 @@ struct pp_room_options {
     const char *output;       /* NULL: standard output */
     bool quiet;
     bool strict;                  /* warnings are errors */
-    struct pp_sweep sweep;        /* of --set and --sweep, with the current run */
+    struct pp_sweep sweep;        /* --set and --sweep, with the current run */
     bool by_hand;                 /* no simulation, for a command that simulates by
                                    * default */
     const struct pp_ranks *ranks; /* not owned; NULL: this process is alone */

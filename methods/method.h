@@ -37,9 +37,9 @@ enum pp_speaks_for {
  * They are fractions of the open-sky horizontal illuminance: 0.02, never 2. The texts of
  * the method's formulae have the same figures in per cent (results/formula.h). */
 struct pp_amounts {
-    double sky;      /* of PP_GIVES_DIRECT */
-    double external; /* of PP_GIVES_DIRECT */
-    double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+    double sky;      /* PP_GIVES_DIRECT */
+    double external; /* PP_GIVES_DIRECT */
+    double value;    /* PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
 };
 
 /* The components of one opening (fractions), before the corrections for glass, frame
@@ -48,9 +48,9 @@ struct pp_amounts {
  * methods/component_steps.c adds a step of that name. pp_steps.line is the line of the
  * opening that the steps belong to. */
 struct pp_part {
-    double sky;      /* of PP_GIVES_DIRECT */
-    double external; /* of PP_GIVES_DIRECT */
-    double value;    /* of PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
+    double sky;      /* PP_GIVES_DIRECT */
+    double external; /* PP_GIVES_DIRECT */
+    double value;    /* PP_GIVES_INTERNAL and PP_GIVES_WHOLE */
     const char *why; /* the reason, if there is no value, as the end of a sentence that
                       * begins with "window W1"; static, or valid as long
                       * as the tools */
@@ -87,8 +87,9 @@ struct pp_method {
     bool by_name;         /* left out of "all": made for points that few rooms have */
     bool counts;      /* counts squares or dots: readings are multiples of the worth of
                    * one */
-    bool has_average; /* of PP_FOR_POINT: evaluate without a receiver gives the average
-                       * over the working plane, in place of an integral over points */
+    bool has_average; /* PP_FOR_POINT only: evaluate without a receiver gives the
+                       * average over the working plane, in place of an integral over
+                       * points */
 
     /* Reason why the method does not apply to this room, or to this receiver in the
      * room (NULL: the room as a whole): a static sentence ("the table holds the

@@ -15,14 +15,14 @@ enum { PP_AVERAGE_POINTS = 2000 };
 
 /* Tools shared by the methods of one evaluation; not owned. */
 struct pp_method_shared {
-    struct pp_beams *beams; /* of the world */
+    struct pp_beams *beams; /* beams of the world */
     struct pp_thread_pool *pool;
 };
 
 /* A method as published or with a variant of a formula. */
 struct pp_method_run {
     const struct pp_method *method;
-    const char *name; /* of its columns */
+    const char *name; /* name of its columns */
     bool varied;      /* by a variant */
     const struct pp_world *world;
     const struct pp_outside_light *light;

@@ -14,8 +14,9 @@ struct pp_part_steps {
     struct pp_steps *steps;     /* NULL: no steps are recorded */
     struct pp_worksheet *sheet; /* NULL: figures are recorded as steps only */
     int first;                  /* index of the opening's first step */
-    int parts;  /* of the opening; symbols of a single part have no number */
-    int number; /* of the current part, from 1 */
+    int parts;  /* number of parts of the opening; symbols of a single part have no
+                 * number */
+    int number; /* number of the current part, from 1 */
     int sky_count, hidden_count; /* components recorded so far */
     double sky;                  /* sum of the sky components so far */
 };

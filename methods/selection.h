@@ -16,7 +16,7 @@
  * component. */
 struct pp_choice {
     const struct pp_method *method;
-    const struct pp_method *internal; /* of a pair, else NULL */
+    const struct pp_method *internal; /* internal method of a pair, else NULL */
 };
 
 /* Selected methods in list order, each once. */

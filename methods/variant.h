@@ -14,7 +14,7 @@
 
 struct pp_variant {
     const struct pp_method *method;
-    char name[40]; /* of its column: "bre-variant", "bre-variant-2" */
+    char name[40]; /* name of the column: "bre-variant", "bre-variant-2" */
     struct pp_formula_variant formula;
 };
 

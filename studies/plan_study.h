@@ -11,7 +11,8 @@
 
 struct pp_plan_study {
     struct pp_daylight_plan plan;
-    struct pp_report report;  /* of the room's points; with grid_points, of the plane */
+    struct pp_report report;  /* report of the room's points; with grid_points, of
+                               * the plane */
     struct pp_column figures; /* figures at the report's receivers, and `plane` */
     char note[320]; /* states that another method replaces the usual one, or the hand
                      * figures to compare simulated ones with; may be empty */

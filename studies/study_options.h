@@ -45,7 +45,7 @@ struct pp_study_options {
     bool explain; /* methods record the steps of the calculation at the only point */
     struct pp_method_options method_options;
 
-    double external_lux; /* of the open horizontal plane; 0: not given */
+    double external_lux; /* illuminance of the open horizontal plane; 0: not given */
 };
 
 /* Default options: seed 1, all else empty. */

@@ -11,7 +11,7 @@ struct pp_study_room {
     const char *file;             /* name given by the user; not owned */
     const struct pp_room *room;   /* as in the file, with the options' sky; not owned */
     struct pp_building *building; /* building of the room; not owned */
-    int index;                    /* of the room in its building */
+    int index;                    /* index of the room in its building */
     struct pp_world *world;
     struct pp_outside_light light;
     struct pp_receiver *receivers; /* the world's own, or their replacement */

@@ -20,7 +20,7 @@ struct pp_sweep_axis {
 };
 
 struct pp_sweep {
-    struct pp_room_change *set; /* of --set; owned, and so are the texts */
+    struct pp_room_change *set; /* changes by --set; owned, and so are the texts */
     int set_count;
     struct pp_sweep_axis axes[PP_SWEEP_AXES_MOST];
     int axis_count;             /* 0: no --sweep */

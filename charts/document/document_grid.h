@@ -14,7 +14,7 @@ struct pp_document_grid {
     const struct pp_document_table *table;
     int column_count;
     double x, width, gap;           /* all in mm; gap: between columns */
-    double widths[PP_GRID_COLUMNS]; /* of the columns, without gaps */
+    double widths[PP_GRID_COLUMNS]; /* widths of the columns, without gaps */
 };
 
 /* Sets the column widths of a table from x on, `width` wide (mm). Columns of numbers

@@ -18,7 +18,7 @@ struct table_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_brs_sheet *sheet;
-    struct pp_box box; /* of the table, with its heads */
+    struct pp_box box; /* box of the table, with its heads */
     double cell[2];    /* width and height of a figure's cell */
     double corner[2];  /* upper left corner of the first figure's cell */
     struct pp_labels *labels;

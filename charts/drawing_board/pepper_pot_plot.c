@@ -15,7 +15,7 @@ static const double densest = 90.0;
 struct pepper_pot_plot {
     const struct pp_pepper_pot_panel *panel;
     struct pp_box frame;
-    struct pp_board_map map; /* its mm is the viewing distance */
+    struct pp_board_map map; /* map.mm: viewing distance */
     int first;               /* number of the panel's first window */
 };
 

@@ -15,7 +15,7 @@
 struct pp_protractor_disc {
     const struct pp_protractor_scale *scale;
     double x, y;    /* the centre; mm on paper */
-    double radius;  /* of the rim, mm */
+    double radius;  /* radius of the rim, mm */
     double grey;    /* grey level of lines and figures: 0 black to 1 white */
     bool to_right;  /* true: the glass is on the right of the section; false: on the
                      * left */

@@ -17,7 +17,7 @@ struct net_drawing {
     struct pp_style style;
     const struct pp_model_net *model;
     struct pp_net net;
-    struct pp_box area; /* of the sheet */
+    struct pp_box area; /* area of the sheet */
     struct pp_labels *labels;
 };
 

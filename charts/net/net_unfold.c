@@ -16,7 +16,7 @@ static const double TAB_MM = 8.0, GAP_MM = 5.0, OVERLAP_MM2 = 0.05;
 struct unfolding {
     struct pp_net *net;
     struct pp_clipper *clipper;
-    double limit[2]; /* of a piece without its tabs */
+    double limit[2]; /* largest size of a piece without tabs */
     struct pp_error *err;
     enum pp_status status;
 };

@@ -8,7 +8,7 @@
 #include "model/results/report.h"
 
 struct pp_note_chart {
-    const struct pp_report *report; /* of one point, with steps */
+    const struct pp_report *report; /* report of one point, with steps */
     const char *const *contents;    /* corrections already contained in a column's
                                      * figures, a sentence for each column; "": none */
     const char *const *sources;     /* the sources, a paragraph each */

@@ -23,10 +23,11 @@ struct exercise_drawing {
     struct pp_style style;
     const struct pp_exercise *exercise;
     struct pp_section_cut cut;
-    struct pp_report report; /* of the one point */
+    struct pp_report report; /* report of the single point */
     struct pp_room_elevation elevations[ELEVATIONS_MOST];
     int elevation_count;
-    double scale; /* of section and plan, and of elevations not drawn for a diagram */
+    double scale; /* scale of section and plan, and of elevations not drawn for a
+                   * diagram */
 };
 
 /* Walls with openings that face the point, in order of their first openings. */

@@ -26,7 +26,7 @@ struct pp_plan_chart {
     const struct pp_outside_light *light; /* not owned */
     const struct pp_daylight_plan *plan;  /* not owned */
     const struct pp_report
-        *report; /* its receivers are marked; NULL: none; not owned */
+        *report; /* report whose receivers are marked; NULL: none; not owned */
     const struct pp_column
         *figures; /* figures at the receivers and of the plane; NULL: none; not owned */
     const struct pp_plan_mark *mark; /* of the section; NULL: none; not owned */

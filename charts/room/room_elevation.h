@@ -15,7 +15,7 @@ struct pp_room_elevation {
         *first; /* the first opening in the face, whose axes are used */
     struct pp_vec3 eye;
     double distance_m;        /* from the eye to the wall */
-    struct pp_bounds2 extent; /* of the face and the foot */
+    struct pp_bounds2 extent; /* extent of face and foot */
 
     /* Set by the caller: the scale, and the position of the foot on paper. */
     double mm_per_m, x, y;

@@ -17,14 +17,14 @@ enum pp_plan_side { PP_PLAN_LEFT, PP_PLAN_RIGHT, PP_PLAN_ABOVE, PP_PLAN_BELOW };
 
 struct pp_room_plan {
     const struct pp_world *world;
-    struct pp_bounds2 extent; /* of the plane, m */
+    struct pp_bounds2 extent; /* extent of the plane, m */
     double scale;             /* 50 for 1:50 */
     double least_scale;       /* set by the caller: scale is 1 to this or smaller; 0:
                                * any */
     bool named;               /* set by the caller: its borders have space for names and
                                * dimensions (plan_names.h) */
     double mm_per_m;
-    double x, y; /* of the extent's low x and y, on paper */
+    double x, y; /* position on paper of the extent's low x and y */
 };
 
 /* Measures the room and chooses the largest common scale at which it fits into the

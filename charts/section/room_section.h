@@ -10,7 +10,7 @@
 struct pp_room_section {
     const struct pp_world *world;
     const struct pp_section_cut *cut;
-    const struct pp_report *report; /* its receivers are marked */
+    const struct pp_report *report; /* report whose receivers are marked */
     double least_scale;             /* scale is 1 to this or smaller; 0: any */
     bool named;                     /* with names and dimensions (section_words.h) */
     bool no_sights;                 /* leave out the obstructions' angles */
@@ -21,7 +21,7 @@ struct pp_room_section {
 
     /* Scale, set by pp_room_section_fit. */
     double mm_per_m;  /* a usual scale: 1:20, 1:25, 1:50, 1:75 ... */
-    double height_mm; /* of the drawing with its caption */
+    double height_mm; /* height of the drawing with its caption */
 
     /* Set by the caller: x of the near wall's inside face, y of the top, and widths for
      * obstructions outside the near and the far wall. */

@@ -28,7 +28,7 @@ enum pp_section_scale {
 
 struct pp_section_chart {
     const struct pp_report *report; /* with world; not owned */
-    enum pp_section_scale scale;    /* of the daylight factors */
+    enum pp_section_scale scale;    /* scale of the daylight factors */
     const char *const *notes;       /* further sentences for the foot; not owned */
     int note_count;
 };

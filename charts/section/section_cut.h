@@ -10,7 +10,7 @@
 #include "model/room/world.h"
 
 enum pp_cut_kind {
-    PP_CUT_FACE,    /* of the envelope, without openings */
+    PP_CUT_FACE,    /* a face of the envelope, without openings */
     PP_CUT_OPENING, /* in the face's plane */
     PP_CUT_GLASS,   /* at the reveal's outer end */
     PP_CUT_COVER,   /* a door or a dado in front of a face */
@@ -26,10 +26,11 @@ struct pp_cut {
 
 struct pp_section_cut {
     double origin[2], along[2]; /* x, y of s = 0, and the unit direction of s */
-    double height_m;            /* of the receivers */
+    double height_m;            /* height of the receivers */
     struct pp_cut *list;
     int count;
-    double length_m;              /* of the room along the line: s of the far wall */
+    double length_m;              /* length of the room along the line: s of the far
+                                   * wall */
     int near_face, far_face;      /* walls at s = 0 and length_m; -1: none */
     bool near_window, far_window; /* true if they contain an opening */
 };

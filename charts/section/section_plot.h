@@ -23,7 +23,7 @@ enum { PP_KEYS_INSIDE = 6, PP_KEYS_MOST = 64 };
 
 struct pp_section_legend {
     int columns, rows;   /* 0: no legend below the section */
-    double wide, height; /* of a column, mm */
+    double wide, height; /* size of a column, mm */
 };
 
 struct pp_section_plot {
@@ -32,7 +32,7 @@ struct pp_section_plot {
     const struct pp_report *report;
     struct pp_section_cut cut;
     struct pp_axis across, up;
-    struct pp_box field; /* of the curves */
+    struct pp_box field; /* area of the curves */
     int *order;          /* receivers in order of distance */
     double *distance;    /* distance of each receiver along the section */
     struct pp_series *series;

@@ -28,12 +28,12 @@ enum { WHOLE_BYTES_MOST = 128 << 20, BAND_BYTES = 32 << 20 };
 enum { OUTLINE_LEVELS = 3 };
 
 struct pp_canvas {
-    struct pp_sheet sheet; /* its texts are owned here */
+    struct pp_sheet sheet; /* with its own copies of the texts */
     char *title, *description;
     char imprint[160];
     struct pp_project project;
     double width_mm, height_mm, dpi;
-    int width_px, height_px; /* of PNG */
+    int width_px, height_px; /* size of a PNG */
     bool in_bands;           /* index of the last outline entry of each level; [0]: the
                               * root */
     cairo_surface_t *surface;

@@ -17,7 +17,7 @@ enum pp_legend_kind {
 
 struct pp_key {
     enum pp_legend_kind kind;
-    struct pp_curve_style curve; /* of lines and markers */
+    struct pp_curve_style curve; /* style of lines and markers */
     double grey;                 /* grey level of a tint, or of the line: 0 black to 1
                                   * white */
     double colour[3];            /* red, green, blue, 0 to 1 */

@@ -33,7 +33,7 @@ struct overlay_plot {
     struct pp_style style;
     const struct pp_overlay *overlay;
     struct pp_labels *labels;
-    double x0, y0, radius; /* of the horizon's circle, mm */
+    double x0, y0, radius; /* circle of the horizon, mm */
 };
 
 /* Position on paper of a direction (rad): north up, east on the left or, on a sheet, on

@@ -10,12 +10,12 @@
 
 struct pp_overlay {
     enum pp_lens lens;
-    double diameter_mm; /* of the horizon circle; 0: the largest possible in whole
-                         * centimetres */
+    double diameter_mm; /* diameter of the horizon circle; 0: the largest possible in
+                         * whole centimetres */
     struct pp_sky sky;
     const struct pp_sky_cell *dots; /* a dot in the middle of each; NULL: none */
     int dot_count;
-    const struct pp_sky_cell *cells; /* their outlines; NULL: none */
+    const struct pp_sky_cell *cells; /* cells drawn in outline; NULL: none */
     int cell_count;
     bool sun; /* draw the sun's paths */
     double latitude_rad;

@@ -97,7 +97,7 @@ static void draw_map(const struct year_plot *plot, struct pp_box box)
 /* A figure of the points, and how it is drawn. */
 struct plan_figure {
     const char *title;
-    int index; /* of the member in struct pp_annual_figures */
+    int index; /* index of the member in struct pp_annual_figures */
     double unit;
     const struct pp_colour_scale *scale;
 };

@@ -38,10 +38,10 @@ struct pp_assess_words {
     const char *weather; /* weather file for the median; NULL: none */
     struct pp_sunshine sunshine; /* from that file */
     enum pp_format format;
-    const char *report_format; /* of report, as typed; NULL: by the file's name */
-    struct pp_project project; /* of report: in place of the file's facts */
-    bool full;                 /* of report: all of each room */
-    bool of_averages; /* of report: averages are printed and need their error */
+    const char *report_format; /* report: as typed; NULL: by the file's name */
+    struct pp_project project; /* report: used instead of the file's facts */
+    bool full;                 /* report: every room with all sections */
+    bool of_averages;          /* report: averages are printed and need their error */
 };
 
 /* Lists for struct pp_option_group, with a struct pp_assess_words as values. */

@@ -20,7 +20,7 @@ static const char about[] =
 
 struct doctor_options {
     const char *output;
-    enum pp_chart_format format; /* of the test page */
+    enum pp_chart_format format; /* format of the test page */
 };
 
 static const struct pp_option page_options[] = {

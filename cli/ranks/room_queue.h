@@ -13,7 +13,7 @@ struct pp_room_figures {
 };
 
 struct pp_room_queue {
-    int count;                    /* of rooms; 0: nothing is simulated */
+    int count;                    /* number of rooms; 0: nothing is simulated */
     const struct pp_ranks *ranks; /* NULL: this process alone */
 
     /* The report of a room, with the columns of the hand methods. */

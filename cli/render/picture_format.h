@@ -10,7 +10,7 @@
 #include "pepperpot.h"
 
 struct pp_picture_format {
-    const struct pp_number_format *numbers; /* its numeric format; NULL: it is
+    const struct pp_number_format *numbers; /* numeric format; NULL: the picture is
                                              * displayed */
     enum pp_chart_format shown;             /* as this */
 };

@@ -11,7 +11,7 @@
 struct pp_shown_picture {
     struct pp_picture picture; /* in the units of its quantity (quantity.h) */
     enum pp_quantity quantity;
-    struct pp_camera camera;      /* of a room's picture */
+    struct pp_camera camera;      /* camera of a room's picture */
     const struct pp_world *world; /* not owned; NULL: the picture comes from a file */
     const struct pp_outside_light *light; /* light on that world; not owned */
     const int *tags;    /* index of the surface that each pixel shows, row by row; not

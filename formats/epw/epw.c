@@ -27,7 +27,7 @@ struct record_reader {
     int weekday;
     int hour;          /* 1 to 24 */
     int sub;           /* index within the hour, from 0 */
-    int minute;        /* of the previous record in this hour; -1: none */
+    int minute;        /* minute of the previous record in this hour; -1: none */
     int space;         /* allocated length of epw->records */
     bool out_of_order; /* later records cannot be checked; reading stops */
 };

@@ -40,7 +40,7 @@ struct pp_epw {
     double time_zone_h;                         /* ahead of UTC */
     double record_h;                            /* duration of a record: 1, 0.5, ... */
     struct pp_month_day summer_from, summer_to; /* first and last day of summer time */
-    char summer_words[160]; /* its text in the file, if that is not two dates */
+    char summer_words[160]; /* the file's text, if it is not two dates */
     int summer_line;
     int record_count;
     struct pp_epw_record *records; /* in the file's order; owned */

@@ -15,7 +15,7 @@ struct header_reader {
     struct pp_epw_header *header;
     struct pp_mistakes *mistakes;
     int line;
-    int count; /* of fields */
+    int count; /* number of fields */
     char **fields;
     bool out_of_memory;
 };

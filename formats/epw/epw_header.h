@@ -11,7 +11,8 @@ enum { PP_EPW_PERIODS_MOST = 100 };
 /* One data period. */
 struct pp_epw_period {
     struct pp_month_day from, to;
-    int years;   /* how often `to` is passed before the end: 0 within one year */
+    int years;   /* number of times that `to` is passed before the end: 0 within one
+                  * year */
     int weekday; /* day of the week of `from` */
 };
 

@@ -17,7 +17,8 @@ struct gbxml_reader {
     struct pp_gbxml_model *model;
     const struct pp_xml_element *root;
     struct pp_gbxml_loop_reader loops;
-    double square_metre, cubic_metre; /* of the file's units; NAN: unit not known */
+    double square_metre, cubic_metre; /* factors for the file's units; NAN: unknown
+                                       * unit */
     struct gbxml_named *named;
     int named_count;
     int between, without_type; /* counts of openings between spaces, and without a

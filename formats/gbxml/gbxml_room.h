@@ -31,7 +31,7 @@ struct pp_gbxml_room {
     struct pp_gbxml_room_face *faces; /* one per face of the shell */
     struct pp_gbxml_room_opening *openings;
     int opening_count;
-    struct pp_vec3 origin; /* its own */
+    struct pp_vec3 origin; /* origin of the room's own coordinates */
     double rotate_rad;     /* turn of the room's own axes; 0 unless it is a box */
     bool is_box;           /* a box of width, depth and height */
     double width_m, depth_m, height_m;

@@ -14,7 +14,7 @@ enum { FIRST_POINTS = 17 };
  * of the rule are kept, since every cubature of the piece begins with them. */
 struct piece_integral {
     double values[PP_PLANE_VALUES];
-    double error; /* of all values together; INFINITY: not yet estimated */
+    double error; /* error of all values together; INFINITY: not yet estimated */
     double first[FIRST_POINTS][PP_PLANE_VALUES];
     bool stopped;
 };

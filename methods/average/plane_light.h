@@ -12,10 +12,10 @@
 
 /* Light of one direction: luminances through the glass, over Eh. */
 struct pp_plane_light {
-    pp_luminance_function *sky;      /* of the sky in that direction, visible or
-                                      * hidden */
-    pp_luminance_function *exitance; /* of visible surfaces, for an exitance of 1;
-                                      * NULL: none is self-luminous */
+    pp_luminance_function *sky;      /* luminance of the sky in that direction,
+                                      * visible or hidden */
+    pp_luminance_function *exitance; /* luminance of visible surfaces for an exitance
+                                      * of 1; NULL: none is self-luminous */
     const void *context;
     double grain_rad;      /* resolution of sky(), see struct pp_integrand */
     double of_reflectance; /* luminance factor of an obstruction of reflectance 1 */

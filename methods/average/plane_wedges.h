@@ -36,7 +36,7 @@ struct pp_plane_centre pp_plane_centre_of(const struct pp_opening *opening);
  * run from 0 to 1: one with the angle, one with the root of the distance from the near
  * edge, since daylight changes most near the window. */
 struct pp_plane_wedge {
-    int centre; /* its index */
+    int centre; /* index of the centre */
     double apex[2];
     double low_rad, wide_rad;     /* angle about the apex */
     double near[2][2], far[2][2]; /* two points of each edge */

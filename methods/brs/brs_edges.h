@@ -38,8 +38,8 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
 /* Edges over d, as the table measures them; right is positive. */
 struct pp_brs_rectangle {
     double left, right, low, high;
-    bool hidden;   /* this rectangle is an obstruction; else sky */
-    double factor; /* its luminance factor */
+    bool hidden;   /* true: an obstruction; false: sky */
+    double factor; /* luminance factor of the obstruction */
     bool off_sky;  /* the sky's rectangle includes this obstruction, which is
                     * subtracted */
 };

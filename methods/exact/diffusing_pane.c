@@ -23,7 +23,7 @@ static const double RELATIVE_ERROR = 1e-6;
 struct pp_pane_cell {
     double low[2], high[2];
     double sky[NODES][NODES], external[NODES][NODES];
-    double total, error; /* of the integral over the cell */
+    double total, error; /* integral over the cell, and error */
     int worse;           /* the axis with the larger part of the error */
 };
 

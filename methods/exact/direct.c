@@ -66,7 +66,7 @@ enum pp_status pp_direct_moments(struct pp_moments *moments,
 /* The results for one patch, over Eh. */
 struct patch_figures {
     bool hidden;
-    struct pp_moments moments; /* of the part above the horizon */
+    struct pp_moments moments; /* moments of the part above the horizon */
     bool closed_form; /* the sky's luminance has a closed form by the moments */
     bool glazed;
     double above;  /* from visible or hidden sky, through the glass */

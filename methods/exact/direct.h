@@ -32,9 +32,10 @@ struct pp_direct {
     /* Set by the caller: */
     bool rough; /* fast, to 1e-6 of the open sky by tables, to about PP_QUADRATURE_ROUGH
                  * by quadrature */
-    const struct pp_pane_light *tables; /* of the opening; not owned; NULL: none */
-    double error; /* of both components, estimated by the quadrature; 0 for closed forms
-                   * and tables */
+    const struct pp_pane_light *tables; /* tables of the opening; not owned; NULL:
+                                         * none */
+    double error; /* error of both components, estimated by the quadrature; 0 for
+                   * closed forms and tables */
     struct pp_steps *steps; /* where steps are recorded; may be NULL */
 };
 

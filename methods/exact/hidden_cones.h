@@ -23,12 +23,12 @@
 
 struct pp_hidden_cone {
     int end;             /* the index past its last half-space */
-    struct pp_vec3 axis; /* of its cap, unit; zero vector if it has no cap */
+    struct pp_vec3 axis; /* unit axis of the cap; zero vector: no cap */
     double cos_radius, sin_radius;
 };
 
 struct pp_hidden_cones {
-    struct pp_vec3 *half_spaces; /* of all cones, one cone behind the other */
+    struct pp_vec3 *half_spaces; /* half-spaces of all cones, cone after cone */
     int half_space_count, half_space_capacity;
     struct pp_hidden_cone *list;
     int count, capacity;

@@ -22,10 +22,10 @@
 enum { PP_AXIAL_CELLS = 64, PP_AXIAL_POWERS = 6, PP_AXIAL_MOMENTS = 6 };
 
 struct pp_axial_table {
-    double border;       /* of coarse and fine cells, in rho */
+    double border;       /* border between coarse and fine cells, in rho */
     double coarse, fine; /* cells per unit of rho */
     int coarse_cells;
-    double balance[3]; /* of pp_axial_table_init_balanced, else 0 */
+    double balance[3]; /* set by pp_axial_table_init_balanced, else 0 */
     double cells[PP_AXIAL_CELLS][PP_AXIAL_POWERS][PP_AXIAL_MOMENTS];
 };
 

@@ -31,16 +31,17 @@ struct pp_beam {
     bool with_outside;
     bool one_light;                  /* all obstructions have the same reflectance and
                                       * exitance */
-    double of_light[2];              /* that reflectance and exitance, if one_light */
+    double of_light[2];              /* the common reflectance and exitance if
+                                      * one_light */
     struct beam_pieces inner, outer; /* the opening's outlines, in convex parts */
     struct beam_pieces plane;
     struct beam_pieces inside, outside;
     int node_count;
-    struct beam_node *nodes; /* of the pieces outside (beam_tree.h) */
+    struct beam_node *nodes; /* tree of the pieces outside (beam_tree.h) */
     int skylines;
     int corner_count, corner_capacity;
     struct pp_vec3 *corners;
-    double low[2], high[2]; /* of the opening's outline */
+    double low[2], high[2]; /* extent of the opening's outline */
 };
 
 /* Fills a beam in which world, opening and with_outside are set and all else is zero.

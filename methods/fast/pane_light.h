@@ -10,10 +10,10 @@
 
 /* Tables of an opening (pane_tables.h makes them); not owned. */
 struct pp_pane_light {
-    const struct pp_axial_table *glass; /* of its clear glass; NULL: there is none */
+    const struct pp_axial_table *glass; /* table of clear glass; NULL: other glass */
     const struct pp_axial_table
-        *gradation;                 /* of a sky of ISO 15469 without a sun, about
-                                             * the zenith; NULL: it is another sky */
+        *gradation;                 /* table of a sky of ISO 15469 without a sun,
+                                     * about the zenith; NULL: another sky */
     const struct pp_sky_table *sky; /* NULL: not made, or not needed */
 };
 

@@ -28,7 +28,7 @@ struct pp_sky_table {
     struct pp_vec3 sun; /* in the view's axes, like all below */
     struct pp_axial_table circumsolar;
     struct pp_axial_light sun_part;
-    double chart[2][ROWS][COLUMNS]; /* of B, then of its splines */
+    double chart[2][ROWS][COLUMNS]; /* values of B, later the coefficients of splines */
 };
 
 /* ---- the integrand ---- */

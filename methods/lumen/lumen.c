@@ -150,12 +150,13 @@ static const struct pp_formula *const formulae_of_one[] = {&share_of_band,
 struct reading {
     const char *why; /* static, or `text`; NULL: the opening is covered */
     char text[160];
-    double height_m;         /* of the window; above the plane, of a rooflight's room */
-    double width_m, depth_m; /* of the room */
+    double height_m;         /* height of the window; above the plane, of a
+                              * rooflight's room */
+    double width_m, depth_m; /* size of the room */
     double E_s, rho_g;
     double ceiling, walls;
     double cu_sky[PP_LUMEN_POSITIONS], cu_ground[PP_LUMEN_POSITIONS];
-    double well, E_h, cu_top; /* of rooflights */
+    double well, E_h, cu_top; /* rooflights only */
 };
 
 /* One reading for each opening. */

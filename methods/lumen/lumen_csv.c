@@ -52,14 +52,14 @@ struct csv_fields {
 
 struct reader {
     struct pp_mistakes *mistakes;
-    int number;  /* of the current line */
+    int number;  /* number of the current line */
     int columns; /* 0: before the line with their names */
     bool sound;  /* the column names form one of the two tables */
     enum column kinds[FIELDS_MOST];
     struct pp_lumen_axis widths;
     bool top; /* the table is for light from above */
     int count, side_capacity, top_capacity, cu_capacity;
-    struct pp_lumen_line *side_lines; /* their cu points into `cu` at the end */
+    struct pp_lumen_line *side_lines; /* the cu of each points into `cu` at the end */
     struct pp_lumen_top_line *top_lines;
     double (*cu)[PP_LUMEN_AXIS_MOST];
 };
@@ -291,7 +291,7 @@ static void read_side(struct reader *reader, const struct csv_fields *fields)
             break;
         case RCR:
         case CU:
-            break; /* this column is not in a table for light from the side */
+            break; /* a column that is not in tables for light from the side */
         case WIDTH:
             cu[width++] =
                 number(reader, text, "a coefficient", 0.0, false, coefficient_most);

@@ -29,7 +29,7 @@ struct pp_lumen_axis {
 enum pp_lumen_side_axis {
     PP_LUMEN_CEILING,
     PP_LUMEN_WALLS,
-    PP_LUMEN_DEPTH, /* of the room, in window heights */
+    PP_LUMEN_DEPTH, /* depth of the room, in window heights */
     PP_LUMEN_WIDTH, /* the same; INFINITY is allowed */
     PP_LUMEN_SIDE_AXES
 };

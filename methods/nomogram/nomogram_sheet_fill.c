@@ -149,7 +149,7 @@ struct room_on_sheet {
     const struct pp_world *world;
     const struct pp_outside_light *light;
     const struct pp_receiver *receiver;
-    void *tools; /* of the method, of IV; else NULL */
+    void *tools; /* tools of the method for IV; else NULL */
 };
 
 static enum pp_status read_window(struct pp_nomogram_reading *reading,

@@ -23,13 +23,13 @@
 #include "model/geometry/region.h"
 #include "model/light/sky.h"
 
-#define PP_PEPPER_POT_WORTH 0.001       /* of a dot of the ordinary chart */
-#define PP_PEPPER_POT_FINE_WORTH 0.0001 /* of the fine one */
+#define PP_PEPPER_POT_WORTH 0.001       /* worth of a dot of the ordinary chart */
+#define PP_PEPPER_POT_FINE_WORTH 0.0001 /* worth of a dot of the fine chart */
 
 enum {
     PP_PEPPER_POT_PANELS = 64,
     PP_PEPPER_POT_AZIMUTHS = 20, /* steps */
-    PP_PEPPER_POT_NODES = 4,     /* of Gauss's rule in each */
+    PP_PEPPER_POT_NODES = 4,     /* nodes of Gauss's rule in each */
 };
 
 struct pp_pepper_pot {
@@ -40,9 +40,9 @@ struct pp_pepper_pot {
         upright; /* true: the receiver is a vertical plane; false: horizontal, face up */
     double facing_rad; /* azimuth of a vertical receiver's normal from straight
                         * ahead, positive to the right */
-    double worth;      /* of a dot */
+    double worth;      /* worth of a dot */
     double whole;      /* worth of all dots together: the light of an infinite window */
-    struct pp_glass_curve losses;           /* of the glass */
+    struct pp_glass_curve losses;           /* losses of the glass */
     double below[PP_PEPPER_POT_PANELS + 1]; /* light from below even altitudes */
     double low_rad, high_rad; /* azimuths from which light reaches the receiver */
     /* Cosine and weight at the quadrature nodes between the azimuths. */

@@ -19,7 +19,8 @@
 #include "methods/protractor/protractor_scale.h"
 
 enum {
-    PP_DIAL_STEPS = 180, /* of the primary scale, and of 90 degrees of a semicircle */
+    PP_DIAL_STEPS = 180,      /* steps of the primary scale, and of 90 degrees of a
+                          * semicircle */
     PP_DIAL_SEMICIRCLES = 19, /* at 0 to 180 degrees */
 };
 

@@ -49,7 +49,7 @@ enum pp_protractor_receiver {
 struct pp_protractor {
     struct pp_sky sky;     /* without azimuth dependence */
     struct pp_glass glass; /* not diffusing; pp_glass_none(): an unglazed aperture */
-    double slope_rad;      /* of the glass: 0 horizontal, pi/2 vertical; to pi/2 */
+    double slope_rad;      /* slope of the glass: 0 horizontal, to pi/2 vertical */
     enum pp_protractor_receiver receiver;
 };
 

@@ -38,7 +38,7 @@
             "factor C for this obstruction angle, from the table"                      \
     }
 
-extern const struct pp_formula pp_bre_terms_irc;    /* of `bre` */
+extern const struct pp_formula pp_bre_terms_irc;    /* formula of `bre` */
 extern const struct pp_formula pp_bre_terms_IRC_av; /* the same formula, as a quantity
                                                      * of `bre-min` */
 
@@ -49,7 +49,7 @@ struct pp_bre_terms {
     double W;               /* m2 */
     struct pp_interior all; /* A and R */
     double R_fw, R_cw;      /* reflectances */
-    double alpha_rad;       /* of the obstruction */
+    double alpha_rad;       /* angle of the obstruction */
     double C;               /* a fraction */
 };
 

@@ -9,9 +9,9 @@
 #include "model/light/graded_sky.h"
 
 enum {
-    BANDS = 12,     /* of the sides; twice as many change the efficiency by less than
-                     * 0.002 */
-    ALTITUDES = 48, /* of the light that passes straight through */
+    BANDS = 12,     /* bands of the sides; twice as many change the efficiency by
+                     * less than 0.002 */
+    ALTITUDES = 48, /* altitudes of light that passes without reflection */
     AZIMUTHS = 12,  /* in a quarter of the circle */
     TOP = BANDS,    /* the glass seen from below, a further zone after the bands */
     ZONES,

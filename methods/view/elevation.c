@@ -197,7 +197,7 @@ static int draw_outside(double (*drawn)[2], const struct pp_polygon *outline,
  * which do not overlap. */
 struct silhouette {
     struct pp_area_moments extent;
-    double distance_m; /* of the nearest corner */
+    double distance_m; /* distance of the nearest corner */
 };
 
 static struct silhouette no_silhouette(void)

@@ -26,7 +26,7 @@
 /* A part of the opening that shows the sky or one obstruction; edges over d. */
 struct pp_elevation_part {
     double left, right, low, high;
-    double reflectance; /* of the obstruction; NAN: sky */
+    double reflectance; /* reflectance of the obstruction; NAN: sky */
 };
 
 struct pp_elevation {

@@ -14,7 +14,7 @@
 enum { PP_ELEVATION_COLUMNS = 1024 };
 
 struct pp_elevation_cover {
-    double left, width; /* of the first column */
+    double left, width; /* left edge and width of the first column */
     bool alike;         /* all columns are like the first one; the others are not set */
     double high[PP_ELEVATION_COLUMNS];
     double distance_m[PP_ELEVATION_COLUMNS];

@@ -21,7 +21,7 @@ struct strip_sweep {
                     * has passed */
     int entered;
 
-    double left, right; /* of the strip */
+    double left, right; /* edges of the strip */
     int crossing_count;
     int *crossing; /* ascending: nearest first */
 

@@ -13,8 +13,8 @@
 /* An obstruction on the drawing, as a rectangle. */
 struct pp_elevation_obstruction {
     struct pp_elevation_part outline;
-    double distance_m; /* of the nearest corner: the nearer obstruction hides the
-                        * other */
+    double distance_m; /* distance of the nearest corner: the nearer obstruction
+                        * hides the other */
     int order;         /* ties of distance: the lower order is in front */
 };
 

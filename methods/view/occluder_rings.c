@@ -102,7 +102,7 @@ enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
 /* ---- Which pieces are seen? ---- */
 
 struct marking {
-    bool *is_seen; /* of the pieces */
+    bool *is_seen; /* flags of the pieces */
     const struct pp_occluder_rings *rings;
 };
 

@@ -25,7 +25,7 @@ struct pp_occluder {
      * in units of that vector: of two surfaces the one with the larger value is in
      * front. */
     struct pp_vec3 nearness;
-    double reflectance, exitance; /* of the visible side */
+    double reflectance, exitance; /* properties of the visible side */
 };
 
 struct pp_occluders {

@@ -17,7 +17,7 @@ struct pp_patch_builder {
     struct pp_region open;      /* the part that is not hidden inside */
     bool open_is_extent;        /* the open part is the whole rectangle from scene.low
                                  * to high */
-    double grid;                /* on which regions are overlaid */
+    double grid;                /* grid for overlays of regions */
     bool in_parts;              /* patches may be convex rings that meet */
 };
 

@@ -24,7 +24,7 @@ struct pp_visible_patch {
     struct pp_vec3 half_spaces[2];
     int half_space_count;
     bool hidden;                  /* shows an obstruction; else sky and ground */
-    double reflectance, exitance; /* of the obstruction */
+    double reflectance, exitance; /* properties of the obstruction */
 };
 
 enum { PP_CORNERS_FEW = 16 };

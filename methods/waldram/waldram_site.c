@@ -149,7 +149,8 @@ static enum pp_status add_drawing(struct pp_waldram_site *site,
                                   struct pp_window_drawing *drawing,
                                   struct pp_error *err)
 {
-    struct pp_region figures[2] = {{0}, {0}}; /* of the sky, and of the obstructions */
+    struct pp_region figures[2] = {{0}, {0}}; /* figures of the sky and of the
+                                               * obstructions */
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < drawing->count; i++) {
         struct pp_drawn_part *part = &drawing->parts[i];

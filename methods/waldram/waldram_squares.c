@@ -54,7 +54,7 @@ struct diagram_point {
 
 struct mapping {
     const struct pp_waldram *waldram;
-    double width, height; /* of a square */
+    double width, height; /* size of a square */
 };
 
 /* The point of direction u (right, ahead, up), with an azimuth within 180 degrees of
@@ -180,7 +180,7 @@ static double mean_within(double y0, double y1, double height)
 /* The squares that a figure may cover: rows from 0, columns from `first`. */
 struct square_field {
     int first, columns, rows;
-    double width, height; /* of a square */
+    double width, height; /* size of a square */
     double *parts;        /* the area within each square, column by column */
 };
 

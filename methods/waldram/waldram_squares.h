@@ -11,13 +11,13 @@
 
 #include "methods/waldram/waldram_scale.h"
 
-#define PP_WALDRAM_WORTH 0.001    /* of a fine square */
+#define PP_WALDRAM_WORTH 0.001    /* worth of a fine square */
 enum { PP_WALDRAM_COLUMNS = 36 }; /* in 180 degrees: five degrees each without glass */
 
 /* One square that the outline covers at least in part. */
 struct pp_waldram_square {
     int column, row;  /* from azimuth 0 (negative to the left) and from the horizon */
-    double part;      /* of its area, exact */
+    double part;      /* exact covered share of the square's area */
     double estimated; /* as counted: tenths, 0 to 1 */
 };
 

@@ -28,7 +28,7 @@ struct pp_thread_pool {
     pthread_cond_t left;   /* signalled when no worker is active */
     bool open;             /* workers may join the work */
     bool dismissed;
-    long number; /* of the work, so that no worker joins it twice */
+    long number; /* number of the task, so that no worker joins it twice */
     int at_work; /* active workers, without the calling thread */
 
     /* The present work; written only while no worker is active. */

@@ -18,8 +18,8 @@
 
 struct pp_work_queue {
     int first, end; /* indices [first, end) */
-    int threads;    /* of this process, one index each; 0: one per processor, or one
-                     * over ranks */
+    int threads;    /* threads of this process, one index each; 0: one per processor,
+                     * or one over ranks */
 
     /* Computes an index: *bytes (malloc) and *length. Called by several threads at a
      * time, each with its own `worker`, from 0. */

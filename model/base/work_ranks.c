@@ -66,8 +66,8 @@ struct leading {
     const struct pp_work_queue *queue;
     struct pp_work_results *results; /* access needs the pool's lock */
     struct pp_thread_pool *pool;
-    int threads;           /* of rank 0 and all ranks that have asked */
-    enum pp_status status; /* of messages */
+    int threads;           /* threads of rank 0 and all ranks that have asked */
+    enum pp_status status; /* status of messages */
     struct pp_error err;
 };
 
@@ -237,7 +237,7 @@ enum pp_status pp_work_ranks_lead(const struct pp_work_queue *queue, int *next,
 
 struct following {
     const struct pp_work_queue *queue;
-    struct pp_work_result *results; /* of the indices from `first` on */
+    struct pp_work_result *results; /* results from index `first` on */
     int first;
 };
 

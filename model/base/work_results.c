@@ -25,7 +25,7 @@ struct pp_work_results {
     int unassigned;     /* indices from here on are unassigned */
     int end;            /* end of the queue, or first failed index */
     bool stopped;
-    enum pp_status status; /* of taking */
+    enum pp_status status; /* status of taking */
     struct pp_error err;
     enum pp_status failure; /* error of index `end` */
     struct pp_error why;

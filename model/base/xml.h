@@ -37,7 +37,7 @@ struct pp_xml_format {
 
 struct pp_xml_attribute {
     const char *name, *value; /* name: without prefix */
-    int line;                 /* of its name */
+    int line;                 /* line of the name */
 };
 
 struct pp_xml_element {

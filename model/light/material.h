@@ -63,7 +63,7 @@ struct pp_material {
     double dirt;        /* share of the light transmitted by dirt */
 
     enum pp_emitter_kind emits;
-    struct pp_rgb radiance; /* of the front, per steradian */
+    struct pp_rgb radiance; /* radiance of the front, per steradian */
     bool emits_both_sides;
     bool unseen; /* Radiance's `illum`: emission lights other surfaces, but is not
                   * seen directly */

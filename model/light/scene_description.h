@@ -34,7 +34,7 @@ struct pp_shape {
     bool inward;       /* sphere, cone: the front is inside (bubble, cup, tube) */
     union {
         struct {
-            int first, count; /* of the description's vertices */
+            int first, count; /* range of the description's vertices */
         } polygon;
         struct {
             struct pp_vec3 centre;
@@ -80,13 +80,13 @@ enum { PP_PATTERN_SKYLINES_MOST = 16 };
 
 struct pp_pattern {
     enum pp_pattern_kind kind;
-    double factor;     /* of PP_PATTERN_SKY */
-    struct pp_sky sky; /* of PP_PATTERN_SKY */
+    double factor;     /* PP_PATTERN_SKY only */
+    struct pp_sky sky; /* PP_PATTERN_SKY only */
     int skyline_count; /* PP_PATTERN_SKY; if several hide a direction the first in
                         * the list is visible */
     struct pp_pattern_skyline skylines[PP_PATTERN_SKYLINES_MOST];
 
-    enum pp_gensky_kind type; /* this and the following: PP_PATTERN_GENSKY only */
+    enum pp_gensky_kind type; /* from here on: PP_PATTERN_GENSKY only */
     double zenith, ground;    /* radiances of zenith and ground */
     double norm;              /* divisor for clear and intermediate skies */
     struct pp_vec3 sun;       /* unit, towards the sun */
@@ -100,7 +100,7 @@ double pp_scene_description_pattern_value(const struct pp_pattern *pattern,
 struct pp_scene_description {
     struct pp_shape *shapes;
     int shape_count, shape_space;
-    struct pp_vec3 *vertices; /* of all polygons */
+    struct pp_vec3 *vertices; /* vertices of all polygons */
     int vertex_count, vertex_space;
     struct pp_material *materials;
     int material_count, material_space;

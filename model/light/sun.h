@@ -9,7 +9,7 @@
 #define PP_MODEL_LIGHT_SUN_H
 
 struct pp_sun {
-    double altitude_rad; /* of the sun's centre; negative: below the horizon */
+    double altitude_rad; /* altitude of the sun's centre; negative: below the horizon */
     double bearing_rad;  /* clockwise from north, 0 to 2 pi */
     double declination_rad;
     double distance_au; /* distance from the earth in astronomical units */

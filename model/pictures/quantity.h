@@ -8,7 +8,8 @@
 enum pp_quantity {
     PP_LUMINANCE,       /* radiance, W/sr/m2; printed in cd/m2 */
     PP_ILLUMINANCE,     /* irradiance of the visible surface, W/m2; printed in lx */
-    PP_DAYLIGHT_FACTOR, /* of the visible surface, a fraction; printed in per cent */
+    PP_DAYLIGHT_FACTOR, /* daylight factor of the visible surface, a fraction;
+                         * printed in per cent */
     PP_QUANTITY_COUNT,
 };
 

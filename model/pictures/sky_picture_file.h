@@ -24,7 +24,7 @@
 struct pp_sky_picture_options {
     int projection;           /* (latitude-longitude if twice as wide as high, else
                                * equidistant) */
-    double view_angle_rad;    /* of the whole circle (pi) */
+    double view_angle_rad;    /* angle of the whole circle (pi) */
     double top_bearing_rad;   /* bearing of the top, for a picture that looks up or
                                * down (0) */
     double view_bearing_rad;  /* bearing of the centre, for other pictures (0) */

@@ -13,7 +13,7 @@
 
 /* A counted square of the diagram. */
 struct pp_counted_square {
-    int column, row; /* of its lower left corner */
+    int column, row; /* position of the lower left corner */
     int tenths;      /* counted tenths of the square, 0 to 10 */
 };
 

@@ -72,8 +72,8 @@ enum pp_document_block_kind {
 
 struct pp_document_block {
     enum pp_document_block_kind kind;
-    enum pp_tone tone; /* of a paragraph */
-    int level;         /* of a heading: 1 title, 2 chapter, 3 section */
+    enum pp_tone tone; /* tone of a paragraph */
+    int level;         /* level of a heading: 1 title, 2 chapter, 3 section */
     char *text;        /* caption of a picture; NULL for a table */
     struct pp_document_table table;
     int picture; /* index in the list of pictures given to the layout */

@@ -26,7 +26,7 @@ struct pp_formula_quantity {
 
 struct pp_formula {
     const char *symbol, *sum; /* left and right side */
-    enum pp_step_unit unit;   /* of the left side */
+    enum pp_step_unit unit;   /* unit of the left side */
     const char *source; /* key of docs/SOURCES.md and place in the work: "GEEBELEN,
                          * eq. 15"; NULL: the program's own convention */
     const char *what;   /* description of the left side */

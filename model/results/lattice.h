@@ -9,7 +9,7 @@
 
 struct pp_lattice {
     int columns, rows; /* 0: the receivers are not a lattice */
-    double *x, *y;     /* of columns and rows, ascending (m) */
+    double *x, *y;     /* coordinates of columns and rows, ascending (m) */
     int *receivers;    /* index [row * columns + column]; -1: no receiver */
 };
 

@@ -35,10 +35,10 @@ double pp_steps_printed_unit(enum pp_step_unit unit);
 struct pp_calculation_step {
     char what[96];     /* "altitude of the head of the reveal" */
     char symbol[16];   /* "R_fw"; empty: no symbol */
-    char formula[640]; /* of a calculated value; empty: input */
+    char formula[640]; /* formula of a calculated value; empty: input */
     double value;
     enum pp_step_unit unit;
-    int line; /* of its opening in the room file; 0: none */
+    int line; /* line of the opening in the room file; 0: none */
 };
 
 struct pp_steps {

@@ -12,7 +12,7 @@ struct pp_face_frame {
     struct pp_vec3 origin, along, up;
     double (*xy)[2]; /* the outline */
     int count;
-    struct pp_bounds2 bounds; /* of xy */
+    struct pp_bounds2 bounds; /* bounds of xy */
     bool convex;
 };
 

@@ -54,8 +54,8 @@ struct pp_plan_part {
     bool envelope;  /* given by faces, not as a plan */
     bool rectangle; /* given by width and depth, not by vertices */
     double width_m, depth_m, height_m;
-    struct pp_vertices vertices; /* of a plan that is no rectangle */
-    struct pp_face_part *faces;  /* of an envelope */
+    struct pp_vertices vertices; /* vertices of a plan that is no rectangle */
+    struct pp_face_part *faces;  /* faces of an envelope */
     int face_count;
     int line; /* 0: none in the file */
 };
@@ -91,7 +91,7 @@ struct pp_shade_part {
     double depth_m, inside_m; /* outside the wall; a shelf's part inside it */
     double above_m, below_m;  /* beyond head and sill */
     double left_m, right_m;   /* beyond the jambs */
-    bool is_left, is_right;   /* which fins exist */
+    bool is_left, is_right;   /* existing fins */
     double height_m;          /* shelf: above the sill; balcony: its floor */
     double parapet_m;         /* height of a balcony's parapet; 0: none */
     double reflectance;
@@ -168,7 +168,7 @@ struct pp_cover_part {
     enum pp_cover_kind kind;
     char *name;             /* NULL: not given */
     char *wall;             /* NULL: a dado of all walls without their own */
-    double left_m, width_m; /* of a door, as for a window */
+    double left_m, width_m; /* position and size of a door, as for a window */
     double height_m;        /* from the foot of the wall */
     double reflectance;
     const struct pp_finish *finish;
@@ -232,7 +232,7 @@ struct pp_room {
     struct pp_placement placement;
     enum pp_site_state state;
     struct pp_site_part site; /* the building's site unless the room has its own */
-    bool site_is_own;         /* it has */
+    bool site_is_own;         /* the room has its own site */
     struct pp_sky_part sky;   /* likewise the building's or its own */
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */

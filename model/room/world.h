@@ -40,7 +40,7 @@ struct pp_surface {
                                 * outwards; facades to the open air; skylines towards
                                 * the room; free-standing as in the file */
     int (*triangles)
-        [3]; /* that cover the outline, by its vertices; NULL: it is convex */
+        [3]; /* triangles that cover the outline, by its vertices; NULL: it is convex */
     int triangle_count;
     enum pp_role role;
     bool inside;      /* in the room: envelope, reveal, free-standing inside */
@@ -106,7 +106,8 @@ struct pp_opening {
  * also a wall among the surfaces, long enough to appear endless from the room
  * (skylines.c). Without one it hides directions. */
 struct pp_skyline {
-    int face;          /* its wall; outline.normal points away from the skyline */
+    int face;          /* index of the wall; outline.normal points away from the
+                        * skyline */
     double angle_rad;  /* above the horizontal, at the centre of the wall's openings */
     double middle_z_m; /* z of that centre */
     double distance_m; /* from the wall's plane; INFINITY: the angle is the same from
@@ -164,7 +165,7 @@ struct pp_world_mesh {
 /* Outer side of a wall and its continuation beyond the room; its pieces are
  * surfaces. */
 struct pp_facade {
-    int face;                  /* its wall */
+    int face;                  /* index of the wall */
     struct pp_vec3 corners[4]; /* rectangle including openings: lower left, lower
                                 * right, upper right, upper left, seen from outside */
     double left_m, right_m, up_m, down_m; /* extension beyond the wall's bounding
@@ -232,7 +233,7 @@ struct pp_world {
     double height_m;               /* z of the highest point of the envelope */
     double working_plane_m;        /* z of the working plane */
     struct pp_region plane;        /* section of the room at that height */
-    struct pp_receiver *receivers; /* those of the file, or of the default grid */
+    struct pp_receiver *receivers; /* receivers of the file, or of the default grid */
     int receiver_count;
 };
 

@@ -22,7 +22,7 @@ struct pp_annual_results {
 struct pp_annual_figure_name {
     const char *name;  /* name in JSON and CSV; for autonomies without the target */
     const char *title; /* for readers; NULL: not in the table of points */
-    int index;         /* of the member in struct pp_annual_figures */
+    int index;         /* index of the member in struct pp_annual_figures */
     double unit;       /* factor on the value for printing */
     int digits;        /* as printed */
 };

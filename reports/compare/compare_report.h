@@ -12,7 +12,7 @@ struct pp_compare_result {
     const struct pp_compare_subject *subject; /* not owned */
     const char *other;   /* file with the other program's values; NULL: only ours, with
                           * a variant */
-    const char *variant; /* its switches; NULL: no variant */
+    const char *variant; /* switches of the variant; NULL: no variant */
     int given;           /* number of points in the file */
     const double
         *plain; /* our values without the variant, if there is a variant and no file;

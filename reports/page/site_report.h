@@ -20,9 +20,9 @@ struct pp_site_report {
     const struct pp_project *project;       /* facts of the title block */
     bool full;                              /* every room with all sections; false: a
                                              * short form */
-    const char *title;                      /* of the building or the room */
+    const char *title;                      /* title of the building or the room */
     const char *made_by;                    /* the command line */
-    const char *version;                    /* of the program */
+    const char *version;                    /* version of the program */
     const struct pp_site_picture *pictures; /* in the order of the rooms */
     int picture_count;
 

@@ -23,7 +23,7 @@ struct group {
     const char *name;
     int count, wrong, unjudged;
     double worst;   /* |difference| over limit */
-    double squares; /* of differences */
+    double squares; /* sum of squares of differences */
     int bins[BINS];
 };
 

@@ -19,7 +19,7 @@ struct pp_cache_entry {
     struct pp_vec3 a, b; /* frame (a, b, normal); sectors are numbered by azimuth from
                           * a */
     double horizon_m[PP_CACHE_SECTORS];
-    double along_noise; /* of the gradient, over that of the value, 1/m */
+    double along_noise; /* noise of the gradient over that of the value, 1/m */
     double curvature;   /* greatest second derivative over the value, less its possible
                          * noise, 1/m2 */
 

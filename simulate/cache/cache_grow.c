@@ -83,7 +83,7 @@ static void scatter(struct pp_cache_layer *layer, int first)
 /* Requests made by one ray. */
 struct ray_requests {
     const struct pp_irradiance_cache *cache;
-    int depth; /* of the requests that are kept */
+    int depth; /* depth of the requests that are kept */
     int count;
     struct pp_cache_place places[RAY_REQUESTS];
 };
@@ -117,9 +117,9 @@ struct request_rays {
     const struct pp_irradiance_cache *cache;
     pp_cache_ray *ray_of;
     const void *list;
-    size_t first; /* of the chunk */
+    size_t first; /* first index of the chunk */
     int depth;
-    struct ray_requests *requests; /* of the chunk's rays */
+    struct ray_requests *requests; /* requests of the chunk's rays */
 };
 
 /* Follows a ray without next-event estimation, and notes its requests. */
@@ -263,7 +263,7 @@ static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error 
 /* The record being calculated, for the cache look-ups by the rays of its hemisphere. */
 struct asking_record {
     struct pp_irradiance_cache *cache;
-    int depth; /* of the record */
+    int depth; /* depth of the record */
 };
 
 static bool ask_from_record(void *store, const struct pp_light_hit *hit,
@@ -374,7 +374,7 @@ struct batch_records {
     struct pp_irradiance_cache *cache;
     int depth;
     const struct pp_cache_request *const *chosen;
-    struct pp_cache_hemisphere_cell *cells; /* of a hemisphere for each worker */
+    struct pp_cache_hemisphere_cell *cells; /* cells of a hemisphere for each worker */
     struct pp_cache_entry *entries;
 };
 

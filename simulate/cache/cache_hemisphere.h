@@ -23,7 +23,7 @@ struct pp_cache_hemisphere_cell {
     struct pp_vec3 facing;  /* normal of that surface */
     uint32_t path;          /* path index of the first ray */
     double samples;
-    double contrast; /* of the neighbours; cells with a large one get more rays */
+    double contrast; /* contrast to neighbours; cells with a large one get more rays */
     double gradient_per_radiance[2]; /* d(gradient)/dL, 1/m */
     double hessian_per_radiance[3];  /* d(second derivatives aa, ab, bb)/dL, 1/m2 */
 };

@@ -19,12 +19,12 @@ struct pp_cache_request {
 
 struct pp_cache_layer {
     struct pp_cache_record_settings settings;
-    struct pp_vec3 *corners; /* of the settings' hemispheres */
+    struct pp_vec3 *corners; /* corners of the settings' hemispheres */
     struct pp_cache_entry *entries;
     int entry_count, entry_capacity;
     struct pp_cache_octree tree;
 
-    struct pp_cache_request *requests; /* those not yet met begin at `next` */
+    struct pp_cache_request *requests; /* requests; those not yet met begin at `next` */
     int request_count, request_capacity, next;
     int *open; /* indices of uncovered requests in the chunk that begins at `next` */
     int open_count;

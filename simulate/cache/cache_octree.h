@@ -16,7 +16,7 @@
 
 struct pp_cache_octree_cell {
     int children[8]; /* 0: none */
-    int first;       /* its first link; -1: none */
+    int first;       /* first link of the node; -1: none */
 };
 
 struct pp_cache_octree_link {

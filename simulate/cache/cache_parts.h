@@ -18,7 +18,7 @@ struct pp_irradiance_cache {
     struct pp_cache_options options;
     struct pp_thread_pool *pool;
     bool *left_out; /* by material */
-    double size_m;  /* of the scene, or of its room */
+    double size_m;  /* size of the scene, or of its room */
     struct pp_sobol sobol;
     struct pp_cache_layer layers[PP_CACHE_DEPTHS];
     int expanded; /* requests of depth 0 whose requests of depth 1 have been made */

@@ -8,9 +8,9 @@
 
 /* Settings of the records of one depth. */
 struct pp_cache_record_settings {
-    int side; /* of the hemispheres */
+    int side; /* side of the hemispheres */
     int supersamples;
-    const struct pp_vec3 *corners; /* of cache_hemisphere.h; not owned */
+    const struct pp_vec3 *corners; /* corners from cache_hemisphere.h; not owned */
     double error;                  /* bound of the error integrated over the ellipse,
                                     * relative to the value, m2 */
     double noise;                  /* standard error of a record's value, relative */

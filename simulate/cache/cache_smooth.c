@@ -137,7 +137,7 @@ static void smooth(struct fit *fit, struct pp_cache_entry *entry)
 /* Records that the pool's workers fit; each fit reads the others' original values. */
 struct fitting {
     struct pp_cache_layer *layer;
-    int *met; /* of a fit, by worker */
+    int *met; /* records met in a fit, by worker */
 };
 
 static bool fit_one(void *data, int worker, int i)

@@ -17,7 +17,8 @@
 enum {
     MOST_PATHS = 1 << 16,
     PLANE_REQUESTS = 16, /* points of the plane whose surroundings are requested */
-    PLANE_VERTEX = INT32_MAX / 8, /* of the random numbers for a point of the plane */
+    PLANE_VERTEX = INT32_MAX / 8, /* vertex of the random numbers for a point of the
+                                   * plane */
 };
 
 /* Least standard error aimed at, as in the tracer: 0.002 % daylight factor. */

@@ -88,10 +88,10 @@ struct pp_cache_record {
     int depth;                /* 0: made for visible surfaces; 1: for surfaces that
                                * light these */
     struct pp_rgb value;      /* irradiance */
-    struct pp_vec3 along[3];  /* of red, green, blue: the translational gradient, per
-                               * metre, in the surface */
+    struct pp_vec3 along[3];  /* red, green, blue: translational gradient, per metre,
+                               * in the surface */
     struct pp_vec3 turned[3]; /* the rotational gradient, per radian */
-    struct pp_vec3 axes[2];   /* of the ellipse, unit, in the surface */
+    struct pp_vec3 axes[2];   /* axes of the ellipse, unit, in the surface */
     double radii_m[2];        /* along them */
 };
 size_t pp_irradiance_cache_count(const struct pp_irradiance_cache *cache);

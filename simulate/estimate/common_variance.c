@@ -21,8 +21,8 @@ double pp_common_variance_of_all(const struct pp_planner *planner, int count)
 struct neighbourhood {
     const struct pp_planner *planner;
     const struct pp_vec3 *places;
-    int count, step; /* of the points, every step-th is evaluated */
-    double *common;  /* of the evaluated points */
+    int count, step; /* every step-th of `count` points is evaluated */
+    double *common;  /* factors of the evaluated points */
 };
 
 /* Finds the points nearest to one, itself included; returns their number. */

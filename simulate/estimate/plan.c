@@ -38,7 +38,7 @@ struct outlook {
     const struct pp_sampled *pilot;
     struct pp_counts counts;
     double variance[PP_ESTIMATORS_MOST], third[PP_ESTIMATORS_MOST];
-    double cost[PP_ESTIMATORS_MOST]; /* of one path */
+    double cost[PP_ESTIMATORS_MOST]; /* cost of one path */
     unsigned found;
 };
 

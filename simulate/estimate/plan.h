@@ -21,8 +21,8 @@
 #include "simulate/estimate/spread.h"
 
 enum {
-    PP_RANDOMISATIONS = 32, /* of a point, at least; even */
-    PP_MOST_PATHS = 1 << 24 /* of one estimator in one randomisation */
+    PP_RANDOMISATIONS = 32, /* least number for a point; even */
+    PP_MOST_PATHS = 1 << 24 /* most paths of one estimator in one randomisation */
 };
 
 /* Paths of each estimator, and the number of randomisations. */

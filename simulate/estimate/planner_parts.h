@@ -36,7 +36,7 @@ struct pp_planner {
     bool topped_up;
     double greatest; /* greatest value of the pilots, if options.least_share is set */
     double round;    /* by the clock: the target as a share of the pilot's error */
-    struct pp_planner_unit *units; /* of this pass */
+    struct pp_planner_unit *units; /* units of this pass */
     int unit_count, unit_capacity, next_unit;
     int block; /* if points share samples: first randomisation of this pass */
     struct pp_path_work forgotten; /* work before the last restart */

@@ -41,7 +41,7 @@ struct pp_path_range {
 };
 
 struct pp_sampler {
-    int estimators; /* of each point */
+    int estimators; /* number of estimators of each point */
     int values;     /* read from the sums; the target error is for the last one */
 
     /* Exponent of the fall of an estimator's variance of the mean with its paths, n to

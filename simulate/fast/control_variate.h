@@ -14,9 +14,9 @@
 /* The patches of one side of a part, in a grid; a patch's value belongs to its
  * centre. */
 struct pp_control_variate_grid {
-    int first;           /* of its values; -1: no patches on this side */
+    int first;           /* index of the first value; -1: no patches on this side */
     int columns, rows;   /* along the part's a and b */
-    double a0, b0;       /* of the first centre, along a and b */
+    double a0, b0;       /* position of the first centre, along a and b */
     double per_a, per_b; /* patches a metre */
 };
 

@@ -16,8 +16,8 @@ enum {
     /* Chosen by trial: */
     PATCHES = 1200,       /* about this many in a room */
     MOST_SURFACES = 2000, /* a room with more gets no solution */
-    OPENING_SAMPLES = 8,  /* of each patch */
-    LOBE_SAMPLES = 16,    /* of each patch */
+    OPENING_SAMPLES = 8,  /* for each patch */
+    LOBE_SAMPLES = 16,    /* for each patch */
     MOST_SWEEPS = 40,     /* Gauss-Seidel iterations */
     MOST_ALONG = 64,      /* patches along one edge */
 };

@@ -26,7 +26,7 @@ enum { X, Y, Z, GUESS, ARRAYS };
 struct cell_face {
     int first, columns, rows; /* in a net; the last lanes of a face may be empty */
     double a0, b0; /* the lower corner of the first cell, along the part's a and b */
-    double width_m, height_m; /* of a cell */
+    double width_m, height_m; /* size of a cell */
     bool plain;               /* true if cells fill it and it has no opening */
 };
 
@@ -34,7 +34,7 @@ struct pp_gather_cells {
     const struct pp_light_scene *scene;       /* not owned */
     const struct pp_control_variate *variate; /* not owned */
     struct cell_face *faces;
-    int lanes;    /* of all faces */
+    int lanes;    /* lanes of all faces */
     double level; /* lower bound of G */
 };
 

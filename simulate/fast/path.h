@@ -74,7 +74,7 @@ struct pp_path_state {
                                           * niches are not sampled */
     const struct pp_shared_density *shared; /* not owned; NULL: nothing is shared */
     const struct pp_gather_cells *cells;    /* not owned; NULL: rays gather all */
-    const double *net;         /* of cells, for this randomisation; not owned */
+    const double *net;         /* cell points of this randomisation; not owned */
     bool glass;                /* openings are sampled by their images in glass */
     struct pp_glass_view view; /* images seen from the last point */
 };

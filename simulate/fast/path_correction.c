@@ -44,8 +44,8 @@ struct path_arm {
 struct path_fan {
     struct pp_vec3 from;
     struct pp_frame frame; /* z: axis of the cosine lobe */
-    uint32_t lobes;        /* how many */
-    double throughput;     /* of all */
+    uint32_t lobes;        /* number of arms */
+    double throughput;     /* throughput of all arms */
     bool gathers;          /* true if arms that reach a surface at once also gather G */
     bool cells;            /* true if cells gather G as well */
     bool glass; /* true if openings are also sampled by their images in glass */

@@ -19,7 +19,7 @@ static const double BELOW_SHARE = 0.15;
 /* Place of a patch. */
 struct density_patch {
     int part;
-    double a, b; /* its lower corner, along the part's a and b */
+    double a, b; /* lower corner, along the part's a and b */
     double width_m, height_m;
 };
 

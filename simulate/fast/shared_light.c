@@ -18,7 +18,7 @@ enum {
 struct shared_set {
     struct pp_shared_light *list;
     int count, capacity;
-    double *net; /* of the path's cells; NULL: none, or not needed yet */
+    double *net; /* points of the path's cells; NULL: none, or not needed yet */
     long rays, leaks;
 };
 
@@ -72,7 +72,7 @@ static struct pp_shared_light draw_point(struct pp_path_state *state,
                                          const struct pp_shared_light *others,
                                          int count)
 {
-    double u[3]; /* which patch, and where in it (2) */
+    double u[3]; /* choice of the patch, and position in it (2) */
     pp_sobol_sequence_draw(&state->light.sequence, state->light.index, 0, 3, u);
     struct pp_shared_place place = pp_shared_density_draw(state->shared, u);
     struct pp_light_hit met;

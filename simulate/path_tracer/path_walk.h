@@ -18,7 +18,7 @@
 
 /* State of one thread. The caller sets the first five members before tracing. */
 struct pp_path_walk {
-    const struct pp_light_scene *scene;       /* of a world; not owned */
+    const struct pp_light_scene *scene;       /* scene of a world; not owned */
     const struct pp_environment *environment; /* not owned */
     struct pp_sobol_sequence sequence;        /* randomisation of the random numbers */
     uint32_t index;                           /* index of the path in it */

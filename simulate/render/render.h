@@ -30,8 +30,9 @@ enum { PP_RENDER_SAMPLES_MOST = 1 << 16, PP_RENDER_RANDOMISATIONS_LEAST = 4 };
 struct pp_render_options {
     struct pp_camera camera;
     int width, height; /* pixels */
-    bool irradiance;   /* of the visible surfaces, instead of their radiance; for a
-                        * world with its allowance for decorations, as the tracer's */
+    bool irradiance;   /* irradiance of the visible surfaces instead of their
+                        * radiance; for a world with its allowance for decorations,
+                        * as in the tracer */
     bool indoors;      /* for a parallel view: begins at the cut through the room */
     enum pp_pixel_filter filter;
     int samples;        /* a pixel; the next power of two is taken */

@@ -13,7 +13,8 @@ struct pp_render {
     struct pp_render_options options;         /* samples: a power of two */
     struct pp_planner *planner;
     struct pp_render_tile tile;        /* at hand */
-    enum pp_space eye_space;           /* of all rays except those of a parallel view */
+    enum pp_space eye_space;           /* space of all rays except those of a
+                                        * parallel view */
     struct pp_picture picture, errors; /* errors: empty if not requested */
     int *tags;
     int tiles_across, tile_count;

@@ -7,9 +7,9 @@
 
 enum {
     COSINES = PP_GLOSS_COSINES,
-    SLOPES = 64, /* of facets, by size and by azimuth each */
+    SLOPES = 64, /* slopes of facets, by size and by azimuth each */
     FACETS = SLOPES * SLOPES,
-    ROUNDS = 60, /* of the iteration; after 40 nothing changes in the twelfth digit */
+    ROUNDS = 60, /* iterations; after 40 nothing changes in the twelfth digit */
 };
 
 static const double SMOOTH = 1e-3;

@@ -22,10 +22,11 @@ struct pp_target {
     double area_m2;
 
     bool rectangle;
-    struct pp_vec3 corner, along, up; /* of a rectangle; along and up of unit length */
+    struct pp_vec3 corner, along, up; /* rectangle; along and up of unit length */
     double width_m, height_m;
 
-    struct pp_vec3 (*triangles)[3]; /* of any other figure, else NULL; not owned */
+    struct pp_vec3 (*triangles)[3]; /* triangles of any other figure, else NULL; not
+                                     * owned */
     int triangle_count;
 };
 
@@ -56,7 +57,8 @@ struct pp_polygon_sampler {
     bool by_area;
     double distance_m;          /* to the target's plane, greater than 0 */
     double x0, x1, y0, y1;      /* rectangle, from the foot of the point */
-    double b0, b1, k, solid;    /* of the map of [URENA13]; solid angle in sr */
+    double b0, b1, k, solid;    /* parameters of the map of [URENA13]; solid angle in
+                                 * sr */
     double corner_weight[2][2]; /* [v][u], their mean is 1 */
 };
 

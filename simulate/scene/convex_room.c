@@ -23,7 +23,7 @@ struct convex_plane {
     struct pp_vec3 normal; /* into the room */
     double offset_m;       /* normal . x of its points */
     int part;
-    int first, count; /* of its panes, in the list */
+    int first, count; /* range of the plane's panes in the list */
     bool niches;      /* true if one of them has a reveal */
 };
 

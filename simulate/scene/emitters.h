@@ -23,11 +23,11 @@ struct pp_emitter {
     enum pp_emitter_shape shape;
     int part;     /* -1: distant */
     int distant;  /* index of the distant source; -1: not distant */
-    int material; /* of the side that emits */
+    int material; /* material of the side that emits */
     struct pp_rgb radiance;
-    struct pp_target target;            /* of a plane emitter */
-    int first_triangle, triangle_count; /* of the scene's emitter_triangles */
-    struct pp_shape round;              /* of a round emitter */
+    struct pp_target target;            /* target of a plane emitter */
+    int first_triangle, triangle_count; /* range in the scene's emitter_triangles */
+    struct pp_shape round;              /* shape of a round emitter */
     bool back;                          /* the back emits */
     struct pp_vec3 middle;
     double area_m2;

@@ -235,7 +235,7 @@ static void refine(const struct pp_light_scene *scene, const struct pp_light_par
         hit->normal = pp_vec_scale(hit->normal, -1.0);
 }
 
-/* There is no ground below the room's own plan if the ground is higher than the floor.
+/* Below the room's own plan there is no ground if the ground is higher than the floor.
  * This matters for rays that start in a reveal, which are not known to be indoors. */
 static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 point)
 {

@@ -56,8 +56,8 @@ struct pp_light_hit {
     struct pp_vec3 normal; /* unit, on the side that was met */
     bool back;             /* true if that was its back */
     double distance_m;
-    int material;        /* of that side */
-    enum pp_space space; /* of a ray that leaves that side */
+    int material;        /* material of that side */
+    enum pp_space space; /* space of a ray that leaves that side */
 };
 
 /* False if the ray meets nothing, or has leaked. */

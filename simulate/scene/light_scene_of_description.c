@@ -17,8 +17,8 @@ struct light_scene_builder {
     struct pp_light_scene *scene;
     const struct pp_scene_description *from;
     struct pp_clipper *clipper;
-    struct pp_triangles triangles; /* of all polygons */
-    struct pp_vec3 *corners;       /* of one polygon, measured from the centre */
+    struct pp_triangles triangles; /* triangles of all polygons */
+    struct pp_vec3 *corners;       /* corners of one polygon, relative to the centre */
 };
 
 static bool is_polygon(const struct pp_shape *shape)

@@ -18,21 +18,23 @@
 
 /* A piece of surface with one plane or one curve. */
 struct pp_light_part {
-    struct pp_vec3 normal; /* of the front of a plane part, unit */
-    struct pp_vec3 a, b;   /* of a plane part: a right-handed frame with the normal */
+    struct pp_vec3 normal; /* unit normal of the front of a plane part */
+    struct pp_vec3 a, b;   /* axes of a plane part: a right-handed frame with the
+                            * normal */
     double offset_m;       /* normal . x of its points, from the centre */
     double area_m2;
-    int material[2]; /* of front and back */
+    int material[2]; /* front and back */
     int tag;
     int round;        /* index of its round shape; -1: plane */
     int window;       /* index of its pane's opening; -1: none */
     int niche;        /* index of the rectangular opening of whose niche it is a side;
                        * -1: none */
-    int emitter[2];   /* of front and back; -1: not a concentrated emitter */
+    int emitter[2];   /* front and back; -1: not a concentrated emitter */
     int mirror;       /* index of the mirror in its plane; -1: none */
-    int reflector[2]; /* of front and back; -1: none */
+    int reflector[2]; /* front and back; -1: none */
     unsigned char space[2]; /* enum pp_space of rays that leave front and back */
-    bool envelope;          /* of a room: its back is not seen from inside */
+    bool envelope;          /* part of a room's envelope: its back is not seen from
+                             * inside */
     bool back_emits;
     bool matt[2]; /* front and back are opaque and purely diffuse */
 };
@@ -60,7 +62,7 @@ struct pp_light_scene {
 
     struct pp_material *materials;
     int material_count;
-    struct pp_glass_curve *glass_curves; /* of the materials that are glass */
+    struct pp_glass_curve *glass_curves; /* curves of the materials that are glass */
     struct pp_gloss *glosses;
     int gloss_count;
     int *gloss_of_material; /* index by material; -1: none, or a mirror */
@@ -97,8 +99,8 @@ struct pp_light_scene {
     struct pp_rgb glow;     /* radiance of the brightest extended emitter that is not
                          * distant */
 
-    struct pp_bounds3 bounds; /* of everything that is not distant, in the scene's
-                               * coordinates */
+    struct pp_bounds3 bounds; /* bounds of everything that is not distant, in the
+                               * scene's coordinates */
     uint64_t hash;
 };
 

@@ -15,7 +15,8 @@ enum { PP_PANE_SIDES = 4 };
 /* An opening, with visibility facts that save rays. */
 struct pp_pane {
     struct pp_target target;
-    struct pp_target mouth;   /* of its niche, in the face; else as the target */
+    struct pp_target mouth;   /* mouth of the niche, in the face; equal to the target
+                               * without a niche */
     int sides[PP_PANE_SIDES]; /* parts: of the niche of a rectangle, where their normals
                                * are along, -along, up and -up; -1: it has none */
     const struct pp_opening *opening; /* not owned */
@@ -42,7 +43,7 @@ enum pp_status pp_openings_find(struct pp_light_scene *scene,
 enum { PP_OPENINGS_KEPT = 16 };
 
 struct pp_openings_shares {
-    struct pp_vec3 point, normal; /* of the viewing surface; a normal of zero length: no
+    struct pp_vec3 point, normal; /* viewing surface; a normal of zero length: no
                                    * surface */
     bool mouths;
     double of[PP_OPENINGS_KEPT];
@@ -51,7 +52,7 @@ struct pp_openings_shares {
 /* Viewer of openings. */
 struct pp_openings_viewer {
     struct pp_brightness brightness; /* estimated brightness outside */
-    struct pp_vec3 point, normal;    /* of one side of a surface */
+    struct pp_vec3 point, normal;    /* on one side of a surface */
     bool mouths;                     /* true: targets are mouths of niches, not panes */
 };
 

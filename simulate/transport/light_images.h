@@ -18,7 +18,7 @@
 
 /* A point of a reflector at which an image is sampled. */
 struct pp_image_view {
-    struct pp_shading_point there; /* its lobes: those below */
+    struct pp_shading_point there; /* shading point there, with the lobes below */
     struct pp_lobes lobes;
     int window;
     struct pp_rgb weight; /* share of the light there that the reflector sends to the

@@ -106,7 +106,7 @@ struct pp_light_path {
                                * windows are not sampled */
     int mirror_path;          /* index of the path of mirrors met since then; -1:
                                * none */
-    struct pp_vec3 gloss_point, gloss_normal; /* of PP_DIRECTLY_SAMPLED_GLOSS: the
+    struct pp_vec3 gloss_point, gloss_normal; /* PP_DIRECTLY_SAMPLED_GLOSS: the
                                                * surface's, */
     double gloss_pdf; /* density of the ray's direction in the lobe, times the number of
                        * such rays */
@@ -120,7 +120,7 @@ struct pp_light_path {
                                               * comes from, and at the present
                                               * surface */
     int depth;                               /* diffuse reflections so far */
-    int vertex;                              /* of the random numbers */
+    int vertex;                              /* index of the random numbers */
     int bounces;                             /* surfaces met */
     bool split;       /* take several directions at the next surface that scatters (the
                        * path's first) */

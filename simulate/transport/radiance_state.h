@@ -64,8 +64,8 @@ enum { PP_KEPT_SAMPLERS = 4 };
 /* State of one thread. The caller fills the first part, then samples. */
 struct pp_radiance_state {
     const struct pp_light_scene *scene;       /* not owned */
-    const struct pp_environment *environment; /* of a world; not owned; NULL: of a
-                                               * description */
+    const struct pp_environment *environment; /* environment of a world; not owned;
+                                               * NULL: of a description */
     struct pp_radiance_options options;
     const struct pp_opening_store *store; /* not owned; NULL: as if not `stored` */
     const struct pp_ambient *ambient;     /* not owned; NULL: none */
@@ -77,7 +77,8 @@ struct pp_radiance_state {
     long rays;  /* traced so far */
     long leaks; /* number of these lost between the edges of two surfaces */
     struct pp_polygon_sampler samplers[PP_KEPT_SAMPLERS];
-    struct pp_openings_shares shares; /* of the last point that chose an opening */
+    struct pp_openings_shares shares; /* shares of the last point that chose an
+                                       * opening */
 };
 
 /* pp_light_scene_meet, with the ray counted. */

@@ -18,8 +18,8 @@ enum { PP_LIGHT_LANES = 16 };
 
 struct pp_light_columns {
     struct pp_sky_patches patches;
-    int count;                        /* of hours */
-    int tiles;                        /* of PP_LIGHT_LANES hours */
+    int count;                        /* number of hours */
+    int tiles;                        /* number of tiles of PP_LIGHT_LANES hours */
     const struct pp_perez_sky *skies; /* in the room's axes; not owned */
     int column_count;
     float

@@ -29,8 +29,8 @@ struct event_list {
         int group;  /* group of the opening through which the path left; -1 for a sun */
         int column; /* column of light, for ground and skylines */
         double weight;
-        struct pp_vec3 u;       /* of sky */
-        struct pp_lit_point at; /* of sun */
+        struct pp_vec3 u;       /* direction of sky */
+        struct pp_lit_point at; /* point lit by the sun */
     } * list;
     const struct pp_plain_year *plain;
     int horizontal_column;

@@ -10,11 +10,11 @@ struct pp_sparse_entry {
 };
 
 struct pp_sparse_rows {
-    int count;  /* of rows that have ended */
+    int count;  /* number of rows that have ended */
     int *first; /* entries of row i: first[i] to first[i + 1] - 1 */
     struct pp_sparse_entry *entries; /* by rising column within a row */
     int first_capacity, entry_capacity, width;
-    double *sums; /* of the row being filled, by column */
+    double *sums; /* sums of the row being filled, by column */
     int *touched, touched_count;
     unsigned char *is_touched;
 };

@@ -43,7 +43,7 @@ struct pp_year_task {
     int receiver_count;
     const int *group_of_opening; /* 0 to group_count - 1 */
     int group_count;
-    int column_count; /* of light */
+    int column_count; /* number of columns of light */
     int cell_paths;   /* from each cell; a power of two */
     int point_paths;  /* from each receiver; a power of two */
     const struct pp_sobol *sobol;

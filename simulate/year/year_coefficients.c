@@ -32,7 +32,7 @@ struct pp_year_coefficients {
     struct pp_year_batch batches[PP_YEAR_BATCHES];
     const struct pp_light_columns *light;
     struct sun_list suns[PP_YEAR_BATCHES];
-    enum pp_status status[PP_YEAR_BATCHES]; /* of each batch's task */
+    enum pp_status status[PP_YEAR_BATCHES]; /* status of each batch's task */
 };
 
 static bool make_batch(void *data, int worker, int index)

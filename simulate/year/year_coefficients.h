@@ -16,7 +16,7 @@
 enum { PP_YEAR_BATCHES = 16, PP_YEAR_GROUPS_MOST = 16, PP_YEAR_CELLS_MOST = 65535 };
 
 struct pp_year_coefficient_options {
-    int paths;   /* of a point in each randomisation; a power of two */
+    int paths;   /* paths of a point in each randomisation; a power of two */
     int cells;   /* wanted */
     int patches; /* 145, 577, 2305 */
     uint64_t seed;

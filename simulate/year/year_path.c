@@ -15,7 +15,7 @@ struct year_path {
     struct pp_path_walk *walk;
     const struct pp_year_sink *sink;
     struct pp_light_ray ray;
-    double weight; /* of the radiance along the ray */
+    double weight; /* weight of the radiance along the ray */
     int opening;
     bool counted, aims;
     bool scattered; /* by anything except clear glass */

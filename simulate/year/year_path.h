@@ -29,10 +29,10 @@ struct pp_year_event {
     double weight;
     int opening;
     bool straight;          /* for sky: reached directly, or through clear glass only */
-    struct pp_vec3 u;       /* of sky */
-    int far;                /* of skyline: its index */
-    struct pp_lit_point at; /* of lit: one side of a surface */
-    const struct pp_light_hit *hit; /* of lit and known: the surface */
+    struct pp_vec3 u;       /* sky: direction */
+    int far;                /* skyline: index */
+    struct pp_lit_point at; /* lit: one side of a surface */
+    const struct pp_light_hit *hit; /* lit and known: the surface */
 };
 
 struct pp_year_sink {

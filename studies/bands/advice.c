@@ -19,7 +19,7 @@ static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 struct ranking {
     struct pp_band_index index;
     struct pp_band_record *list;
-    int *columns; /* their indices in the report */
+    int *columns; /* indices of the columns in the report */
     int count;
 };
 

@@ -22,7 +22,7 @@ struct pp_band_figures {
     int count, capacity;
     int *rooms;
     double *hand, *own, *truth; /* own: NAN if unknown */
-    int feature_count;          /* of each row */
+    int feature_count;          /* features of each row */
     double *features;           /* row after row */
 };
 

@@ -44,8 +44,8 @@ struct pp_band_trial {
     int rooms;                  /* tested */
     double inside;              /* share of the tested rooms' points in the band; NAN if
                                  * there are none */
-    double between; /* that share without the band's ends; it is smaller if figures are
-                     * exact in all digits, like figures of 0 */
+    double between; /* `inside` without the band's ends; smaller if figures are exact
+                     * in all digits, like figures of 0 */
     double limit;   /* largest permitted difference of `inside` from 0.95, from (2) */
 };
 

@@ -18,7 +18,7 @@ enum { PP_BAND_CONDITIONS = 5 };
 /* from <= feature < to; the ends may be infinite. A feature that is NAN is below every
  * bound. */
 struct pp_band_condition {
-    int feature; /* its number */
+    int feature; /* number of the feature */
     double from, to;
 };
 

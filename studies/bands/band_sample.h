@@ -11,10 +11,10 @@
 #include "studies/bands/band_regime.h"
 
 struct pp_band_sample {
-    int count;              /* of rows */
+    int count;              /* number of rows */
     const int *rooms;       /* the room of each row; rows of a room are adjacent */
     const double *ratios;   /* greater than 0 */
-    int feature_count;      /* of each row */
+    int feature_count;      /* features of each row */
     const double *features; /* row after row */
 };
 

@@ -42,8 +42,8 @@ struct node {
 struct tree {
     const struct pp_band_sample *sample;
     const struct pp_band_rules *rules;
-    struct edges *edges; /* of each feature */
-    uint8_t *bins;       /* of each row and feature */
+    struct edges *edges; /* edges of each feature */
+    uint8_t *bins;       /* bins of each row and feature */
     uint8_t *steps;      /* step of the ratio of each row */
     double first,
         width; /* logarithm of the ratio in the middle of step 0, and width of a step */

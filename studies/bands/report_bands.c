@@ -141,8 +141,8 @@ struct place {
 
 struct lookup {
     const struct pp_report *report;
-    double *features;     /* of the room, with space for those of a point */
-    struct place *places; /* of each point */
+    double *features;     /* features of the room, with space for those of a point */
+    struct place *places; /* places of each point */
     struct pp_band_index index;
     struct pp_band_regimes regimes;
     struct pp_band_columns columns; /* column to look up, and its components */

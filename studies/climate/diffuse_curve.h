@@ -7,7 +7,7 @@
 
 /* Each illuminance of the year with the working hours that reach it. */
 struct pp_diffuse_curve {
-    int count;         /* of different illuminances, 1 or more */
+    int count;         /* number of different illuminances, 1 or more */
     double *lx;        /* the illuminances, falling; owned */
     double *reached_h; /* working hours with lx[i] or more, rising; owned */
     double total_h;    /* working hours whose illuminance is known */

@@ -27,8 +27,8 @@ struct pp_summer_choice {
 /* Options of a study over a year; numbers are NAN if not given. */
 struct pp_year_options {
     const char *weather;                /* file; NULL: an overcast sky */
-    double latitude_deg, longitude_deg; /* of the overcast sky's site */
-    double time_zone_h;                 /* of clock time at that site */
+    double latitude_deg, longitude_deg; /* site of the overcast sky */
+    double time_zone_h;                 /* time zone of clock time at that site */
     struct pp_clock_times hours;
     unsigned days; /* working days, bit 0: Monday */
     struct pp_summer_choice summer;

@@ -10,7 +10,7 @@
  * site, E_v,d,med of [EN17037]. */
 struct pp_median {
     double lux;    /* NAN: not known */
-    char how[200]; /* its origin ("London, 12 km away"), or the reason why it is not
+    char how[200]; /* origin ("London, 12 km away"), or the reason why it is not
                     * known, as a sentence without a full stop */
 };
 

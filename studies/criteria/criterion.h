@@ -49,7 +49,7 @@ struct pp_inquiry {
 
 struct pp_criterion {
     const char *name;        /* as typed on the command line, and in JSON */
-    const char *alias;       /* its usual short name, also accepted; NULL: none */
+    const char *alias;       /* usual short name, also accepted; NULL: none */
     const char *title;       /* for people */
     const char *source;      /* keys in docs/SOURCES.md, separated by ", " */
     const char *summary;     /* one line for the help, without a full stop */

@@ -35,7 +35,7 @@ static const double level_rad = 15.0 * PP_RAD;
 struct target {
     const char *who; /* the level or the kind of room: "minimum", "bedroom" */
     double lux;
-    double part;      /* of the plane, a fraction */
+    double part;      /* part of the plane, a fraction */
     bool is_optional; /* a level above the minimum */
 };
 

@@ -22,17 +22,17 @@ enum pp_figure {
 
 struct pp_finding {
     char what[80]; /* "W1, south"; "300 lx over 50 % of the plane" */
-    int line;      /* of the opening in the room file; 0: the room as a whole */
+    int line;      /* line of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
     double figure;           /* NAN: not judged */
     double now, before;      /* the values compared by the figure
                               * (pp_finding_compares); NAN: none */
-    enum pp_figure compared; /* their kind */
-    double std_error;  /* of the figure, by noise and by the grid; NAN: nothing was
-                        * sampled */
+    enum pp_figure compared; /* kind of the values */
+    double std_error;        /* standard error of the figure, by noise and grid; NAN:
+                        * nothing was sampled */
     double grid_error; /* part of std_error due to the spacing of the grid; NAN: no
                         * grid */
-    struct pp_band_ends band; /* of a hand figure, if known */
+    struct pp_band_ends band; /* band of a hand figure, if known */
     double wanted;            /* the bound; NAN: none, the figure is only stated */
     bool at_most;             /* the bound is an upper one, else a lower one */
     double reached_over; /* share of the plane on which the bound is reached; NAN: the

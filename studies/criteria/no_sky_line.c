@@ -24,7 +24,7 @@ static const char no_plane[] = "the room has no working plane";
 /* Areas of the working plane, and of its part that sees sky. */
 struct sky_view_area {
     double plane_m2, sky_m2;
-    double error_m2; /* of sky_m2, by the tolerance of the line */
+    double error_m2; /* error of sky_m2, by the tolerance of the line */
 };
 
 static enum pp_status find_view(struct sky_view_area *view,

@@ -32,9 +32,10 @@ struct pp_site_table {
     int sun_count;
     struct pp_site_row *gardens; /* sunlit share, a line a garden */
     int garden_count;
-    struct pp_site_row *rights; /* of light: area adequately lit, a line a room */
+    struct pp_site_row *rights; /* rights of light: area adequately lit, a line a
+                                 * room */
     int rights_count;
-    struct pp_lit_change rights_sum; /* of the rooms that are judged */
+    struct pp_lit_change rights_sum; /* sum over the rooms that are judged */
     struct pp_site_row *others;      /* every other finding */
     int other_count;
 };

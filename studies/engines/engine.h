@@ -34,7 +34,8 @@ struct pp_engine_options {
     double sensor_m; /* photon engine: photons are counted on discs of this radius round
                       * the receivers; 0: the receivers are points */
 
-    struct pp_cache_options cache; /* its seed and threads are those above */
+    struct pp_cache_options cache; /* options of the cache, with seed and threads as
+                                    * above */
     bool interpolate;              /* cache engine: interpolates reflected light at the
                                     * points */
     const char *cache_file; /* cache engine: file of initial records, used if it exists;

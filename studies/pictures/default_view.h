@@ -31,7 +31,7 @@ enum pp_room_view {
 
 struct pp_view_place {
     struct pp_vec3 eye, toward, up; /* directions not unit */
-    double across_m, down_m;        /* of plan and section; else 0 */
+    double across_m, down_m;        /* size of plan and section; else 0 */
 };
 
 /* `scene` must be made from `world`. */

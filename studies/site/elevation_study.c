@@ -22,9 +22,9 @@ struct wall_frame {
     int face;
     struct pp_vec3 out, right; /* in the room's axes */
     struct pp_vec3 origin;     /* a point of the wall's outside */
-    double origin_u;           /* its u */
-    double base_z;             /* of the room's floor in the building */
-    struct pp_bounds2 box;     /* of the outline */
+    double origin_u;           /* coordinate u of the origin */
+    double base_z;             /* level of the room's floor in the building */
+    struct pp_bounds2 box;     /* box of the outline */
 };
 
 static enum pp_status component_at(void *context, double u, double v, double *value,

@@ -8,7 +8,7 @@
 
 struct pp_garden_sun {
     double area_m2, sunlit_m2; /* sunlit: two hours or more */
-    double error_m2;           /* of sunlit_m2, by the tolerance of the line */
+    double error_m2;           /* error of sunlit_m2, by the tolerance of the line */
     struct pp_curve_list
         dark; /* outlines of the rest, in the room's x and y; outer ones
                * counter-clockwise, holes clockwise */

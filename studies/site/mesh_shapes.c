@@ -37,7 +37,7 @@ struct mesh_triangle {
 struct mesh_edge {
     int low, high; /* places, low < high */
     int triangle;
-    bool forwards;  /* it runs from low to high */
+    bool forwards;  /* runs from low to high */
     bool is_unseen; /* a boundary that is not drawn */
 };
 

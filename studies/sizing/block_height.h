@@ -16,7 +16,8 @@
 #include "studies/sizing/retained_sky.h"
 
 struct pp_block_height_task {
-    struct pp_building *building; /* its state and the block's height are changed */
+    struct pp_building *building; /* building whose state and block height are
+                                   * changed */
     const char *block;            /* name of a block of the building */
     struct pp_retained_sky_rule rule;
     double most_m; /* greatest height considered */

@@ -29,7 +29,7 @@ struct pp_gain {
         *lacks;     /* the fault that the change mends: "a dark ceiling"; static; NULL:
                      * the change mends no fault of the room */
     bool of_design; /* the designer can make the change; false for obstructions */
-    struct pp_gain_values values; /* of the changed room */
+    struct pp_gain_values values; /* values of the changed room */
     int kind;                     /* index in the list of kinds (gain_changes.h) */
 };
 

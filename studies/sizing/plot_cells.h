@@ -14,8 +14,8 @@
 struct pp_plot_cells {
     struct pp_building_cell *list; /* row by row, each along the longest side */
     int count;
-    int columns, rows;         /* of the bounding rectangle of the plot */
-    int *columns_of, *rows_of; /* of each cell, from 0 */
+    int columns, rows;         /* size of the plot's bounding rectangle, in cells */
+    int *columns_of, *rows_of; /* column and row of each cell, from 0 */
 };
 
 /* Divides the plot into cells with heights of 0. PP_BAD_INPUT if no cell is inside the

@@ -16,8 +16,9 @@ struct envelope_search {
     struct pp_plot_envelope *found;
     const struct pp_plot_envelope_task *task;
     double *tangents; /* tan a_i; INFINITY: the window sets no limit */
-    double *planes;   /* of the trial: the tangents times the factor, or a single one */
-    int number;       /* of the window whose plane is searched */
+    double *planes;   /* planes of the trial: the tangents times the factor, or a
+                       * single one */
+    int number;       /* index of the window whose plane is searched */
 };
 
 /* Height z of a window's plane at the cell's nearest corner; INFINITY behind its

@@ -31,10 +31,10 @@
 
 struct pp_plot_envelope_task {
     struct pp_building
-        *building;     /* its state, and the block, are changed: the cells replace the
-                        * block */
+        *building;     /* building whose state and block are changed: the cells
+                        * replace the block */
     const char *block; /* block whose footprint is the plot */
-    struct pp_retained_sky_rule rule; /* of VSC */
+    struct pp_retained_sky_rule rule; /* rule for VSC */
     double most_m;                    /* greatest height of a cell */
 };
 
@@ -49,8 +49,8 @@ struct pp_plot_envelope {
     struct pp_plot_cells cells; /* height_m: 0 if nothing can be built on the cell */
     double volume_m3;
     struct pp_retained_sky retained;
-    double *altitudes_rad; /* of the planes, atan(s tan a_i); INFINITY if a window sets
-                            * no limit, NAN if none was found; owned */
+    double *altitudes_rad; /* altitudes of the planes, atan(s tan a_i); INFINITY if a
+                            * window sets no limit, NAN if none was found; owned */
     double factor;         /* s */
     int deciding; /* index of the window with the least surplus; -1: none counts */
 };

@@ -32,7 +32,7 @@ struct pp_retained_sky_rule {
 struct pp_retained_sky_place {
     char room[64],
         window[64]; /* names, cut to fit; may be empty; window: empty for a room */
-    char label[PP_WORLD_LABEL]; /* of the window, as on drawings; of a room "" */
+    char label[PP_WORLD_LABEL]; /* label of the window, as on drawings; "" for a room */
     int place, line; /* place: of the room in its building; line: of the window in the
                       * file, 0 for a room */
     struct pp_vec3 middle,

@@ -40,9 +40,9 @@ struct pp_size_task {
 
 struct pp_size_answer {
     enum pp_size_verdict verdict;
-    struct pp_reading now;      /* of the present room */
-    struct pp_reading smallest; /* of the smallest size */
-    struct pp_reading largest;  /* of the largest size */
+    struct pp_reading now;      /* value of the present room */
+    struct pp_reading smallest; /* value of the smallest size */
+    struct pp_reading largest;  /* value of the largest size */
     struct pp_reading reading;  /* at step `step` */
     struct pp_room *room;       /* room with the size found, owned; NULL: there is no
                                  * value */

@@ -33,7 +33,7 @@ extern const char *const pp_size_room_change_words[];
 /* Results for one room. */
 struct pp_size_room_result {
     const struct pp_study_room *room; /* not owned */
-    const char *method; /* by which it was sized; NULL: a criterion's own; not owned */
+    const char *method; /* sizing method; NULL: a criterion's own; not owned */
     struct pp_size_answer answer;
     struct pp_text_edit *edits; /* changes of the room's openings; owned */
     int edit_count;
@@ -41,13 +41,15 @@ struct pp_size_room_result {
     size_t file_length;
     int file_opening; /* number of openings in the file before the room's first */
     const char *why;  /* reason if there is no value; not owned */
-    struct pp_reading traced; /* of the sized room; NAN if nothing was simulated */
+    struct pp_reading traced; /* simulated value of the sized room; NAN if nothing
+                               * was simulated */
     bool holds; /* false: the simulated value of the size found by hand is below the
                  * target, by more than two standard errors; if that of the largest size
                  * is too, the target cannot be reached, and that size is the answer */
     struct pp_band_ends
-        band; /* of the value of the room sized, where the atlas has one */
-    struct pp_reliability reliability; /* of the present room, by hand */
+        band; /* band of the value of the sized room, if the atlas has one */
+    struct pp_reliability reliability; /* reliability of hand methods in the present
+                                        * room */
     char text[512];                    /* storage for why */
 };
 

@@ -20,7 +20,7 @@ static const double slack_m = 1e-6;
 struct pp_window_sizes {
     struct pp_room *room; /* the present room */
     enum pp_size_change change;
-    int *openings; /* that change */
+    int *openings; /* openings that change */
     int opening_count;
 
     /* All changes but PP_CHANGE_NUMBER: positions of the edges at stations from the

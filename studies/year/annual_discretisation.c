@@ -23,7 +23,7 @@ struct sampled_light {
 struct discretisation_work {
     struct pp_annual_work *work;
     struct pp_plain_year *plain;
-    struct pp_light_columns columns; /* of the sample's hours */
+    struct pp_light_columns columns; /* columns of the sample's hours */
     int point_count, hour_count;
     int points[POINTS_MOST], hours[HOURS_MOST];
     struct pp_perez_sky skies[HOURS_MOST];

@@ -13,7 +13,7 @@ struct pp_moment {
     struct pp_perez_sky sky;            /* axes: x east, y north, z up */
     struct pp_month_day date;           /* month 0: none */
     double clock_h;                     /* local standard time */
-    const struct pp_weather_year *year; /* of the record; not owned; NULL: none */
+    const struct pp_weather_year *year; /* year of the record; not owned; NULL: none */
     char words[PP_ANNUAL_WORDS];        /* on sky and sun, without a record */
 };
 

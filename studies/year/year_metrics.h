@@ -34,7 +34,7 @@ void pp_year_clock_clear(struct pp_year_clock *clock);
 /* The illuminances of a point (lx), by sky. */
 struct pp_year_values {
     const float *open;                      /* all light, without blinds */
-    const float *sky, *sun, *sun_reflected; /* its parts */
+    const float *sky, *sun, *sun_reflected; /* parts of `open` */
     const float *blinds; /* all light, with blinds; NULL: no blinds */
     float *space;        /* scratch of the same size, for the median */
 };

@@ -25,7 +25,7 @@ struct pp_sky_frame {
     float *rgb; /* three per pixel, arbitrary scale, for the colour only; NULL: grey */
     enum pp_sky_projection projection;
     double half_angle_rad;
-    double centre[2]; /* of the circle, in pixels from the left and the top */
+    double centre[2]; /* centre of the circle, in pixels from the left and the top */
     double radius[2]; /* in pixels, horizontal and vertical; equal for a circle */
     struct pp_vec3 right, up, toward; /* the picture's axes; unit */
 };
@@ -49,7 +49,7 @@ struct pp_sky_picture {
     double peak_cd_m2;    /* luminance of the brightest pixel */
     int saturated;        /* number of pixels with it, if they may be a sun beyond the
                       * camera's range; else 0 */
-    uint64_t hash;        /* of all members above */
+    uint64_t hash;        /* hash of all members above */
     float *cells;         /* [PP_SKY_PICTURE_ROWS][PP_SKY_PICTURE_COLUMNS], cd/m2 */
     double step_rad;      /* smallest angle of a pixel */
     int holders;          /* see pp_sky_picture_release */

@@ -80,7 +80,7 @@ struct pp_annual_group {
     double
         unmet_h; /* of those: hours in which blinds are not enough; 0 for opaque ones */
     struct pp_annual_value
-        light_lxh; /* that comes in by it, mean of the points, a year */
+        light_lxh; /* annual light through the group, mean of the points */
 };
 
 /* One hour of the year. */
@@ -97,7 +97,7 @@ struct pp_annual_hour {
 /* Discretisation error of patches and cells: compared on a sample with paths under the
  * actual sky and sun. */
 struct pp_annual_discretisation {
-    int points, hours; /* of the sample; 0: not measured */
+    int points, hours; /* size of the sample; 0: not measured */
     struct pp_annual_value
         sky;        /* error by patches over the light of sky and ground, mean */
     double sky_rms; /* rms of single hours and points */

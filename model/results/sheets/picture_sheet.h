@@ -26,7 +26,7 @@ struct pp_picture_sheet {
     bool scaled; /* false colours with a scale */
     struct pp_false_colour_scale scale;
     bool off_scale[2]; /* true if pixels are below, above the scale */
-    const char *unit;  /* of the scale; not owned */
+    const char *unit;  /* unit of the scale; not owned */
     int level_count;   /* number of levels with lines */
     double levels[PP_FALSE_COLOUR_LEVELS_MOST];
     struct pp_curve_list lines; /* in pixels; levels in `unit` */

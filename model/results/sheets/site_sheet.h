@@ -76,7 +76,7 @@ struct pp_site_sheet {
     int window_count;
     struct pp_site_garden *gardens;
     int garden_count;
-    struct pp_site_cell *cells; /* of the plot that is drawn; NULL: none */
+    struct pp_site_cell *cells; /* cells of the plot that is drawn; NULL: none */
     int cell_count;
     double cells_m3; /* total volume of the cells */
 };

@@ -32,7 +32,7 @@ struct facade_site {
     const struct pp_facade_part *part;
     struct pp_face_frame frame; /* frame of the wall; frame.face is not used, since
                                  * adding surfaces invalidates it */
-    struct pp_vec3 normal;      /* of the wall, into the room */
+    struct pp_vec3 normal;      /* normal of the wall, into the room */
     int face;
     double depth_m;
     struct pp_bounds2 sheet;   /* extent in the frame */

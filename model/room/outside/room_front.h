@@ -23,7 +23,7 @@
 struct pp_room_front {
     struct pp_vec3 origin, along, up,
         out;                  /* in the building's axes; along x up = out */
-    struct pp_bounds2 extent; /* of the facade, including openings */
+    struct pp_bounds2 extent; /* extent of the facade, including openings */
     struct pp_region sheet;   /* present outline, relative to origin */
     double reflectance;
     const struct pp_finish *finish;

@@ -21,7 +21,7 @@ struct pp_room_shell {
     struct pp_placement placement;
     struct pp_world *body; /* the room's faces, in the building's axes; `back` is
                             * their outer reflectance */
-    char **walls;          /* their names */
+    char **walls;          /* names of the walls */
     int wall_count;
     struct pp_room *own; /* names, as many as wall_count */
     bool *is_divided;    /* the room alone in the state, with its own blocks and

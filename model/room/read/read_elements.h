@@ -18,10 +18,10 @@ extern const struct pp_xml_format pp_read_elements_format;
 struct pp_building {
     char *name; /* NULL: a lone room, or not given */
     struct pp_room
-        common; /* what holds for all rooms: north (NAN: not given), site, sky,
-                            * skylines, blocks, surfaces; it has no plan */
-    double glass_reflectance; /* of the windows of placed rooms, as seen from other
-                               * rooms; NAN: windows reflect like walls */
+        common; /* data common to all rooms: north (NAN: not given), site, sky,
+                 * skylines, blocks, surfaces; no plan */
+    double glass_reflectance; /* reflectance of the windows of placed rooms, as seen
+                               * from other rooms; NAN: windows reflect like walls */
     struct pp_mirror_line boundary; /* mirror line */
     struct pp_room *read; /* rooms as in the file; a room that stays unchanged is
                            * moved to `rooms` */

@@ -16,7 +16,7 @@
 #include "model/base/mistakes.h"
 #include "model/base/xml.h"
 
-/* How the text of a value is read, and the C type of the result. */
+/* Interpretation of the text of a value, and the C type of the result. */
 enum pp_reading_of_value {
     PP_VALUE_TEXT,        /* const char *, owned by the XML tree */
     PP_VALUE_NAME,        /* as PP_VALUE_TEXT, but not empty */
@@ -37,7 +37,7 @@ struct pp_value_kind {
     bool above_least;         /* least is excluded */
     bool below_most;          /* most is excluded */
     double unit;              /* factor applied to the number; 0: 1 */
-    const char *const *words; /* of a choice; NULL-terminated */
+    const char *const *words; /* words of a choice; NULL-terminated */
     const struct pp_named_factors *factors;
     const char *expected_mm; /* lengths: `expected` for a file in millimetres */
 };
@@ -117,7 +117,7 @@ enum { PP_SKY_FORM_OPTIONS = 12 };
 extern const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS];
 
 struct pp_sky_form {
-    int type; /* of pp_sky_words */
+    int type; /* type of pp_sky_words */
     double sun_altitude_rad, sun_bearing_rad;
     const char *file, *second; /* photographs; second: the opposite half, or NULL */
     const char

@@ -21,7 +21,7 @@ enum pp_photon_last {
 
 /* A place that sends light to receivers. */
 struct pp_photon_place {
-    struct pp_vec3 point, normal; /* of the side that it leaves */
+    struct pp_vec3 point, normal; /* on the side from which light leaves */
     enum pp_space space;          /* on that side */
     struct pp_rgb exitance; /* flux density that leaves diffusely; at clear glass 1
                              * over (density of the point times pi) */
@@ -37,8 +37,8 @@ struct pp_photon {
     struct pp_rgb flux;
     enum pp_photon_last last;
     bool scattered;          /* scattered at least once since it left the opening */
-    struct pp_light_hit hit; /* its present position */
-    struct pp_lobes lobes;   /* there */
+    struct pp_light_hit hit; /* present position */
+    struct pp_lobes lobes;   /* lobes at that position */
     int vertex;              /* index of its random numbers */
     int turns;
 };

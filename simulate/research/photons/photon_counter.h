@@ -14,7 +14,8 @@ struct pp_photon_counter {
     struct pp_vec3 point, normal;         /* point of the plane, and normal of its
                                            * front */
     double area_m2;                       /* 0: there is no counter */
-    double radius_m;                      /* of a disc round the point; 0: not a disc */
+    double radius_m;                      /* radius of a disc about the point; 0: not
+                                           * a disc */
     const struct pp_vec3 (*triangles)[3]; /* not owned */
     int triangle_count;
 };

@@ -17,7 +17,7 @@ struct gathering {
                                * along the ray */
     double here;              /* cosine at the receiver */
     double gone_m;
-    bool straight; /* it arrived directly, or through clear glass */
+    bool straight; /* the ray arrived directly, or through clear glass */
     bool seen;     /* the first receiver's component is known: `what` */
     enum pp_photon_last what;
     struct pp_light_hit hit;

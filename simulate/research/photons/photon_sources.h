@@ -30,7 +30,7 @@ struct pp_photon_source {
     const struct pp_vec3 (*triangles)[3]; /* not owned */
     int triangle_count;
     double area_m2;
-    struct pp_rgb radiance; /* of a lamp */
+    struct pp_rgb radiance; /* radiance of a lamp */
     double power;           /* estimated flux */
     double chance;          /* probability with which it is drawn */
     double limit;           /* limit of cos cos'/d^2 (1/m2), if drawn with that
@@ -38,17 +38,18 @@ struct pp_photon_source {
     bool clear;             /* directions are drawn from the table, by row and
                              * column: */
     double rows[PP_PHOTON_CELLS];
-    double cells[PP_PHOTON_CELLS][PP_PHOTON_CELLS]; /* their mean is 1 */
+    double cells[PP_PHOTON_CELLS][PP_PHOTON_CELLS]; /* values with a mean of 1 */
 };
 
 struct pp_photon_sources {
     struct pp_photon_source *list; /* openings first, in the order of the scene's
                                     * panes */
     int count, pane_count;
-    double power, pane_power;       /* of all sources, and of all openings */
-    double limit;                   /* of cos cos'/d^2 at a surface hit by a photon */
+    double power, pane_power;       /* power of all sources, and of all openings */
+    double limit;                   /* limit of cos cos'/d^2 at a surface hit by a
+                                     * photon */
     bool all_seen;                  /* any two places in the room see each other */
-    struct pp_vec3 (*triangles)[3]; /* of lamps */
+    struct pp_vec3 (*triangles)[3]; /* triangles of lamps */
 };
 
 /* environment: of the same scene, of a world; both must outlive *sources. */

@@ -17,7 +17,7 @@ struct pp_photon_state {
     const struct pp_environment *environment; /* not owned */
     const struct pp_photon_sources *sources;  /* not owned */
     struct pp_sobol_sequence sequence;        /* the randomisation */
-    uint32_t index;                           /* which path of it */
+    uint32_t index;                           /* index of the path */
     long rays, leaks;                         /* rays traced so far, and rays lost */
 };
 

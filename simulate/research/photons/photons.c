@@ -42,7 +42,7 @@ struct pp_photons {
     const struct pp_environment *environment;
     struct pp_photon_sources *sources;
     struct photon_point *points; /* the receivers, then the average if requested */
-    double *chances;             /* of openings, by receiver */
+    double *chances;             /* probabilities of openings, by receiver */
     struct pp_photon_store *store;
     bool shares; /* true if some receivers are points */
     int point_count, receiver_count;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-    PLANE_POINTS = 600, /* of the first level */
+    PLANE_POINTS = 600, /* number at the first level */
     FEWER_POINTS = 6,   /* divisor of that number for reflected light */
 };
 

@@ -20,8 +20,8 @@ struct pp_element_receiver {
 
 struct pp_element_receivers {
     struct pp_element_receiver
-        *list; /* those requested, the plane's points for openings, the plane's points
-                * for elements */
+        *list; /* receivers requested, the plane's points for openings, the plane's
+                * points for elements */
     int asked, count;
     struct pp_plane_points direct, reflected; /* the plane's */
     struct pp_radiosity_system *system;       /* source of their light; not owned */

@@ -17,8 +17,9 @@ enum {
 };
 
 struct pp_element {
-    int side;                /* of the facets: twice a facet, one more for the back */
-    int first_corner, count; /* of its convex outline, as its piece's */
+    int side;                /* index of the side: twice the facet's, plus 1 for the
+                              * back */
+    int first_corner, count; /* corners of the convex outline */
     struct pp_vec3 middle;   /* centre of area */
     double area_m2;
     int parent;                 /* -1: none */
@@ -37,7 +38,7 @@ struct pp_element_tree {
     int count, room;
     struct pp_vec3 *corners;
     int corner_count, corner_room;
-    int (*roots)[2]; /* of each side: the first, and how many */
+    int (*roots)[2]; /* for each side: the first root, and the number of roots */
 };
 
 /* Makes elements no longer than `size_m`, nor than PP_ELEMENT_LONG times their width.
@@ -64,7 +65,8 @@ struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int si
 
 /* Parts of a convex polygon after a cut. */
 struct pp_element_parts {
-    int count, counts[PP_ELEMENT_PARTS]; /* of parts, and of each one's corners */
+    int count, counts[PP_ELEMENT_PARTS]; /* number of parts, and of each part's
+                                          * corners */
     struct pp_vec3 corners[PP_ELEMENT_PARTS][PP_FORM_FACTOR_MOST];
 };
 

@@ -28,7 +28,7 @@ struct pp_facet {
         *outline; /* the world's; that of a cover is moved into its wall's plane */
     struct pp_vec3 origin, a, b, normal; /* axes in its plane; a x b is the normal */
     struct pp_facet_side side[2]; /* front, which the normal points from, and back */
-    const struct pp_opening *opening; /* of a pane; NULL: a surface */
+    const struct pp_opening *opening; /* opening of a pane; NULL: a surface */
     bool clear;                       /* a pane that is seen through */
     bool looks_out;                   /* a pane with no surface in front of it
                                        * outdoors */
@@ -48,11 +48,12 @@ struct pp_facets {
     const struct pp_world *world; /* not owned */
     struct pp_facet *list;
     int count;
-    struct pp_piece *pieces; /* of facets with a side in the room, in their order */
+    struct pp_piece *pieces; /* pieces of facets with a side in the room, in order of
+                              * the facets */
     int piece_count;
-    struct pp_vec3 *corners; /* of pieces */
+    struct pp_vec3 *corners; /* corners of pieces */
     int corner_count, corner_room;
-    struct pp_ray_tree *rays; /* of all facets, which are the owners */
+    struct pp_ray_tree *rays; /* tree of all facets, which are the owners */
     struct pp_bounds3 room;   /* round the pieces, or round everything */
     double reach_m;           /* from the room's middle to the farthest corner */
 };

@@ -21,7 +21,7 @@ struct pp_light_term {
 
 /* A place outside whose radiosity becomes a term. */
 struct pp_outside_hit {
-    int side; /* of the facets; -1: the ground */
+    int side; /* index of a facet's side; -1: the ground */
     struct pp_vec3 point;
     enum pp_component part;
     double weight;

@@ -30,9 +30,9 @@ struct looking {
     const struct pp_taker *taker;
     const struct pp_opening_light_accuracy *accuracy;
     struct pp_light_sum *sum;
-    int pane;             /* its facet */
+    int pane;             /* facet of the pane */
     bool through_opening; /* the pane is seen through its opening's edges only */
-    double tolerance;     /* of the pane's light */
+    double tolerance;     /* tolerance of the pane's light */
 };
 
 /* A cell with the light along the ray to its middle, and the range of its terms in the

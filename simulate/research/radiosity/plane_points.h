@@ -9,7 +9,7 @@
 
 struct pp_plane_points {
     struct pp_vec3 *list;
-    double *shares; /* of the plane's area: 1 together */
+    double *shares; /* shares of the plane's area, whose sum is 1 */
     int count;
 };
 

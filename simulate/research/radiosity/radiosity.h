@@ -61,7 +61,7 @@ void pp_radiosity_read(const struct pp_radiosity *radiosity, int index,
 
 /* Present size of the system. */
 struct pp_radiosity_size {
-    int level;             /* how many are done */
+    int level;             /* number of levels done */
     int elements, divided; /* undivided and divided ones */
     int cells;             /* outside */
     long long terms;       /* form factors in the equations */

@@ -11,7 +11,8 @@ enum { LEAF = 4, DEEPEST = 64 };
 
 struct box {
     struct pp_bounds3 bounds;
-    int first, count; /* of triangles; count 0: two boxes, at first and first + 1 */
+    int first, count; /* range of triangles; count 0: two boxes, at first and first +
+                       * 1 */
 };
 
 struct pp_ray_tree {

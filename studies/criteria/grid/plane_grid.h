@@ -38,7 +38,7 @@ struct pp_plane_grid {
     double spacing_m; /* largest side of a cell */
     double margin_m;
     enum pp_grid_origin origin;
-    int halvings; /* of the origin's spacing */
+    int halvings; /* halvings of the origin's spacing */
 };
 
 /* Points of the working plane, facing up. The plane's bounding rectangle, less the

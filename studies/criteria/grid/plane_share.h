@@ -10,11 +10,11 @@ struct pp_plane_share {
     double level;      /* daylight factor that the given part of the points reaches; for
                         * one half, the median (of an even number, the mean of the
                         * middle two) */
-    double std_error;  /* of level; NAN if nothing was sampled */
+    double std_error;  /* error of level; NAN if nothing was sampled */
     double over;       /* share of the points that reach the target */
-    double over_error; /* its standard error; NAN if nothing was sampled */
-    double probability; /* that the given part of the points reaches the target; NAN if
-                         * nothing was sampled */
+    double over_error; /* standard error of `over`; NAN if nothing was sampled */
+    double probability; /* probability that the given part of the points reaches the
+                         * target; NAN if nothing was sampled */
 };
 
 /* Share of `count` points (1 or more), all with values, that reach `target`. `part`

@@ -19,7 +19,7 @@ enum pp_schedule_quantity {
     PP_SCHEDULE_SKY,    /* vertical sky component */
     PP_SCHEDULE_YEAR,   /* share of sunlight hours in the year */
     PP_SCHEDULE_WINTER, /* share of these hours in winter */
-    PP_SCHEDULE_AREA    /* of the window's room with a view of the sky, m2 */
+    PP_SCHEDULE_AREA    /* area of the window's room with a view of the sky, m2 */
 };
 
 /* Titles with units: "vertical sky component, %". */
@@ -31,9 +31,10 @@ double pp_schedule_scale(enum pp_schedule_quantity quantity);
 struct pp_schedule_row {
     const struct pp_assessment *room; /* not owned */
     const char *window;               /* label; in the room's world */
-    double level_m;                   /* of the room's floor in its building */
+    double level_m;                   /* level of the room's floor in its building */
     struct pp_schedule_change changes[PP_SCHEDULE_CHANGES];
-    enum pp_verdict verdict; /* of the sky, by [BR209]; PP_NOT_JUDGED without one */
+    enum pp_verdict verdict; /* verdict on the sky, by [BR209]; PP_NOT_JUDGED without
+                              * one */
 };
 
 struct pp_window_schedule {

@@ -45,7 +45,7 @@ struct pp_atlas_layout {
     double plane;  /* height of the working plane */
     double ground; /* z of the ground outside */
     double lowest[PP_ATLAS_WALLS]; /* height available for a window in that wall */
-    double head;                   /* of the highest window in the south wall */
+    double head;                   /* head of the highest window in the south wall */
 };
 
 static inline void pp_atlas_draw(const struct pp_atlas_layout *room,

@@ -55,10 +55,11 @@ enum pp_atlas_surroundings {
 };
 
 struct pp_atlas_ranges {
-    double area_m2[2]; /* of the floor, logarithm */
+    double area_m2[2]; /* floor area, uniform in the logarithm */
     double ratio[2];   /* width over depth, logarithm */
     double roofs[PP_ATLAS_ROOFS];
-    double height_m[2]; /* of a flat ceiling; 5 mm more for each m2 of the floor */
+    double height_m[2]; /* height of a flat ceiling; 5 mm more for each m2 of the
+                         * floor */
     double floor[2], walls[2], ceiling[2]; /* reflectances */
 
     double places[PP_ATLAS_PLACES];
@@ -66,15 +67,15 @@ struct pp_atlas_ranges {
     double styles[PP_ATLAS_STYLES];
     double sill_m[2];
     double least_m;  /* height of a window */
-    double share[2]; /* of a wall's length that windows take */
+    double share[2]; /* share of a wall's length occupied by windows */
     double panes[PP_ATLAS_PANES];
     double transmittance[2];
     double clean[2]; /* frame factor and maintenance factor, if not 1 */
     double reveal_m[2];
 
     double surroundings[PP_ATLAS_SURROUNDINGS];
-    double far_deg[2];             /* of a skyline without a distance */
-    double near_deg[2], near_m[2]; /* of a skyline with a distance; the distance is
+    double far_deg[2];             /* angle of a skyline without a distance */
+    double near_deg[2], near_m[2]; /* skyline with a distance; the distance is
                                     * uniform in the logarithm */
     double street_m[2], street[2]; /* width, logarithm; height over width */
     double ground[2];              /* reflectance */

@@ -7,7 +7,7 @@
 
 #include "studies/research/validation/own_world.h"
 
-enum { ROWS = PP_ATLAS_POINTS + 1 }; /* of a room */
+enum { ROWS = PP_ATLAS_POINTS + 1 }; /* rows of a room */
 
 enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
                                       struct pp_error *err)

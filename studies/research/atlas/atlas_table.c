@@ -14,8 +14,8 @@ struct table_reading {
     struct pp_atlas_table *table;
     const char *path;
     int line;
-    int capacity;   /* of values */
-    int name_space; /* of names */
+    int capacity;   /* space for values */
+    int name_space; /* space for names */
 };
 
 /* The end of a field, and the start of the next; NULL: it is the line's last. */

@@ -34,7 +34,7 @@ struct pp_cause_set {
     int count;
     double value; /* value of its fitted cause */
     double probability;
-    struct pp_likelihood likelihood; /* of the remainder after the set */
+    struct pp_likelihood likelihood; /* likelihood of the remainder after the set */
 };
 
 struct pp_cause_search_question {

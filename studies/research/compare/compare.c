@@ -20,7 +20,7 @@ static const int nobody[1] = {0};
 /* Our values under a set of causes. */
 struct traced_set {
     int causes[PP_CAUSE_SEARCH_MOST], count;
-    double value;          /* of its fitted cause; 0: there is none */
+    double value;          /* value of the fitted cause; 0: none */
     enum pp_status status; /* PP_BAD_INPUT: the set is not possible here */
     double *values, *errors;
 };

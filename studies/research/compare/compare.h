@@ -17,7 +17,7 @@ struct pp_compare_options {
     struct pp_room_variant
         variant; /* variant of our values before causes are searched */
     struct pp_variant_tracing tracing;
-    double noise;    /* of the other program (logarithm), as stated; 0: not known */
+    double noise;    /* stated noise of the other program (logarithm); 0: not known */
     int traced_most; /* most sets of several causes to simulate for one explanation;
                       * 0: 40 */
 };

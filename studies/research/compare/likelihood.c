@@ -9,7 +9,8 @@ enum { SIGMAS = 20 };
 static const double SIGMA_LEAST = 0.003, SIGMA_MOST = 0.6;
 static const double ALIKE = 0.9;                  /* k */
 static const double REACH_M[] = {0.0, 0.6, 1.8};  /* l; 0: k is 0 */
-static const double BEFORE[] = {0.5, 0.25, 0.25}; /* their probabilities */
+static const double BEFORE[] = {0.5, 0.25, 0.25}; /* prior probabilities of the
+                                                   * values above */
 enum { KINDS = sizeof REACH_M / sizeof REACH_M[0] };
 
 /* Standard deviations of theta: of errors that programs have in common in any case; of
@@ -24,7 +25,7 @@ static double sigma_at(int i)
 /* Sums of a residual r = g - e under an inverse covariance. */
 struct forms {
     double rr, r1, one; /* r' V r, r' V 1, 1' V 1 */
-    double log_det;     /* of the covariance */
+    double log_det;     /* logarithm of the covariance's determinant */
 };
 
 /* ln of the sum of exp of both. */

@@ -21,7 +21,7 @@
 #include "model/geometry/vec.h"
 
 struct pp_likelihood_data {
-    int count;                    /* of points */
+    int count;                    /* number of points */
     const double *gap;            /* g_i */
     const struct pp_vec3 *places; /* m */
 };

@@ -25,7 +25,7 @@ static const struct figure figures[] = {
 
 enum {
     FIGURES = sizeof figures / sizeof *figures,
-    POINTS_MOST = 32, /* of one room */
+    POINTS_MOST = 32, /* most points of one room */
 };
 
 /* Errors of the independent integration (three decimals, and coarser if a mask cuts the

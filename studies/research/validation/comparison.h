@@ -38,10 +38,10 @@ struct pp_comparison {
     double traced;    /* mean simulated value of those points */
     double bias, bias_error, spread;
     double worst, worst_error; /* d_i and s_i of the worst point */
-    int worst_point;           /* of the report's receivers */
+    int worst_point;           /* index of the report's receiver */
     double average, traced_average, traced_average_error; /* NAN: none */
     bool own_world; /* the method's world is not the room's; else assumption is 0 */
-    struct pp_error_parts of_bias, of_average; /* of the bias, and of average -
+    struct pp_error_parts of_bias, of_average; /* parts of the bias, and of average -
                                                 * traced_average */
 };
 
@@ -72,11 +72,12 @@ struct pp_overall {
     int averages;          /* rooms for which both give an average */
     double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
     double average_spread; /* root mean square of the same */
-    double assumption, formula;                 /* of bias */
-    double average_assumption, average_formula; /* of average_bias */
+    double assumption, formula;                 /* parts of bias */
+    double average_assumption, average_formula; /* parts of average_bias */
     bool own_world; /* true if the method's world differs from the room's in some
                      * room */
-    const struct pp_comparison *worst_comparison; /* of the worst point; not owned */
+    const struct pp_comparison *worst_comparison; /* comparison with the worst point;
+                                                   * not owned */
 };
 
 /* Sums up room_count rooms; rooms[i] has counts[i] comparisons. *list is the caller's to

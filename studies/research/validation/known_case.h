@@ -18,11 +18,11 @@ struct pp_known_case {
                        * number of standard errors of the answer; NAN: there is no
                        * verdict */
     double least;     /* least difference allowed; -limit unless a band gives another */
-    double std_error; /* of a sampled result; NAN: not sampled */
+    double std_error; /* error of a sampled result; NAN: not sampled */
     double assumption,
         formula;             /* the parts of the difference (own_world.h); NAN: it has
                               * none */
-    const char *room, *file; /* of a user's room; NULL: not a user's room. Not owned */
+    const char *room, *file; /* for a user's room; NULL: not a user's room. Not owned */
     const char *why;         /* reason if there is no verdict, else NULL. Not owned */
 };
 

@@ -25,7 +25,7 @@
 #include "model/room/world.h"
 
 struct pp_own_skyline {
-    const char *wall; /* its name; owned by the world */
+    const char *wall; /* name of the wall; owned by the world */
     double angle_rad;
 };
 

@@ -35,7 +35,7 @@ static const double odd[][2] = {
 #include "tables/brs_odd_cells.inc"
 };
 
-static const double ODD_LIMIT = 0.3; /* of the printed figure */
+static const double ODD_LIMIT = 0.3; /* share of the printed figure */
 
 static bool is_odd(double h, double w)
 {

@@ -31,7 +31,7 @@ extern const struct pp_suite pp_suite_quick;
 
 /* Outcome of a suite's cases. */
 struct pp_suite_score {
-    int count, wrong; /* of cases that are not traced */
+    int count, wrong; /* cases that are not traced */
     int traced, traced_wrong;
     int unjudged; /* without a verdict, in none of the above */
     bool passes;
