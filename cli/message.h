@@ -19,10 +19,12 @@ void pp_message(const char *format, ...) __attribute__((format(printf, 1, 2)));
  * PP_EXIT_INTERRUPTED. */
 enum pp_exit pp_message_unfinished(void);
 
-/* Prints each as "FILE:LINE: error, and the expected value". Returns PP_EXIT_INPUT. */
+/* Prints each mistake as "FILE:LINE: error, and the expected value". Returns
+ * PP_EXIT_INPUT. */
 enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes);
 
-/* Prints each as "FILE:LINE: warning: ..."; as an error, without the word, if strict. */
+/* Prints each warning as "FILE:LINE: warning: ..."; with `strict` as an error, without
+ * the word "warning". */
 void pp_message_warnings(struct pp_mistakes *warnings, bool strict);
 
 #endif

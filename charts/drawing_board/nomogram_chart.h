@@ -1,8 +1,8 @@
 /* nomogram_chart.h - a nomogram to use with a straight-edge, blank or with the lines
  * and readings of a room.
  *
- * It has no fixed scale: alignments stay valid however the sheet is enlarged, even
- * differently in width and height.
+ * It has no fixed scale: alignments remain valid if the sheet is enlarged, even by
+ * different factors in width and height.
  */
 #ifndef PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CHART_H
 #define PP_CHARTS_DRAWING_BOARD_NOMOGRAM_CHART_H

@@ -1,5 +1,5 @@
 /* pepper_pot_chart.h - Pleijel's pepper-pot diagram at a stated viewing distance, blank
- * or with a room's windows on it, their dots counted and the sum written below. */
+ * or with a room's windows, with the counted dots and the sum below. */
 #ifndef PP_CHARTS_DRAWING_BOARD_PEPPER_POT_CHART_H
 #define PP_CHARTS_DRAWING_BOARD_PEPPER_POT_CHART_H
 

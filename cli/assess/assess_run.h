@@ -16,8 +16,8 @@ struct pp_assess_run {
     struct pp_assessments all;
 };
 
-/* Rooms as they are, in their former state, and with the mirror image; zeroed at
- * first. */
+/* Rooms in the proposed state, in their former state, and with the mirror image; must
+ * be all zero at first. */
 struct pp_assess_rooms {
     struct pp_rooms rooms, before, mirrored;
 };
@@ -32,15 +32,16 @@ void pp_assess_run_unload(struct pp_assess_rooms *rooms);
 /* Reads the median illuminance and the sunshine from --weather, if given. */
 enum pp_exit pp_assess_run_weather(struct pp_assess_words *words);
 
-/* An empty run; its functions take it as `data`, as struct pp_job does. */
+/* Makes an empty run. The functions below have the types required by struct pp_job;
+ * `data` points to a run. */
 struct pp_assess_run pp_assess_run_of(const struct pp_assess_words *words,
                                       const struct pp_assess_rooms *rooms);
 enum pp_status pp_assess_run_compute(void *data, struct pp_error *err);
 bool pp_assess_run_is_finished(const void *data);
 void pp_assess_run_clear(struct pp_assess_run *run);
 
-/* Assesses all rooms of the files and prints them by `print`, whose data is a struct
- * pp_assess_run. command: its name, for messages. */
+/* Assesses all rooms of the files and prints them by `print`, whose `data` is a struct
+ * pp_assess_run. command: name of the command, for messages. */
 enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
                            char **files, int file_count,
                            enum pp_status (*print)(const void *data, FILE *out,

@@ -15,7 +15,8 @@ struct assess_sweep {
     int file_count;
 };
 
-/* One run of the sweep; the functions of a struct pp_assess_run take it, too. */
+/* One run of the sweep. Functions of a struct pp_assess_run also accept a pointer to
+ * it, since that is its first member. */
 struct assess_sweep_run {
     struct pp_assess_run assess;
     struct pp_assess_rooms rooms;

@@ -7,14 +7,14 @@
 #include "studies/research/atlas/atlas_columns.h"
 #include "studies/research/atlas/atlas_drawn.h"
 
-/* Settings, beside the methods, that determine the rows of a file. */
+/* Settings that, together with the methods, determine the rows of a file. */
 struct pp_atlas_making {
     enum pp_atlas_sky sky;
     struct pp_atlas_trace trace;
 };
 
-/* Completes the output file to the first `rooms` rooms: continues after those it
- * has. */
+/* Extends the output file to the first `rooms` rooms, after the rooms that it has
+ * already. */
 enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
                                const struct pp_room_options *options);
 

@@ -112,7 +112,8 @@ static enum pp_exit write_map(const struct map_sheet *sheet, const char *path,
 
 /* ---- bands ---- */
 
-/* Bands of an atlas: the table that is compiled in, or a trial on rooms held out. */
+/* Source of bands: the compiled-in table, or the bands of an atlas and their test on
+ * rooms held out. */
 struct bands_run {
     const char *path;
     bool table;
@@ -156,8 +157,8 @@ static enum pp_exit write_bands(const char *path, const char *output)
     return result;
 }
 
-/* Prints how bands from half of an atlas's rooms hold on its other rooms; PP_EXIT_INPUT
- * if a regime is off by more than chance allows. */
+/* Prints the test of bands from half of an atlas's rooms on its other rooms;
+ * PP_EXIT_INPUT if a regime deviates by more than chance allows. */
 static enum pp_exit try_bands(const char *path, const char *output)
 {
     struct bands_run run = {.path = path};

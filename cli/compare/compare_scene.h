@@ -22,8 +22,8 @@ enum pp_status pp_compare_scene_read(struct pp_compare_scene *scene,
                                      struct pp_error *err);
 void pp_compare_scene_clear(struct pp_compare_scene *scene);
 
-/* Makes the values' places the scene's points, as pp_other_values_place does a room's;
- * they need x, y and z. */
+/* Replaces the scene's points by the points of the values, which need x, y and z, like
+ * pp_other_values_place for a room. */
 enum pp_status pp_compare_scene_place(int **chosen, struct pp_compare_scene *scene,
                                       const struct pp_other_values *values,
                                       const char *path, int most, struct pp_error *err);

@@ -1,4 +1,5 @@
-/* other_values.c - reads the header, then a value a line; errors name file and line. */
+/* other_values.c - reads the header, then one value per line; errors name file and
+ * line. */
 #include "cli/compare/other_values.h"
 
 #include <ctype.h>

@@ -1,22 +1,22 @@
 /* other_values.h - another program's values at points, as CSV.
  *
- * The first line names the columns, in any order, with commas, semicolons or tabs
- * between: x, y and z (m, the room's own; without z the points lie on the working
- * plane), nx, ny and nz (upwards without them), and one of values, whose name gives its
- * unit:
+ * The first line has the names of the columns, in any order, separated by commas,
+ * semicolons or tabs: x, y and z (m, the room's own coordinates; without z the points
+ * are on the working plane), nx, ny and nz (without them the points face up), and one
+ * column of values, whose name gives the unit:
  *
  *     df_percent, value_percent, percent, df_%, df [%]
  *     df_fraction, fraction
  *     lux, lx, illuminance, illuminance_lx, e_lx, e [lx]
- *     df, daylight_factor, value          by what the user says they are
+ *     df, daylight_factor, value          the unit is given by the user
  *
- * A file that begins with a number has no header: it is a value a line. Where semicolons
- * or tabs part the names, a comma is a decimal point. A unit may follow a name in
- * brackets: "x [m]".
+ * A file that begins with a number has no header, and one value per line. If the names
+ * are separated by semicolons or tabs, a comma is a decimal point. A name may be
+ * followed by a unit in brackets: "x [m]".
  *
- * label, name, point and id are ignored. Without x and y the values belong to the
- * room's own points, in their order. Empty lines and lines that begin with "#" are
- * ignored.
+ * The columns label, name, point and id are ignored. Without x and y the values belong
+ * to the room's own points, in their order. Empty lines and lines that begin with "#"
+ * are ignored.
  */
 #ifndef PP_CLI_COMPARE_OTHER_VALUES_H
 #define PP_CLI_COMPARE_OTHER_VALUES_H
@@ -49,9 +49,9 @@ enum pp_status pp_other_values_read(struct pp_other_values *values, const char *
                                     struct pp_error *err);
 void pp_other_values_clear(struct pp_other_values *values);
 
-/* Makes the values' places the room's points; if there are more than `most`, a subset
- * evenly spread over the list. *chosen, freed by the caller: index of the value at each
- * point, room->receiver_count of them. */
+/* Replaces the room's points by the points of the values; if there are more than
+ * `most`, by a subset evenly spread over the list. *chosen, freed by the caller: index
+ * of the value at each point, room->receiver_count of them. */
 enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
                                      const struct pp_other_values *values,
                                      const char *path, int most, struct pp_error *err);

@@ -194,7 +194,8 @@ struct df_sweep {
     int file_count;
 };
 
-/* One run of the sweep; the functions of a struct pp_df_run take it, too. */
+/* One run of the sweep. Functions of a struct pp_df_run also accept a pointer to it,
+ * since that is its first member. */
 struct df_sweep_run {
     struct pp_df_run df;
     struct pp_rooms rooms;

@@ -30,7 +30,8 @@ struct pp_df_run {
     struct pp_results results;
 };
 
-/* An empty run; its functions take it as `data`, as struct pp_job does. */
+/* Makes an empty run. The functions below have the types required by struct pp_job;
+ * `data` points to a run. */
 struct pp_df_run pp_df_run_of(const struct pp_df_options *options,
                               const struct pp_rooms *rooms);
 enum pp_status pp_df_run_compute(void *data, struct pp_error *err);

@@ -1,6 +1,6 @@
-/* doctor_checks.h - tries the parts that every user needs: both ways to a known daylight
- * factor, threads, drawings in each format, a font, and a file written and read back.
- */
+/* doctor_checks.h - tests the parts that every user needs: a known daylight factor by a
+ * hand method and by simulation, threads, drawings in each format, a font, and a file
+ * written and read back. */
 #ifndef PP_CLI_DOCTOR_DOCTOR_CHECKS_H
 #define PP_CLI_DOCTOR_DOCTOR_CHECKS_H
 

@@ -1,4 +1,4 @@
-/* program_place.h - where programs are, and where temporary files go. */
+/* program_place.h - paths of programs and of temporary files. */
 #ifndef PP_CLI_PROGRAM_PROGRAM_PLACE_H
 #define PP_CLI_PROGRAM_PROGRAM_PLACE_H
 

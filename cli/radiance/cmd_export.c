@@ -12,7 +12,7 @@
 #include "model/base/read_file.h"
 #include "formats/radiance/write/rad_room.h"
 
-/* Illuminance of the open level ground, by default. */
+/* Default illuminance of the open horizontal ground. */
 static const double DEFAULT_LUX = 10000.0;
 
 static const char about[] =

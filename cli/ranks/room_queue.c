@@ -8,7 +8,8 @@
 #include "model/base/work_queue.h"
 #include "cli/ranks/report_bytes.h"
 
-/* Packs the columns; the first byte states whether the time was over. */
+/* Packs the columns; the first byte states whether the time limit stopped the
+ * simulation. */
 static enum pp_status pack(const struct pp_report *report, bool by_clock, char **bytes,
                            size_t *length, struct pp_error *err)
 {

@@ -188,7 +188,7 @@ static char *made_words(const struct pp_assess_run *run)
 
 /* ---- the report ---- */
 
-/* Has the report all of each room? */
+/* True if the report has all sections for every room. */
 static bool is_full(const struct pp_assess_run *run)
 {
     return run->words->full || run->rooms->count <= SHORT_ROOMS;

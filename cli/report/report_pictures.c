@@ -82,8 +82,8 @@ static struct pp_study_options drawing_options(const struct drawing_task *task,
     return options;
 }
 
-/* Adds the chart of `choice`, beginning with room `first`. room: to which the picture
- * belongs; PP_SITE_WHOLE: to the site. */
+/* Adds the chart of `choice`, beginning with room `first`. room: index of the room that
+ * the picture shows; PP_SITE_WHOLE: the whole site. */
 static enum pp_status add_drawing(struct drawing_task *task, int room, int first,
                                   const char *kind, const char *title,
                                   struct pp_chart_choice choice, struct pp_error *err)

@@ -182,7 +182,8 @@ struct size_sweep {
     int file_count;
 };
 
-/* One run of the sweep; the functions of a struct size_run take it, too. */
+/* One run of the sweep. Functions of a struct size_run also accept a pointer to it,
+ * since that is its first member. */
 struct size_sweep_run {
     struct size_run size;
     struct pp_rooms rooms;

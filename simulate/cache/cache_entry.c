@@ -7,8 +7,8 @@
 /* 1 - cos of the turn at which a record's weight is 0: 20 degrees. */
 static const double MOST_TURN = 0.0603;
 
-/* A step out of the record's plane counts as this many steps along its smaller axis.
- * Chosen by trial, as is BEHIND. */
+/* A displacement out of the record's plane counts as this many times as much along the
+ * smaller axis. Chosen by trial, like BEHIND. */
 static const double STEP = 4.0;
 
 /* Distance behind the record, over its smaller radius, beyond which a place may not see

@@ -1,7 +1,7 @@
-/* cache_octree.h - the records by place: an octree of the scene's box. Inside simulate/
- * only.
+/* cache_octree.h - the records sorted by place: an octree of the scene's box. Inside
+ * simulate/ only.
  *
- * A record is stored in every cell of about its own size that its ellipse's box
+ * A record is stored in every cell of about its own size that the box of its ellipse
  * touches, so that one path down from the root meets all records whose ellipses may
  * contain a point.
  */
@@ -32,7 +32,7 @@ struct pp_cache_octree {
     int link_count, link_capacity;
 };
 
-/* low and size_m: the cube that all points should lie in; others are stored at the
+/* low and size_m: a cube that contains all points; points outside it are stored at the
  * root. */
 enum pp_status pp_cache_octree_init(struct pp_cache_octree *tree, struct pp_vec3 low,
                                     double size_m, struct pp_error *err);
@@ -64,8 +64,8 @@ struct pp_cache_octree_iterator pp_cache_octree_iterator(
     const struct pp_cache_octree *tree, struct pp_vec3 point);
 bool pp_cache_octree_next(struct pp_cache_octree_iterator *iterator, int *record);
 
-/* Calls `visit` for each record (more than once maybe) in cells that the box of
- * half-width radius_m about point touches. */
+/* Calls `visit` for each record in cells touched by the box of half-width radius_m
+ * about the point; a record may be visited more than once. */
 void pp_cache_octree_visit_near(const struct pp_cache_octree *tree,
                                 struct pp_vec3 point, double radius_m,
                                 void (*visit)(void *context, int record),

@@ -27,15 +27,16 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
 /* Ellipse of validity of a record, from its relative second derivatives aa, ab, bb
  * (1/m2) [SWJ12]:
  *
- *     R_i = (4 error / (pi |l_i|))^(1/4),
+ *     R_i = (4 error / (pi |l_i|))^(1/4)
  *
- * l_i the eigenvalues: then the integral of the error over a disc of that radius is
- * `error`. The smaller radius comes first; axes as parts along a and b.
+ * with the eigenvalues l_i, so that the integral of the error over a disc of radius R_i
+ * is `error`. The smaller radius comes first; axes as components along a and b.
  *
- * The radius is then limited, in this order: at most most_m (here); the larger one at
- * most three times the smaller (here); the gradient changes the value by at most all of
- * it (pp_cache_record_compute); at least least_m (there); at most that of a neighbour
- * plus the distance to it (pp_cache_layer_add). */
+ * The radius is then limited in this order. This function limits it to most_m, and the
+ * larger radius to three times the smaller one. pp_cache_record_compute limits the
+ * change of the value by the gradient to 100 %, and the radius to at least least_m.
+ * pp_cache_layer_add limits it to that of a neighbour plus the distance to it.
+ */
 void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
                              double radii_m[2], double axes[2][2]);
 

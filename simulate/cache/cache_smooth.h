@@ -30,7 +30,8 @@
 #include "model/base/thread_pool.h"
 #include "simulate/cache/cache_layer.h"
 
-/* Fits all records of the layer to their neighbours, from the unsmoothed values. */
+/* Fits all records of the layer to their neighbours, from the values before
+ * smoothing. */
 enum pp_status pp_cache_smooth_layer(struct pp_cache_layer *layer,
                                      struct pp_thread_pool *pool, struct pp_error *err);
 

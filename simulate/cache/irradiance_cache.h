@@ -35,7 +35,7 @@ struct pp_cache_options {
     int divisions;    /* -ad: rays of a hemisphere, one in each of its cells; 16 up,
                        * rounded up to a square */
     int supersamples; /* -as: more rays where neighbouring cells differ; 0 up */
-    int bounces;      /* -ab: diffuse reflections on the way, at most; -1: no limit */
+    int bounces;      /* -ab: most diffuse reflections of a path; -1: no limit */
     struct pp_rgb constant; /* -av: radiance that replaces the light of further bounces,
                              * and all light of materials left out */
     const char *const *materials; /* by name, as the scene names them; not owned, copied

@@ -26,7 +26,7 @@ static const double ROUND_SHARE = 0.7;
 
 /* ---- making ---- */
 
-/* Makes the randomisations of a stage: `count` in all; existing ones are kept. */
+/* Allocates randomisations of a stage, `count` in total; existing ones are kept. */
 static enum pp_status make_randomisations(struct pp_planned_point *point,
                                           enum pp_planner_stage stage, int count,
                                           struct pp_error *err)
@@ -73,7 +73,7 @@ static void *state_of(const struct pp_planner *planner, int worker)
     return planner->states + (size_t)worker * planner->state_step;
 }
 
-/* PP_BAD_INPUT where an option is out of range. */
+/* PP_BAD_INPUT if an option is out of range. */
 static enum pp_status check_planner_options(const struct pp_planner_options *options,
                                             struct pp_error *err)
 {
@@ -252,8 +252,8 @@ static int larger_half(const struct pp_planned_point *point)
     return point->halves[0] > point->halves[1] ? point->halves[0] : point->halves[1];
 }
 
-/* Adds randomisations once where the error exceeds the target, to each half by the
- * variance of the other. */
+/* Adds randomisations once if the error exceeds the target, to each half by the
+ * variance of the other half. */
 static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 {
     enum pp_status status = PP_OK;

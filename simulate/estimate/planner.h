@@ -19,7 +19,8 @@
 #include "model/base/thread_pool.h"
 #include "simulate/estimate/plan.h"
 
-/* End of a sampler's work: by error, by samples, or by the caller's clock. */
+/* Condition for the end of a sampler's calculation: an error, a number of samples, or
+ * the caller's clock. */
 struct pp_planner_options {
     double error; /* target standard error relative to the last value. 0: by samples or
                    * by the caller's clock alone */
@@ -33,8 +34,8 @@ struct pp_planner_options {
 
 struct pp_planner;
 
-/* sampler and client must live as long as the planner. PP_BAD_INPUT where an option is
- * out of range. */
+/* sampler and client must outlive the planner. PP_BAD_INPUT if an option is out of
+ * range. */
 enum pp_status pp_planner_create(struct pp_planner **planner,
                                  const struct pp_sampler *sampler, const void *client,
                                  int points, const struct pp_planner_options *options,
@@ -45,7 +46,8 @@ void pp_planner_destroy(struct pp_planner *planner); /* NULL is allowed */
  * only the work counters. Only for a planner run by samples. */
 void pp_planner_restart(struct pp_planner *planner, int points);
 
-/* Works for about `seconds` (by the clock; at least one step of one randomisation). */
+/* Calculates for about `seconds` (by the clock; at least one step of one
+ * randomisation). */
 enum pp_status pp_planner_advance(struct pp_planner *planner, double seconds,
                                   struct pp_error *err);
 bool pp_planner_done(const struct pp_planner *planner);
@@ -64,7 +66,7 @@ double pp_planner_error(const struct pp_planner *planner);
 void pp_planner_read(const struct pp_planner *planner, int point,
                      struct pp_reading readings[PP_VALUES_MOST]);
 
-/* The randomisations that the point's values come from. */
+/* The randomisations from which the point's values are calculated. */
 struct pp_sampled pp_planner_sampled(const struct pp_planner *planner, int point);
 
 /* The work done so far. */

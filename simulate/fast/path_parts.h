@@ -1,4 +1,5 @@
-/* path_parts.h - common parts of the estimators of path.h, for them alone. */
+/* path_parts.h - functions shared by the estimators of path.h. Inside simulate/fast/
+ * only. */
 #ifndef PP_SIMULATE_FAST_PATH_PARTS_H
 #define PP_SIMULATE_FAST_PATH_PARTS_H
 

@@ -20,7 +20,7 @@
 #include "simulate/scene/environment.h"
 #include "simulate/scene/light_scene_of_world.h"
 
-/* Smallest standard error that is aimed at, over Eh: 0.002 % daylight factor. */
+/* Smallest target standard error, over Eh: 0.002 % daylight factor. */
 #define PP_TRACER_LEAST_ERROR 0.00002
 
 struct pp_tracer_options {
@@ -40,8 +40,7 @@ struct pp_tracer_options {
 
 struct pp_tracer;
 
-/* Copies the receivers; the scene and the light that falls on it must live as long as
- * the tracer. */
+/* Copies the receivers; the scene and its light must outlive the tracer. */
 enum pp_status pp_tracer_create(struct pp_tracer **tracer,
                                 const struct pp_light_scene *scene,
                                 const struct pp_environment *environment,
@@ -74,8 +73,8 @@ struct pp_tracer_work {
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
 
 /* Correlated share of the variance of the receivers' daylight factors, 0 to 1
- * (common_variance.h): among all of them; and among neighbours. Neighbours get the same
- * light of shared points, so that the latter is much larger where that light causes
+ * (common_variance.h): among all receivers, and among neighbours. Neighbours get the
+ * same light from shared points, so that the latter is much larger if that light causes
  * most of the variance. */
 double pp_tracer_common(const struct pp_tracer *tracer);
 double pp_tracer_common_near(const struct pp_tracer *tracer);

@@ -12,8 +12,8 @@
 #include "simulate/scene/light_scene_parts.h"
 
 enum {
-    /* The vertex of a path's random numbers for its place in the pixel: far from all
-     * that radiance.c uses. */
+    /* Vertex of a path's random numbers for its position in the pixel, beyond all
+     * vertices that radiance.c uses. */
     PIXEL_VERTEX = 1 << 29,
 };
 
@@ -64,7 +64,8 @@ double pp_render_decorations(const struct pp_render *render)
     return render->options.irradiance ? render->scene->decorations : 1.0;
 }
 
-/* Irradiance of the surface that the ray meets; false for glass or no surface. */
+/* Irradiance of the surface that the ray meets; false if it meets glass or no
+ * surface. */
 static bool irradiance_seen(const struct pp_render *render,
                             struct pp_radiance_state *state,
                             const struct pp_light_ray *ray, struct pp_rgb *value)

@@ -1,12 +1,13 @@
 /* render.h - a picture of a scene: light along the rays of a camera, pixel by pixel.
  *
- * The caller holds the loop: create, then advance until done, looking at the picture
- * whenever it likes, then destroy. The picture grows tile by tile; a pixel depends only
- * on the scene, the options and its position. It is the same, bit for bit, for any
- * number of threads, length of slices and point of resumption.
+ * The caller runs the loop: create, advance until done, with the picture available at
+ * any time, then destroy. The picture grows tile by tile. A pixel depends only on the
+ * scene, the options and its position, bit by bit, for any number of threads, length of
+ * slices and point of resumption.
  *
- * A pixel is the mean over stratified places in and about it, weighted by its filter;
- * each place has one path of radiance.h. Light of a world is over Eh, as there.
+ * A pixel is the mean over stratified positions in and around it, weighted by the
+ * filter; each position has one path of radiance.h. Light of a world is over Eh, as in
+ * radiance.h.
  */
 #ifndef PP_SIMULATE_RENDER_RENDER_H
 #define PP_SIMULATE_RENDER_RENDER_H
@@ -19,7 +20,7 @@
 #include "simulate/cache/irradiance_cache.h"
 #include "simulate/transport/radiance.h"
 
-/* The reconstruction filter: the weight of places about a pixel's middle. */
+/* The reconstruction filter: the weight of positions relative to a pixel's middle. */
 enum pp_pixel_filter {
     PP_FILTER_BOX,   /* uniform over the pixel */
     PP_FILTER_GAUSS, /* a standard deviation of half a pixel, to 1.5 pixels */

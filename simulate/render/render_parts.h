@@ -5,7 +5,7 @@
 #include "simulate/estimate/planner.h"
 #include "simulate/render/render.h"
 
-enum { PP_RENDER_TILE = 16 }; /* pixels along its side */
+enum { PP_RENDER_TILE = 16 }; /* width of a tile, pixels */
 
 struct pp_render {
     const struct pp_light_scene *scene;

@@ -59,8 +59,9 @@ double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction);
 /* f' between two unit directions, of a gloss that reflects all, 1/sr. */
 double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o);
 
-/* A direction o to i by two numbers in (0, 1): i mirrored in a facet of random slope.
- * Returns f' cos o over its density, at most 4/3 s(i) s(o); 0 if it goes down. */
+/* Samples a direction o for i by two numbers in (0, 1): i mirrored in a facet of random
+ * slope. Returns f' cos o over its density, at most 4/3 s(i) s(o); 0 if o points into
+ * the surface. */
 double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
                        double v, struct pp_vec3 *o);
 

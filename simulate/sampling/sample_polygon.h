@@ -30,7 +30,7 @@ struct pp_target {
     int triangle_count;
 };
 
-/* Height of a point before the target's plane (m). */
+/* Height of a point in front of the target's plane (m). */
 static inline double pp_target_height(const struct pp_target *target,
                                       struct pp_vec3 point)
 {
@@ -63,7 +63,7 @@ struct pp_polygon_sampler {
 };
 
 /* True if the front of the target is visible, at least in part, from this side of a
- * surface (at `from`, normal n), obstructions aside. */
+ * surface (at `from`, normal n), if obstructions are ignored. */
 bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
                                 struct pp_vec3 n);
 

@@ -2,10 +2,10 @@
  *
  * Any two points of such a room see each other, and a ray in it ends on the nearest
  * plane in front of it: on a pane in that plane or on its face. A few multiplications
- * do what the ray kernels do for any scene, in double precision.
+ * in double precision replace the ray kernels.
  *
  * The depth of an opening with a reveal, a niche, is not part of the room in this
- * sense: its mouth lies in the face. A ray that passes a rectangular mouth ends on the
+ * sense: its mouth is in the face. A ray that passes a rectangular mouth ends on the
  * pane or on one of the niche's four sides. Sides of other niches, and rays that start
  * in a niche, are left to the kernels.
  */

@@ -31,7 +31,7 @@ struct pp_environment {
     struct pp_outside_light light;
     const struct pp_scene_skylines *skylines; /* the scene's; not owned */
     double *far_exitance;
-    struct pp_brightness brightness; /* estimate of that outside the openings */
+    struct pp_brightness brightness; /* estimated brightness outside the openings */
 };
 
 /* skylines: of the scene that the light falls on; they must live as long. */

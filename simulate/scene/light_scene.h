@@ -40,9 +40,9 @@ enum pp_space pp_light_scene_space(const struct pp_light_scene *scene,
 
 struct pp_light_ray {
     struct pp_vec3 from;
-    struct pp_vec3 off; /* unit normal of the surface that it leaves, on the side it
-                         * leaves to: the ray won't meet that surface again where it
-                         * starts; zero: from a point in the air */
+    struct pp_vec3 off; /* unit normal of the surface that the ray leaves, on the
+                         * side to which it leaves: the ray does not meet that
+                         * surface again at its start; zero: from a point in the air */
     struct pp_vec3 to;  /* unit */
     enum pp_space space;
 };

@@ -21,7 +21,7 @@ bool pp_round_meet(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec
 /* The unit normal of its front at a point of the shape. */
 struct pp_vec3 pp_round_normal(const struct pp_shape *shape, struct pp_vec3 point);
 
-/* The box round the shape, tight but for a cone's ends. */
+/* Bounding box of the shape, tight except at a cone's ends. */
 struct pp_bounds3 pp_round_bounds(const struct pp_shape *shape);
 
 double pp_round_area(const struct pp_shape *shape);

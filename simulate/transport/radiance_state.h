@@ -55,7 +55,7 @@ struct pp_opening_store;
 /* A log of rays, for benchmarks of the ray kernels (bench/). */
 struct pp_ray_log {
     struct pp_light_ray *rays;
-    long count, capacity; /* no more are logged when it is full */
+    long count, capacity; /* when the log is full, further rays are not logged */
 };
 
 /* Number of samplers of openings stored between shading points, which often repeat. */

@@ -14,7 +14,8 @@
 enum { PP_OUTDOOR_SLOTS = 1024 };
 
 struct pp_outdoor_cells {
-    double reach_m; /* size of the room: up to that distance cubes are a third of it */
+    double reach_m; /* size of the room; cubes up to that distance are a third of it
+                     * wide */
     int count, most;
     struct pp_lit_point *points;      /* by cell; not owned */
     double weights[PP_OUTDOOR_SLOTS]; /* by cell */

@@ -5,7 +5,7 @@
 #include "simulate/year/sparse_rows.h"
 #include "simulate/year/year_batch.h"
 
-/* Kinds of rows: one each for cells and receivers. */
+/* Kinds of rows; each exists for cells and for receivers. */
 enum pp_year_rows {
     PP_YEAR_ROWS_D,
     PP_YEAR_ROWS_N,

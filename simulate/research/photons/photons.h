@@ -1,21 +1,22 @@
-/* photons.h - daylight factors of a room by light that is followed forwards, after
- * Genelux [MPF95].
+/* photons.h - daylight factors of a room by photons followed from the light sources, as
+ * in Genelux [MPF95].
  *
  * Photons enter by the openings in proportion to the luminance outside and the
- * projected opening, or leave a lamp, and are followed from surface to surface. At each
- * surface their scattered light is added to every receiver (photon_receiver.h), with
- * the same photons for all (photon_store.h); or they are counted where they cross a
- * sensor of finite size (photon_counter.h), as they always are for the average over the
- * working plane. Direct light of openings is a separate estimator, and light not
- * covered by connections a third (photon_gather.h).
+ * projected area of the opening, or leave a lamp, and are followed from surface to
+ * surface. At each surface their scattered light is added to every receiver
+ * (photon_receiver.h), with the same photons for all receivers (photon_store.h).
+ * Alternatively, photons are counted where they cross a sensor of finite size
+ * (photon_counter.h), as always for the average over the working plane. Direct light of
+ * openings is a separate estimator, and light not covered by connections a third one
+ * (photon_gather.h).
  *
- * No estimate is biased, since there is no density estimation with a radius. Transport,
- * directions to openings and the choice of paths are independent of the path tracer;
- * the two share only ray intersection and the planning of errors.
+ * The estimators are unbiased, since there is no density estimation with a radius.
+ * Transport, directions to openings and the choice of paths are independent of the path
+ * tracer, with which only ray intersection and the planning of errors are shared.
  *
- * The caller holds the loop, as with the tracer: create, then advance until done,
- * looking at the readings whenever it likes, then destroy. By error or samples the
- * answer depends on world, light, receivers and seed alone, bit by bit.
+ * The caller runs the loop, as with the tracer: create, advance until done, with
+ * readings at any time, then destroy. With a target error or a number of samples the
+ * result depends on the world, light, receivers and seed alone, bit by bit.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
@@ -44,8 +45,8 @@ struct pp_photons_options {
 
 struct pp_photons;
 
-/* Copies the receivers; the scene and the light that falls on it must live as long as the
- * photons. PP_BAD_INPUT where the radius is negative or not finite. */
+/* Copies the receivers; the scene and its light must outlive the photons. PP_BAD_INPUT
+ * if the radius is negative or not finite. */
 enum pp_status pp_photons_create(
     struct pp_photons **photons, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *receivers,
@@ -59,8 +60,8 @@ bool pp_photons_done(const struct pp_photons *photons);
 /* The share of the work that is done, 0 to 1, by the present plan. */
 double pp_photons_progress(const struct pp_photons *photons);
 
-/* The largest standard error over daylight factor of any point so far; NAN before there
- * is any. */
+/* The largest standard error, relative to the daylight factor, over all points so far;
+ * NAN before the first value. */
 double pp_photons_error(const struct pp_photons *photons);
 
 /* The readings so far of receiver `index`, or of the average over the working plane for
@@ -74,8 +75,8 @@ void pp_photons_read(const struct pp_photons *photons, int index,
 double pp_photons_common(const struct pp_photons *photons);
 double pp_photons_common_near(const struct pp_photons *photons);
 
-/* The work done so far: photons and rays from receivers; rays; and those lost between the
- * edges of two surfaces. */
+/* The work done so far: photons and rays from receivers; all rays; and rays lost
+ * between the edges of two surfaces. */
 struct pp_photons_work {
     long long paths, rays, leaks;
 };

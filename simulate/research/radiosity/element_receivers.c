@@ -23,7 +23,7 @@ static void clear_receiver(struct pp_element_receiver *receiver)
     receiver->wanted = (struct pp_wanted){NULL, 0, 0};
 }
 
-/* ---- who receives ---- */
+/* ---- the receivers ---- */
 
 enum pp_status pp_element_receivers_init(struct pp_element_receivers *receivers,
                                          const struct pp_receiver *asked, int count,

@@ -1,9 +1,10 @@
 /* element_sight.h - visibility between two places in the room.
  *
- * Most pairs see each other, and most facets cannot be between a given pair: a facet
- * cannot if some plane has both places on one side and the facet on the other. That is
- * decided by signs calculated beforehand; only the few remaining facets are tested, one
- * intersection each. */
+ * Most pairs of places see each other, and most facets cannot be between a given pair:
+ * a facet cannot if some plane has both places on one side and the facet on the other.
+ * This is decided from precomputed signs; only the few remaining facets are tested,
+ * with one intersection each.
+ */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_SIGHT_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_SIGHT_H
 

@@ -222,7 +222,7 @@ static double add_pane(const struct looking *l)
     return light;
 }
 
-/* True if the receiving element is before the pane, on the room's side. */
+/* True if the receiving element is in front of the pane, on the room's side. */
 static bool faces(const struct looking *l)
 {
     const struct pp_facet *pane = &l->room->facets->list[l->pane];

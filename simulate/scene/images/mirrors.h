@@ -1,10 +1,10 @@
-/* mirrors.h - plane mirrors, by which next-event estimation samples emitters too.
+/* mirrors.h - plane mirrors, through which next-event estimation also samples emitters.
  *
- * As Radiance does for its `mirror` [WS98], but for any surface that mirrors:
- * directions to the emitter are sampled from the image of the shading point behind the
- * mirror, and unfolded again. Curved mirrors, weaker planes if there are many, and
- * third reflections are left to rays that reach the emitter by chance. The light that
- * they may miss is part of the stated error (unsampled.h).
+ * As for Radiance's `mirror` [WS98], directions to the emitter are sampled from the
+ * image of the shading point behind the mirror, and unfolded again; here any surface
+ * that mirrors is used. Curved mirrors, weaker planes if there are many, and third
+ * reflections are left to rays that reach the emitter by chance. The light that they
+ * may miss is part of the stated error (unsampled.h).
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_MIRRORS_H
 #define PP_SIMULATE_SCENE_IMAGES_MIRRORS_H

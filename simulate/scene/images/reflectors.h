@@ -1,11 +1,12 @@
-/* reflectors.h - plane parts with a gloss, by which next-event estimation samples
- * emitters: for example the light that polished metal reflects to a ceiling.
+/* reflectors.h - plane parts with a gloss, through which next-event estimation samples
+ * emitters: for example light that polished metal reflects to a ceiling.
  *
- * A rough gloss has no sharp image to aim at, unlike a mirror (mirrors.h). But the
- * light of an emitter leaves the plane in a lobe about one direction. A direction of
- * that lobe is drawn; a diffuse surface sends a ray against it and, if the ray meets
- * the reflector, adds the emitter's light there. A ray of the diffuse lobe may find the
- * same light: multiple importance sampling divides it between the two.
+ * Unlike a mirror (mirrors.h) a rough gloss has no sharp image from which to sample.
+ * But the light of an emitter leaves the plane in a lobe about one direction. A
+ * direction of that lobe is drawn; a diffuse surface sends a ray in the opposite
+ * direction and, if the ray meets the reflector, adds the emitter's light there. A ray
+ * of the diffuse lobe may find the same light: multiple importance sampling divides it
+ * between the two.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_REFLECTORS_H
 #define PP_SIMULATE_SCENE_IMAGES_REFLECTORS_H
