@@ -71,7 +71,7 @@ int pp_mistakes_count(const struct pp_mistakes *mistakes);
 int pp_mistakes_line(const struct pp_mistakes *mistakes, int index);
 const char *pp_mistakes_text(const struct pp_mistakes *mistakes, int index);
 
-/* Contents of one file: one room, or a building of several. */
+/* Contents of one file: one room, or a building of several rooms. */
 struct pp_building;
 
 /* Reads a room file; path "-" is standard input. Errors in the file are added to

@@ -1,8 +1,8 @@
-/* command.h - a command of the program; program/main.c has the list of them.
+/* command.h - a command of the program; program/main.c has the list of all commands.
  *
- * An entry of that list says how its words are read into a struct of its own, how they
- * are checked, and how it runs. For a new command add a file cmd_NAME.c in a folder of
- * its name, a line here and one in program/main.c.
+ * An entry of the list defines how the arguments are read into the command's own
+ * struct, how they are checked, and how the command runs. A new command needs a file
+ * cmd_NAME.c in a folder of that name, a line here and one in program/main.c.
  */
 #ifndef PP_CLI_COMMAND_H
 #define PP_CLI_COMMAND_H

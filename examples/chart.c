@@ -1,5 +1,5 @@
-/* chart.c - charts into memory: a blank Waldram diagram, and a room's section if a room
- * file is named; says how many bytes each has and what they begin with.
+/* chart.c - charts as files in memory: a blank Waldram diagram, and the section of a
+ * room if a room file is given. Prints the size and the first bytes of each.
  *
  *     cc chart.c -o chart $(pkg-config --cflags --libs pepperpot)
  *     ./chart deep-office.xml

@@ -1,4 +1,5 @@
-/* daylight.c - a room's daylight factors by hand and traced, side by side.
+/* daylight.c - a room's daylight factors by hand methods and by simulation, side by
+ * side.
  *
  *     cc daylight.c -o daylight $(pkg-config --cflags --libs pepperpot)
  *     ./daylight deep-office.xml

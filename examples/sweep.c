@@ -1,5 +1,5 @@
-/* sweep.c - how the average daylight factor grows with the window: the same room at ten
- * widths, by three methods, as CSV.
+/* sweep.c - the average daylight factor as a function of the window's width: the same
+ * room with ten widths, by three methods, as CSV.
  *
  *     cc sweep.c -o sweep $(pkg-config --cflags --libs pepperpot)
  *     ./sweep > widths.csv
@@ -18,7 +18,8 @@ static const char room[] =
 
 static const char *const methods[] = {"exact+bre", "exact+split-flux", "average-df"};
 
-/* The averages over the working plane at one width (m); false: what is wrong is said. */
+/* Calculates the averages over the working plane for one width (m); false after a
+ * failure, which is reported. */
 static bool average(double width_m, double values[3])
 {
     char text[1024];

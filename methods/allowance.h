@@ -81,8 +81,8 @@ void pp_allowance_steps(struct pp_steps *steps, const struct pp_method *method,
  * or dirt". */
 void pp_allowance_words(char *text, size_t room, unsigned allowances);
 
-/* "As published [HLG58], its figures contain clear single glass.", of a method's source
- * and allowances. */
+/* Writes a sentence on a method's source and allowances: "As published [HLG58], its
+ * figures contain clear single glass." */
 void pp_allowance_sentence(char *text, size_t room, const char *source,
                            unsigned allowances);
 

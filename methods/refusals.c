@@ -4,9 +4,9 @@
 
 #include <stddef.h>
 
-/* Directions within this angle of horizontal or vertical count as such: a figure
- * changes by less than its third digit, and corners written with three decimals are
- * accepted. */
+/* Directions within this angle of horizontal or vertical count as horizontal or
+ * vertical: a figure changes by less than its third digit, and corners written with
+ * three decimals are accepted. */
 static const double angle_tolerance_rad = 1e-3;
 
 const char *pp_refusals_unless_up(const struct pp_receiver *receiver)

@@ -54,7 +54,7 @@ static void trace_panel(const struct net_drawing *drawing,
     cairo_close_path(drawing->cr);
 }
 
-/* True if it is a door or a dado in the panel's face. */
+/* True if the surface is a door or a dado in the panel's face. */
 static bool covers(const struct pp_surface *surface, const struct pp_net_panel *panel)
 {
     return surface->role == PP_COVER && surface->owner == panel->face;

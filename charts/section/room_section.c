@@ -170,8 +170,8 @@ static void draw_edge_on(const struct section_drawing *drawing)
     }
 }
 
-/* True if it lies beyond the ends of the section, as in another wing of an L-shaped
- * room. */
+/* True if the outline lies beyond the ends of the section, as in another wing of an
+ * L-shaped room. */
 static bool is_beyond_ends(const struct pp_section_cut *cut,
                            const struct pp_polygon *outline)
 {

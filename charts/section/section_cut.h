@@ -32,7 +32,7 @@ struct pp_section_cut {
     double length_m;              /* length of the room along the line: s of the far
                                    * wall */
     int near_face, far_face;      /* walls at s = 0 and length_m; -1: none */
-    bool near_window, far_window; /* true if they contain an opening */
+    bool near_window, far_window; /* true if the end walls have an opening */
 };
 
 /* Cuts the world along its receivers, which must be on one horizontal straight line;

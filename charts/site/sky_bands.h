@@ -1,5 +1,5 @@
-/* sky_bands.h - classes of vertical sky components in drawings: four classes with a
- * colour each, darker for less sky, also in order in grey. */
+/* sky_bands.h - classes of the vertical sky component in drawings: four classes, each
+ * with a colour, darker for less sky; the order is also visible in grey. */
 #ifndef PP_CHARTS_SITE_SKY_BANDS_H
 #define PP_CHARTS_SITE_SKY_BANDS_H
 

@@ -159,7 +159,8 @@ static enum pp_status run_queue(struct sweep *sweep, int first, int end,
     return status;
 }
 
-/* Works for rank 0, the only one that reads and writes files; ends as interrupted. */
+/* Computes rooms for rank 0, the only rank that reads and writes files; returns
+ * PP_INTERRUPTED. */
 static enum pp_status follow_sweep(const struct row_source *source,
                                    const struct pp_room_options *options,
                                    struct pp_error *err)

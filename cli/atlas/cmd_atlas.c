@@ -298,7 +298,8 @@ static void init_atlas_options(void *values)
         .room = pp_room_options_none, .sheet.method = "exact+bre"};
 }
 
-/* Checks that the words given are just those that one of the uses needs. */
+/* Checks that exactly one use of the command is requested, with the arguments that it
+ * needs. */
 static enum pp_status check_use(const struct atlas_options *options, int files,
                                 struct pp_error *err)
 {

@@ -108,7 +108,7 @@ enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err);
 
-/* True if it is placed on a sheet, false if written pixel for pixel. */
+/* True if the picture is placed on a sheet, false if it is written pixel for pixel. */
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
                                const struct pp_picture_format *format);
 

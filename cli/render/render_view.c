@@ -85,7 +85,7 @@ static enum pp_status take_typed(struct pp_view_place *place,
     return PP_OK;
 }
 
-/* Refuses an eye inside a surface, from where nothing is visible. */
+/* Refuses an eye inside a surface, since nothing is visible from there. */
 static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world,
                                 struct pp_error *err)
 {

@@ -186,7 +186,7 @@ static const char *stray_rule(const struct pp_size_options *options)
                                                   : NULL;
 }
 
-/* Checks a criterion, which has figures and points of its own. */
+/* Checks a criterion, which has its own figures and points. */
 static enum pp_status settle_criterion(struct pp_size_options *options,
                                        struct pp_error *err)
 {

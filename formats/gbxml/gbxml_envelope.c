@@ -50,7 +50,7 @@ static void offer(struct envelope_choice *choice, struct pp_gbxml_shell *shell,
 
 /* Makes a shell of the surfaces or of the ShellGeometry and offers it to `choice`. A
  * shell that had to be closed by added faces goes to `lacking`; it is used only if no
- * shell closes by itself. *why keeps the reason of the first failure. */
+ * shell closes without added faces. *why keeps the reason of the first failure. */
 static enum pp_status try_polygons(struct envelope_choice *choice,
                                    struct envelope_choice *lacking, const char **why,
                                    const struct pp_gbxml_envelope_parts *parts,

@@ -70,7 +70,7 @@ static void add_border(struct borders *borders, const struct plane *plane,
                 (offset - pp_vec_dot(m, plane->foot)) / slope[axis];
 }
 
-/* Does the polygon reach in front of the pane's plane? */
+/* True if the polygon reaches in front of the pane's plane. */
 static bool is_in_front(const struct pp_polygon *outline, const struct plane *plane)
 {
     for (int i = 0; i < outline->count; i++)

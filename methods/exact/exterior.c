@@ -10,8 +10,8 @@
 #include "methods/view/visible.h"
 #include "model/geometry/frame.h"
 
-/* Does any surface reach in front of the plane, other than the plane's own face and
- * reveals? */
+/* True if any surface, other than the plane's own face and reveals, reaches in front of
+ * the plane. */
 static bool has_surface_in_front(const struct pp_world *world, struct pp_vec3 position,
                                  struct pp_vec3 normal, int face)
 {

@@ -76,8 +76,8 @@ static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 e
                                  const struct pp_polygon *polygon, const int *of,
                                  int count, struct pp_error *err)
 {
-    /* Counter-clockwise from where the normal points to the eye: the edges' normals
-     * then point out of the cone. */
+    /* Counter-clockwise as seen from the side of the normal: the edges' normals then
+     * point out of the cone. */
     double facing = pp_vec_dot(polygon->normal, pp_vec_sub(eye, polygon->vertices[0]));
     double side = facing > 0.0 ? -1.0 : 1.0;
     enum pp_status status = PP_OK;

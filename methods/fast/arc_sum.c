@@ -1,4 +1,5 @@
-/* arc_sum.c - divides edges where a rule would be poor, and puts nodes along the parts. */
+/* arc_sum.c - divides edges for which one rule would be inaccurate, and places nodes
+ * along the parts. */
 #include "methods/fast/arc_sum.h"
 
 #include <stddef.h>

@@ -13,7 +13,7 @@
 
 /* ---- marks ---- */
 
-/* Is the number a multiple of the step? */
+/* True if the number is a multiple of the step. */
 static bool multiple(double number, double step)
 {
     return fabs(number / step - rint(number / step)) < 1e-6;

@@ -17,7 +17,8 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* A slope within this angle of a right angle, 0 or a published slope counts as such. */
+/* A slope that differs by less than this angle from 0, a right angle or a published
+ * slope counts as equal to it. */
 #define PP_SLOPE_RECTANGLES_TOLERANCE_RAD 1e-3
 
 struct pp_slope_rectangle {

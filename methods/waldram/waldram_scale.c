@@ -143,9 +143,9 @@ struct window_edge {
     double top;          /* Y at the zenith */
 };
 
-/* (Y(zenith) - Y) dX/dt: by Green's theorem the sum round a region is its area. Y is
- * measured down from the zenith, so that a region that contains the zenith, whose
- * outline runs once round in azimuth, needs no special case. */
+/* The integrand (Y(zenith) - Y) dX/dt: by Green's theorem the sum around a region is
+ * its area. Y is measured down from the zenith, so that a region that contains the
+ * zenith, whose outline covers all azimuths once, needs no special case. */
 static int edge_integrand(unsigned dim, const double *t, void *data, unsigned fdim,
                           double *value)
 {

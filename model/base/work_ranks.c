@@ -189,8 +189,8 @@ static void work_for_rank_0(struct leading *leading, int worker)
     }
 }
 
-/* Work of the pool: the calling thread assigns, the others compute, until all is
- * done. */
+/* Task of the pool: the calling thread assigns indices, the others compute, until all
+ * are done. */
 static bool lead_or_work(void *data, int worker, int index)
 {
     struct leading *leading = data;

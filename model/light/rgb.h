@@ -23,7 +23,7 @@ static inline struct pp_rgb pp_rgb_grey(double value)
     return (struct pp_rgb){value, value, value};
 }
 
-/* Each channel by itself. */
+/* Operations channel by channel. */
 static inline struct pp_rgb pp_rgb_add(struct pp_rgb a, struct pp_rgb b)
 {
     return pp_rgb(a.r + b.r, a.g + b.g, a.b + b.b);

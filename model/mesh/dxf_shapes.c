@@ -293,7 +293,7 @@ enum pp_status pp_dxf_shapes_mesh(const struct pp_dxf_entity *e, struct pp_error
 
 /* ---- POLYLINE with its VERTEX entities ---- */
 
-/* The vertex at `at` as an entity of its own. */
+/* The vertex at `at`, as a separate entity. */
 static struct pp_dxf_entity vertex_at(const struct pp_dxf_entity *e, int at)
 {
     struct pp_dxf_entity vertex = *e;

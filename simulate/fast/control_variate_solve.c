@@ -291,7 +291,7 @@ static void fill_beside(struct pp_control_variate *variate,
             variate->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
-/* Task: patches lit by the workers of a pool. */
+/* Task of the workers of a pool: lighting patches. */
 struct lighting {
     const struct pp_control_variate *variate;
     struct variate_patch *patches;

@@ -43,7 +43,7 @@ struct pp_vec3 pp_path_begin(const struct pp_path_state *state,
                            : start->position;
 }
 
-/* A ray from where a path starts. */
+/* A ray in a direction from the start of a path. */
 static struct pp_light_ray start_ray(const struct pp_path_state *state,
                                      const struct pp_start *start, struct pp_vec3 from,
                                      struct pp_vec3 to)

@@ -57,8 +57,8 @@ static struct connection_group group_of(const struct pp_light_scene *scene,
                                      MOST_MIRRORED};
 }
 
-/* True if all are sampled: at the first surface, unless there are too many. Otherwise
- * one at random is sampled. */
+/* True if all connections are sampled: at the first surface, unless there are too many.
+ * Otherwise one is chosen at random. */
 static bool samples_all(struct connection_group group, bool split)
 {
     int count = group.end - group.first;

@@ -19,7 +19,7 @@ struct pp_opening_sample {
     int opening;
     struct pp_light_ray ray;  /* leaves it to the outside */
     struct pp_rgb weight;     /* BRDF, cosine and transmittance over density */
-    bool on_side;             /* true: it ends on a side of the niche, */
+    bool on_side;             /* true: the direction ends on a side of the niche, */
     struct pp_light_hit side; /* at this hit; the weight then contains no
                                * transmittance */
 };

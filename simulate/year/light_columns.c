@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Task of calculating hours. */
+/* The task of the workers of a pool: filling the columns of several hours. */
 struct columns_work {
     struct pp_light_columns *light;
     const struct pp_environment *environment;

@@ -36,8 +36,8 @@ struct pp_atlas_bands {
 enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err);
-/* True if the share of a trial's points inside the band is farther from 95 % than
- * trial->limit; too large a share is judged without the band's ends. The second
+/* True if the share of a trial's points inside the band differs from 95 % by more than
+ * trial->limit. A share that is too large is tested without the band's ends. The second
  * function counts these trials. */
 bool pp_atlas_bands_is_outside(const struct pp_band_trial *trial);
 int pp_atlas_bands_outside(const struct pp_atlas_bands *bands);

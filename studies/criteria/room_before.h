@@ -9,9 +9,8 @@
 struct pp_rooms_before {
     const struct pp_study_room *list;
     int count;
-    bool is_state; /* true: they are the same files in another state, in which a room
-                    * may be missing; false: they are another file, which must have each
-                    * room */
+    bool is_state; /* true: the same files in another state, in which a room may be
+                    * missing; false: another file, which must have each room */
 };
 
 /* *found: the former state of a room, not owned. With is_state it is the same room of

@@ -18,8 +18,8 @@ static const double clear_m = 0.4;
 /* Below this slope an opening is a rooflight. */
 static const double upright_rad = 45.0 * PP_RAD;
 
-/* A view is level if the window is at most this far above the eye; else it is raised
- * until the window is at this angle, but by the second angle at most. */
+/* A view is horizontal if the window is at most level_rad above the eye. Otherwise it
+ * is raised by the excess, but by at most raised_most_rad. */
 static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};

@@ -14,7 +14,7 @@
  * the grid leaves between adjoining windows. */
 static const double blocked_m = 0.0035;
 
-/* A difference of lengths that is rounding (m). */
+/* Difference of lengths that counts as rounding (m). */
 static const double slack_m = 1e-6;
 
 struct pp_window_sizes {

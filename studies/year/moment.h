@@ -47,8 +47,8 @@ enum pp_status pp_moment_light(struct pp_outside_light *light,
                                const struct pp_moment *moment, double north_rad,
                                struct pp_error *err);
 
-/* Fills an annual sheet with this hour alone: illuminances are its year_lxh, and
- * sky_lxh, sun_lxh, sun_reflected_lxh its parts. The caller clears *sheet, after a
+/* Fills an annual sheet for this hour alone. year_lxh has the illuminances, and
+ * sky_lxh, sun_lxh and sun_reflected_lxh their parts. The caller clears *sheet, after a
  * failure too. */
 enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
                                  const struct pp_world *world,

@@ -133,7 +133,7 @@ enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int index,
     return status;
 }
 
-/* True if it is longer than size_m, or too long for its width. */
+/* True if the part is longer than size_m, or too long for its width. */
 static bool is_too_long(const struct pp_element_tree *tree, int index, double size_m)
 {
     const struct pp_element *element = &tree->list[index];

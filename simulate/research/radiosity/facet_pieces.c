@@ -103,7 +103,7 @@ static struct cut_lines lines_of(const struct pp_region *region, int axis)
     return lines;
 }
 
-/* Cuts the facet's part in one cell. */
+/* Adds the pieces of the facet within one cell. */
 static enum pp_status cut_cell(const struct cutting *work,
                                const struct pp_region *region, double left,
                                double right, double low, double high,

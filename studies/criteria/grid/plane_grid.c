@@ -100,7 +100,7 @@ enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,
         return PP_OK;
     grid->spacing_m = ldexp(first_spacing(grid, extent, room, choice), -halvings);
     for (int k = 0; k < 2; k++) {
-        /* A millionth of a cell is rounding: 3.0000001 cells are three. */
+        /* A millionth of a cell is due to rounding: 3.0000001 cells are three. */
         cells[k] = fmax(ceil(extent[k] / grid->spacing_m - 1e-6), 1.0);
         grid->cell_m[k] = extent[k] / cells[k];
     }

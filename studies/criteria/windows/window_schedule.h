@@ -40,7 +40,7 @@ struct pp_schedule_row {
 struct pp_window_schedule {
     struct pp_schedule_row *rows;
     int count;
-    bool probable; /* are sunlight hours probable and not possible ones? */
+    bool probable; /* true: sunlight hours are probable ones; false: possible ones */
 };
 
 /* A line for each window whose sky or sunlight was assessed, in the order of rooms. The
