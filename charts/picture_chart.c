@@ -1,5 +1,5 @@
-/* picture_chart.c - places a picture on a sheet: the raster itself; on it the grid,
- * level lines and marks; beside it the scale of its false colours; below it a bar of
+/* picture_chart.c - places a picture on a sheet: the raster; on it the grid, contour
+ * lines and marks; beside it the scale of its false colours; below it a bar of
  * metres. */
 #include "charts/picture_chart.h"
 

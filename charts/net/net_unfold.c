@@ -1,5 +1,6 @@
 /* net_unfold.c - unfolds the floor first, then its neighbours about their common edges,
- * and so on. A panel that overlaps others or does not fit begins a new piece. */
+ * then their neighbours. A panel that overlaps others or does not fit begins a new
+ * piece. */
 #include "charts/net/net_unfold.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* contour_lines.c - draws a level line with a gap for its figure where the line is
- * straight and the place is free. */
+/* contour_lines.c - draws a contour line with a gap for its figure where the line is
+ * straight and no label is near. */
 #include "charts/room/contour_lines.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* contour_lines.h - level lines on paper, each with its figure in a gap of the line. */
+/* contour_lines.h - contour lines on paper, each with its figure in a gap of the
+ * line. */
 #ifndef PP_CHARTS_ROOM_CONTOUR_LINES_H
 #define PP_CHARTS_ROOM_CONTOUR_LINES_H
 

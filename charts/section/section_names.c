@@ -5,7 +5,7 @@
 #include <math.h>
 
 /* Draws the name of a series. A curve's name has a sample of its line, since curves may
- * coincide; points and level lines have words only. */
+ * coincide; points and horizontal lines have words only. */
 static struct pp_box draw_name(struct pp_section_plot *plot,
                                const struct pp_series *series, double x, double y,
                                bool drawn)

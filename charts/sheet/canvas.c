@@ -34,13 +34,13 @@ struct pp_canvas {
     struct pp_project project;
     double width_mm, height_mm, dpi;
     int width_px, height_px; /* size of a PNG */
-    bool in_bands;           /* index of the last outline entry of each level; [0]: the
-                              * root */
+    bool in_bands;           /* true: a PNG drawn in bands, as its pixels would need
+                              * too much memory at once */
     cairo_surface_t *surface;
     cairo_t *cr;
     int page; /* from 1 */
     int outlines[OUTLINE_LEVELS
-                 + 1];    /* the last line of each level of the contents; [0]:
+                 + 1];    /* for each level of the contents the last entry; [0]:
                            * the root */
     struct pp_bytes raw;  /* output of cairo */
     struct pp_bytes file; /* the finished file */

@@ -4,9 +4,9 @@
  * left corner. Equal drawings give equal bytes: PDF dates are fixed, SVG ids are
  * numbered in order, text is laid out unhinted.
  *
- *   PDF  text is text; title, subject and creator are set
- *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix of its own made
- *        from its title and drawing, so that several can be in one page
+ *   PDF  text remains text; title, subject and creator are set
+ *   SVG  has <title> and <desc>, its size in mm, and ids with a prefix made from its
+ *        title and drawing, so that several drawings can be in one page
  *   PNG  white ground, or none, with its resolution in the file; a large one is drawn
  *        in bands, so that a sheet of any size and resolution needs about 100 MiB
  *

@@ -25,8 +25,7 @@ static double enlargement(const struct pp_style *style, const struct pp_letterin
     return style->text[text->size] / laid_out_mm;
 }
 
-/* All text is laid out at this size and enlarged: for each new size pango would search
- * the machine's fonts again, with two threads. */
+/* All text is laid out at laid_out_mm and enlarged. */
 static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
                               const struct pp_lettering *text, const char *words)
 {

@@ -1,5 +1,5 @@
-/* elevation_chart.h - walls of a site seen square from outside, to one true scale, with
- * the vertical sky component over their area and at each window. */
+/* elevation_chart.h - elevations of the walls of a site, at one true scale, with the
+ * vertical sky component over their area and at each window. */
 #ifndef PP_CHARTS_SITE_ELEVATION_CHART_H
 #define PP_CHARTS_SITE_ELEVATION_CHART_H
 

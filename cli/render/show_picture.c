@@ -226,7 +226,7 @@ static void choose_levels(struct pp_picture_sheet *sheet,
             sheet->levels[sheet->level_count++] = all[i];
 }
 
-/* Adds raster, scale and level lines. */
+/* Adds the raster, the scale and contour lines. */
 static enum pp_status lay_false_colours(struct pp_picture_sheet *sheet,
                                         const struct pp_shown_picture *shown,
                                         const struct pp_render_choice *choice,
