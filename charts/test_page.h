@@ -9,7 +9,7 @@
 /* Length of both rulers on paper, mm. */
 enum { PP_TEST_PAGE_RULER_MM = 100 };
 
-/* Draws the page; the canvas is a portrait sheet of A4. PP_SYSTEM where text cannot be
+/* Draws the page; the canvas is a portrait sheet of A4. PP_SYSTEM if text cannot be
  * laid out. */
 enum pp_status pp_test_page_draw(struct pp_canvas *canvas, struct pp_error *err);
 

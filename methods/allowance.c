@@ -64,7 +64,7 @@ struct correction {
 
 enum { CORRECTIONS_MOST = 8 };
 
-/* The correction for glass; false where the figure needs none. */
+/* The correction for glass; false if the figure needs none. */
 static bool correct_glass(struct correction *correction, unsigned allowances,
                           const struct pp_opening *opening)
 {

@@ -93,16 +93,16 @@ struct pp_method {
 
     /* Reason why the method does not apply to this room, or to this receiver in the
      * room (NULL: the room as a whole): a static sentence ("the table holds the
-     * overcast sky only"), or NULL where the method applies. NULL function: it always
+     * overcast sky only"), or NULL if the method applies. NULL function: it always
      * does. */
     const char *(*refuses_room)(const struct pp_world *world,
                                 const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver);
 
     /* Reason why the method does not cover this opening for this receiver (NULL for the
-     * room), as the static end of a sentence that begins with "window W1"
-     * ("slopes; the table holds vertical openings only"), or NULL where the method
-     * covers the opening. NULL function: it covers all. */
+     * room), as the static end of a sentence that begins with "window W1" ("slopes; the
+     * table holds vertical openings only"), or NULL if the method covers the opening.
+     * NULL function: it covers all. */
     const char *(*refuses)(const struct pp_world *world,
                            const struct pp_outside_light *light,
                            const struct pp_opening *opening,

@@ -39,7 +39,7 @@ enum pp_status pp_selection_include(struct pp_selection *selection,
                                     const struct pp_method *method,
                                     struct pp_error *err);
 
-/* PP_OK where pp_selection_parse would accept the text, else its error. */
+/* PP_OK if pp_selection_parse would accept the text, else its error. */
 enum pp_status pp_selection_check(const char *selection, struct pp_error *err);
 
 #endif

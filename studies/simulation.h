@@ -36,7 +36,7 @@ enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
                                        struct pp_error *err);
 void pp_simulation_destroy(struct pp_simulation *simulation); /* NULL is allowed */
 
-/* Works for about `seconds` of real time. */
+/* Calculates for about `seconds` of real time. */
 enum pp_status pp_simulation_advance(struct pp_simulation *simulation, double seconds,
                                      struct pp_error *err);
 bool pp_simulation_done(const struct pp_simulation *simulation);

@@ -1,6 +1,6 @@
 /* lettering.h - words on a chart, placed by a point at one of their sides.
  *
- * Text is UTF-8; invalid bytes are shown as U+FFFD. Sizes don't depend on the format
+ * Text is UTF-8; invalid bytes are shown as U+FFFD. Sizes do not depend on the format
  * drawn to: glyphs are laid out unhinted, at fractions of a millimetre.
  */
 #ifndef PP_CHARTS_SHEET_LETTERING_H

@@ -1,7 +1,7 @@
 /* png_file.h - a drawing as a PNG file, with its resolution.
  *
- * libpng writes it, since cairo's own PNG files have no resolution and can't be written row by
- * row.
+ * libpng writes it, since cairo's own PNG files have no resolution and cannot be
+ * written row by row.
  */
 #ifndef PP_CHARTS_SHEET_PNG_FILE_H
 #define PP_CHARTS_SHEET_PNG_FILE_H

@@ -48,8 +48,8 @@ bool pp_exterior_is_uniform(const struct pp_world *world,
                             const struct pp_opening *opening);
 
 /* Solid angle (sr) of the sky that is directly visible from a point in the room through
- * all its openings, whatever their glass; none through diffusing panes. Exactly 0 where
- * no sky is visible. */
+ * all its openings, whatever their glass; none through diffusing panes. Exactly 0 if no
+ * sky is visible. */
 enum pp_status pp_exterior_sky_solid_angle(double *solid_angle,
                                            const struct pp_world *world,
                                            struct pp_vec3 eye, struct pp_error *err);

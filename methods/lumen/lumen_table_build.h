@@ -21,8 +21,8 @@ struct pp_lumen_top_line {
     int line;
 };
 
-/* Light from the side. `light` is the index of a sky or, behind the last, the
- * ground. */
+/* A table of light from the side. `light` is the index of a sky; the index after the
+ * last sky is the ground. */
 struct pp_lumen_side_table {
     struct pp_lumen_axis sky, axes[PP_LUMEN_SIDE_AXES];
     const double

@@ -21,7 +21,7 @@ static double arc(double a, double b)
     return b > 0.0 ? a * b * atan(a / b) : 0.0;
 }
 
-/* k ln x, 0 where both vanish. */
+/* k ln x, 0 if both vanish. */
 static double logarithm(double k, double x)
 {
     return x > 0.0 ? k * log(x) : 0.0;

@@ -20,7 +20,7 @@
 #include "methods/refusals.h"
 #include "methods/view/window_drawing.h"
 
-/* The diagrams for points that face up; NULL where no opening needs one. */
+/* The diagrams for points that face up; NULL if no opening needs one. */
 struct pepper_pot_diagrams {
     struct pp_pepper_pot *unglazed, *glazed;
 };

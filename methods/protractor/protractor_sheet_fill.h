@@ -22,8 +22,8 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
                                               struct pp_error *err);
 
 /* The protractor and its readings for the opening with the largest direct component at
- * the receiver. The world must outlive the sheet. PP_BAD_INPUT where the receiver sees
- * no opening, or where there is no protractor for an opening. */
+ * the receiver. The world must outlive the sheet. PP_BAD_INPUT if the receiver sees no
+ * opening, or where there is no protractor for an opening. */
 enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_outside_light *light,

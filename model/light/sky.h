@@ -65,7 +65,7 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
 bool pp_sky_iso_has_sun(int type);
 
 /* Sky of a photograph, in axes whose +y has the bearing north_rad. The picture must
- * live as long as the sky. */
+ * outlive the sky. */
 struct pp_sky pp_sky_of_picture(const struct pp_sky_picture *picture, double north_rad);
 
 /* True if the luminance depends only on the sine of the altitude, linearly. */

@@ -18,7 +18,7 @@ struct pp_program_words {
  * The caller clears *words in any case. */
 bool pp_program_words_make(struct pp_program_words *words, struct pp_task *task);
 
-/* Adds an argument that must live as long as *words. */
+/* Adds an argument that must outlive *words. */
 void pp_program_words_add(struct pp_program_words *words, const char *word);
 
 /* Adds a copy of "--name=value". */

@@ -48,7 +48,7 @@ enum pp_status pp_tracer_create(struct pp_tracer **tracer,
                                 const struct pp_tracer_options *options,
                                 struct pp_error *err);
 
-/* Works for about `seconds` (by the clock; at least one batch of work). */
+/* Calculates for about `seconds` (by the clock; at least one batch of work). */
 enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
                                  struct pp_error *err);
 bool pp_tracer_done(const struct pp_tracer *tracer);

@@ -18,7 +18,7 @@ enum { DIRECT, REFLECTED, ESTIMATORS };
 static const double LEAST_ERROR = 0.00002;
 
 struct plain_point {
-    bool anywhere; /* on the working plane; else */
+    bool anywhere; /* true: anywhere on the working plane; false: */
     struct pp_vec3 position, normal;
     struct pp_room_bound most;
     uint64_t seed;

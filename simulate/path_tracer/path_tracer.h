@@ -38,8 +38,8 @@ struct pp_path_tracer_options {
 
 struct pp_path_tracer;
 
-/* scene: a world's, with every finish diffuse. Copies the receivers; scene and environment
- * must live as long as the tracer. */
+/* scene: a world's, with every finish diffuse. Copies the receivers; scene and
+ * environment must outlive the tracer. */
 enum pp_status pp_path_tracer_create(struct pp_path_tracer **tracer,
                                      const struct pp_light_scene *scene,
                                      const struct pp_environment *environment,
@@ -49,7 +49,7 @@ enum pp_status pp_path_tracer_create(struct pp_path_tracer **tracer,
                                      struct pp_error *err);
 void pp_path_tracer_destroy(struct pp_path_tracer *tracer); /* NULL is allowed */
 
-/* Works for about `seconds` (by the clock; at least one batch of work). */
+/* Calculates for about `seconds` (by the clock; at least one batch of work). */
 enum pp_status pp_path_tracer_advance(struct pp_path_tracer *tracer, double seconds,
                                       struct pp_error *err);
 bool pp_path_tracer_done(const struct pp_path_tracer *tracer);

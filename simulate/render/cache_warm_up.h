@@ -13,8 +13,8 @@
 
 struct pp_cache_warm_up;
 
-/* cache and scene must live as long as the warm-up. part_pixels: about how many a part
- * has; 0: a million, which take some 100 MB. */
+/* cache and scene must outlive the warm-up. part_pixels: approximate number of pixels
+ * in a part; 0: a million, which take some 100 MB. */
 enum pp_status pp_cache_warm_up_create(struct pp_cache_warm_up **warm_up,
                                        struct pp_irradiance_cache *cache,
                                        const struct pp_light_scene *scene,
@@ -22,7 +22,7 @@ enum pp_status pp_cache_warm_up_create(struct pp_cache_warm_up **warm_up,
                                        int part_pixels, struct pp_error *err);
 void pp_cache_warm_up_destroy(struct pp_cache_warm_up *warm_up); /* NULL is allowed */
 
-/* Works for about `seconds`; the records do not depend on the length of calls. */
+/* Calculates for about `seconds`; the records do not depend on the length of calls. */
 enum pp_status pp_cache_warm_up_advance(struct pp_cache_warm_up *warm_up,
                                         double seconds, struct pp_error *err);
 bool pp_cache_warm_up_done(const struct pp_cache_warm_up *warm_up);

@@ -53,8 +53,8 @@ struct pp_render_options {
 
 struct pp_render;
 
-/* scene, environment (of a world; NULL: of a description), store and ambient must live
- * as long as the render. */
+/* scene, environment (of a world; NULL: of a description), store and ambient must
+ * outlive the render. */
 enum pp_status pp_render_create(struct pp_render **render,
                                 const struct pp_light_scene *scene,
                                 const struct pp_environment *environment,
@@ -62,7 +62,7 @@ enum pp_status pp_render_create(struct pp_render **render,
                                 struct pp_error *err);
 void pp_render_destroy(struct pp_render *render); /* NULL is allowed */
 
-/* Works for about `seconds` (by the clock; at least one tile). */
+/* Calculates for about `seconds` (by the clock; at least one tile). */
 enum pp_status pp_render_advance(struct pp_render *render, double seconds,
                                  struct pp_error *err);
 bool pp_render_done(const struct pp_render *render);

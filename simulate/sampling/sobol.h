@@ -35,7 +35,7 @@ struct pp_sobol_sequence {
 
 void pp_sobol_init(struct pp_sobol *sobol);
 
-/* sobol must live as long as the sequence. */
+/* sobol must outlive the sequence. */
 void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
                             const struct pp_sobol *sobol, uint64_t seed);
 

@@ -72,7 +72,7 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
                               const struct pp_emitter *emitter, struct pp_vec3 from,
                               struct pp_vec3 n);
 
-/* A direction to the emitter; false where the emitter sends no light along it. The
+/* A direction to the emitter; false if the emitter sends no light along it. The
  * distance of a distant source is INFINITY. */
 bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, double v,
                         struct pp_direction_sample *sample);

@@ -6,8 +6,8 @@
 #include "model/room/world.h"
 #include "simulate/scene/light_scene.h"
 
-/* world must live as long as the scene. Tags of shapes are indices of surfaces; tags of
- * panes are the number of the world's surfaces plus the index of the opening. */
+/* world must outlive the scene. Tags of shapes are indices of surfaces; tags of panes
+ * are the number of the world's surfaces plus the index of the opening. */
 enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err);

@@ -49,7 +49,7 @@ struct pp_sensor_reading {
 
 struct pp_sensors;
 
-/* scene and environment (of a world; NULL: of a description) must live as long as the
+/* scene and environment (of a world; NULL: of a description) must outlive the
  * sensors. */
 enum pp_status pp_sensors_create(struct pp_sensors **sensors,
                                  const struct pp_light_scene *scene,
@@ -59,7 +59,7 @@ enum pp_status pp_sensors_create(struct pp_sensors **sensors,
                                  struct pp_error *err);
 void pp_sensors_destroy(struct pp_sensors *sensors); /* NULL is allowed */
 
-/* Works for about `seconds` (by the clock; at least one batch of work). */
+/* Calculates for about `seconds` (by the clock; at least one batch of work). */
 enum pp_status pp_sensors_advance(struct pp_sensors *sensors, double seconds,
                                   struct pp_error *err);
 bool pp_sensors_done(const struct pp_sensors *sensors);

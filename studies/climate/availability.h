@@ -28,7 +28,7 @@ double pp_availability_needed_lx(double lx, double daylight_factor);
  * NULL), with the share of each period in which each place has each illuminance. Places
  * are the report's points, their median where three or more have values, and the
  * average. A share's standard error is half the difference between the shares at one
- * standard error of the daylight factor up and down. PP_BAD_INPUT where a period has no
+ * standard error of the daylight factor up and down. PP_BAD_INPUT if a period has no
  * hour whose light is known. *sheet is to be cleared by the caller, in any case. */
 enum pp_status pp_availability_fill(struct pp_availability_sheet *sheet,
                                     const struct pp_availability_question *question,

@@ -50,7 +50,7 @@ static struct pp_sun sun_of(const struct pp_epw *epw,
     return sun;
 }
 
-/* Diffuse illuminance from diffuse irradiance by [PISMS90]; NAN where the irradiance is
+/* Diffuse illuminance from diffuse irradiance by [PISMS90]; NAN if the irradiance is
  * missing. A missing direct irradiance is replaced by the global less the diffuse one,
  * over the sine of the sun's altitude (0.05 at least), or by 0 if that is missing too.
  * A missing dew point is replaced by 11 degrees. */

@@ -40,8 +40,8 @@ struct pp_finding {
     double over_error;   /* standard error of reached_over, by noise and grid; NAN: not
                           * known */
     enum pp_verdict verdict;
-    double confidence; /* probability that the verdict is right; for PP_UNDECIDED that
-                        * the criterion is met; NAN where nothing was sampled */
+    double confidence; /* probability that the verdict is right; for PP_UNDECIDED
+                        * that the criterion is met; NAN if nothing was sampled */
     bool
         is_optional; /* a level above the lowest, which nothing requires: its verdict is
                       * not counted */

@@ -7,7 +7,7 @@
 struct pp_profile {
     const char *name;     /* as typed on the command line */
     const char *summary;  /* one line for the help, without a full stop */
-    const char *criteria; /* names with commas between */
+    const char *criteria; /* names separated by commas */
     const char *country;  /* country of the rules; "": no single one */
 };
 

@@ -1,8 +1,8 @@
-/* engine.h - list of simulation engines: each is a file that gives one of simulate/'s
- * solvers the same few functions.
+/* engine.h - list of simulation engines. Each is a file that adapts one of simulate/'s
+ * solvers to a common set of functions.
  *
  * The scene has no light from outside: made once from a world, it serves any number of
- * runs of any engine, under one environment after another. The caller has the loop
+ * runs of any engine, under one environment after another. The caller runs the loop
  * (studies/simulation.h): create, advance until done, read, destroy. A new engine is a
  * file like engine_path.c, and a line in engine.c.
  */
@@ -88,7 +88,7 @@ struct pp_engine {
 extern const struct pp_engine pp_engine_path, pp_engine_cache, pp_engine_photons,
     pp_engine_radiosity, pp_engine_plain;
 
-const struct pp_engine *pp_engine_at(int index);          /* NULL behind the last */
+const struct pp_engine *pp_engine_at(int index);          /* NULL after the last */
 const struct pp_engine *pp_engine_find(const char *name); /* NULL: there is none */
 
 /* Engine whose columns have this name; NULL: the name of a method. */

@@ -12,7 +12,7 @@ static bool is_alike(const struct pp_opening *a, const struct pp_opening *b)
            && a->curtains == b->curtains;
 }
 
-/* For uniform light from all directions. */
+/* Transmittance of the opening for uniform light from all directions. */
 static double diffuse_transmittance(const struct pp_opening *opening)
 {
     return pp_surface_materials_pane_straight(opening, 1.0)

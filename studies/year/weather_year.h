@@ -52,7 +52,7 @@ struct pp_weather_year {
                                 * quantity */
 };
 
-/* PP_BAD_INPUT where the file covers less than a year, or has no light. file: its name,
+/* PP_BAD_INPUT if the file covers less than a year, or has no light. file: its name,
  * for that message. On success the caller clears *year. */
 enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
                                       const struct pp_epw *epw,

@@ -22,8 +22,8 @@
 /* Unique names for materials, patterns and pairs of materials, valid in Radiance. */
 struct pp_rad_writer;
 
-/* Makes the names. The scene must live as long as the writer. PP_BAD_INPUT for
- * materials that no Radiance type can describe. */
+/* Makes the names. The scene must outlive the writer. PP_BAD_INPUT for materials that
+ * no Radiance type can describe. */
 enum pp_status pp_rad_write_create(struct pp_rad_writer **writer,
                                    const struct pp_scene_description *scene,
                                    struct pp_error *err);

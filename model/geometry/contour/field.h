@@ -59,8 +59,8 @@ struct pp_field {
 };
 
 /* Creates the mesh and evaluates at its nodes. Lengths are in the figure's unit;
- * tolerance > 0. region is copied; context is not owned and must live as long as the
- * field. PP_BAD_INPUT for an empty figure. */
+ * tolerance > 0. region is copied; context is not owned and must outlive the field.
+ * PP_BAD_INPUT for an empty figure. */
 enum pp_status pp_field_create(struct pp_field **field, const struct pp_region *region,
                                pp_field_function function, void *context,
                                double tolerance, struct pp_error *err);

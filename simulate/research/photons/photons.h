@@ -52,7 +52,7 @@ enum pp_status pp_photons_create(
     const struct pp_environment *environment, const struct pp_receiver *receivers,
     int receiver_count, const struct pp_photons_options *options, struct pp_error *err);
 
-/* Works for about `seconds` (by the clock; at least one batch of work). */
+/* Calculates for about `seconds` (by the clock; at least one batch of work). */
 enum pp_status pp_photons_advance(struct pp_photons *photons, double seconds,
                                   struct pp_error *err);
 bool pp_photons_done(const struct pp_photons *photons);

@@ -42,7 +42,7 @@ void pp_atlas_columns_clear(struct pp_atlas_columns *columns);
 /* The line of names, with its end. */
 void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *out);
 
-/* Simulated values of a row: fractions, NAN where there is none. */
+/* Simulated values of a row: fractions, NAN if there is none. */
 struct pp_atlas_truth {
     double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* the room's */
     double *own; /* one for each of the columns, used for those of daylight factors */

@@ -9,12 +9,13 @@
 #include "model/base/array.h"
 #include "studies/research/compare/set_effects.h"
 
-/* Prior probability that a kind of cause is present, and that a common factor is. Many
- * errors act like a factor, so a factor as cause is recognised only by its value, and
- * only if the fit is close. */
+/* Prior probability that a kind of cause is present, and that a common factor is. Since
+ * many errors act like a factor, a factor is recognised as a cause only by its value,
+ * and only if the fit is close. */
 static const double AT_WORK = 0.12, FACTOR_AT_WORK = 0.4;
-/* Distances (in logarithms) from the best likelihood. Sets farther behind are not
- * simulated; sets farther behind by white noise are not evaluated with any other. */
+/* Logarithmic distances from the best likelihood beyond which sets are not simulated,
+ * and beyond which sets evaluated with white noise are not evaluated with other
+ * noise. */
 static const double FAR_BEHIND = 4.0, FAR_FROM_LIKELY = 12.0;
 /* Steps, to either side, by which the deviation of a set from the sum of its parts is
  * varied, if the set is not simulated. */

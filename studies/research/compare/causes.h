@@ -30,7 +30,8 @@ int pp_causes_of(const struct pp_cause *list[PP_CAUSES_MOST],
 /* All causes; NULL after the last. */
 const struct pp_cause *pp_causes_at(int index);
 
-/* Kinds of mistake that no cause imitates, as a sentence's parts; NULL behind the last. */
+/* Kinds of mistake that no cause imitates, as a sentence's parts; NULL after the
+ * last. */
 const char *pp_causes_missing_at(int index);
 
 /* True if its value is fitted: a reflectance from 0 to PP_CAUSES_VALUE_MOST. */

@@ -69,7 +69,7 @@ struct pp_room_variant_preset {
     const char *what; /* source of the settings */
 };
 const struct pp_room_variant_preset *pp_room_variant_preset_at(
-    int index); /* NULL behind the last */
+    int index); /* NULL after the last */
 
 /* Options for the simulation of a variant, and its progress callback. */
 struct pp_variant_tracing {

@@ -103,7 +103,7 @@ const struct pp_report *pp_own_world_of(const struct pp_own_worlds *worlds,
                                                : &worlds->list[index].report;
 }
 
-/* ---- making them ---- */
+/* ---- making the worlds ---- */
 
 static enum pp_status make_world(struct pp_world **world, const struct pp_room *room,
                                  struct pp_error *err)
