@@ -16,7 +16,7 @@
 enum pp_fit_shape {
     PP_FIT_EVEN,        /* none */
     PP_FIT_EXPONENTIAL, /* exp(-q x/d_r), normalised to mean 1 over the depth */
-    PP_FIT_COSH,        /* the same with a totally reflecting back wall */
+    PP_FIT_COSH,        /* as PP_FIT_EXPONENTIAL, with a totally reflecting back wall */
     PP_FIT_INSIDE,      /* exp(-q x/d_r), q from a start c l/k inside the room */
     PP_FIT_SHAPES
 };

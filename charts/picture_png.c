@@ -1,4 +1,4 @@
-/* picture_png.c - makes a cairo image of a raster, and a PNG file of that. */
+/* picture_png.c - makes a cairo image of a raster, and encodes it as a PNG file. */
 #include "charts/picture_png.h"
 
 #include <stdint.h>

@@ -64,7 +64,8 @@ int pp_options_numbers(const char *text, char between, double *list, int most);
 
 /* Readers; each comment gives the type of the value. */
 pp_option_reader pp_options_read_text; /* const char *, not empty; borrowed from argv */
-pp_option_reader pp_options_read_input; /* the same, for a file that is read */
+pp_option_reader pp_options_read_input; /* const char *, a file that is read;
+                                         * borrowed from argv */
 pp_option_reader
     pp_options_read_output; /* for a file that is written; - is standard output */
 pp_option_reader

@@ -161,8 +161,8 @@ static enum pp_exit find_doubts(struct pp_rooms *rooms)
     return pp_fail_memory(&err), pp_message_error(&err);
 }
 
-/* Reports them, the same of several rooms of a file once. With --strict they are
- * errors. */
+/* Reports the doubts, and doubts that several rooms of one file share only once. With
+ * --strict they are errors. */
 static enum pp_exit report_doubts(const struct pp_rooms *rooms, bool strict)
 {
     int count = 0;

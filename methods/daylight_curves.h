@@ -34,10 +34,11 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   const char *irc_name, const double *levels,
                                   int level_count, struct pp_error *err);
 
-/* The same with the direct component by any method that gives values at points and does
- * not count squares or dots, to another tolerance (m; 0: as above); the plan's name is
- * "direct+irc_name". Without irc_name, the figures are the direct component only. A
- * method that does not cover the room is PP_BAD_INPUT, with the reason. */
+/* Fills plan as pp_daylight_curves does, but with the direct component by any method
+ * that gives values at points and does not count squares or dots, to another tolerance
+ * (m; 0: the default). The plan's name is "direct+irc_name". If irc_name is NULL, the
+ * figures are the direct component only. PP_BAD_INPUT with the reason if the method
+ * does not cover the room. */
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,

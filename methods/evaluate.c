@@ -152,7 +152,7 @@ static enum pp_status check_light(struct pp_method_answer *answer,
     return answer->why ? PP_OK : pp_fail_memory(err);
 }
 
-/* The same check for all answers that describe the whole room. */
+/* Calls check_light for all answers that describe the whole room. */
 static enum pp_status check_room(struct pp_method_answer *answers,
                                  const struct pp_method *method,
                                  struct pp_report *report, struct pp_error *err)

@@ -194,7 +194,7 @@ extern const struct pp_method pp_method_dresler;
 extern const struct pp_method pp_method_k_factor;
 extern const struct pp_method pp_method_nomogram;
 
-/* The same by position, fitted to simulated rooms: */
+/* Internally reflected component by position, fitted to simulated rooms: */
 extern const struct pp_method pp_method_irc_atlas;
 extern const struct pp_method pp_method_bre_atlas;
 extern const struct pp_method pp_method_split_flux_atlas;

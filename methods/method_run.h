@@ -1,6 +1,6 @@
-/* method_run.h - one method on one world: its sum over the openings at a receiver or for
- * the room, corrected for glass, frame and dirt (methods/allowance.h), and the average of
- * that over the working plane. */
+/* method_run.h - one method on one world: its sum over the openings at a receiver or
+ * for the room, corrected for glass, frame and dirt (methods/allowance.h), and the
+ * average of this sum over the working plane. */
 #ifndef PP_METHODS_METHOD_RUN_H
 #define PP_METHODS_METHOD_RUN_H
 
@@ -44,8 +44,8 @@ struct pp_method_answer {
     struct pp_steps *steps;           /* where the sum is recorded; may be NULL */
 };
 
-/* Makes the method's tools for the report's world, light and options. variant: NULL, as
- * published. On success the caller clears the run. */
+/* Makes the method's tools for the report's world, light and options. variant: NULL for
+ * the published formula. On success the caller clears the run. */
 enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   const struct pp_method *method,
                                   const struct pp_variant *variant,

@@ -15,7 +15,8 @@ struct pp_room_value {
     const struct pp_receiver *points; /* the figure is the lowest at these; not owned */
     int point_count;                  /* 0: the figure is the working plane's average */
     int threads;                      /* 0: one for each processor */
-    char why[512];                    /* text to which a reading's why points */
+    char why[512];                    /* text of the reading's reason; its `why`
+                                       * points here */
 };
 
 /* The figure of that world, under the light of `value`. If the method gives no daylight

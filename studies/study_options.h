@@ -17,7 +17,8 @@ struct pp_point_list {
 /* Callbacks of a caller who watches a simulation: a progress bar, a request to stop.
  * All NULL: no watch. Called from one thread, between two slices of work. */
 struct pp_watch {
-    /* name: of the room. Returns true if progress is shown. */
+    /* Called when work begins. name: subject shown with the progress, usually the room.
+     * Returns true if progress is shown. */
     bool (*begin)(void *data, const char *name);
     /* Reports progress. done: 0 to 1; error: the largest standard error over daylight
      * factor so far, NAN if there is none. They take time, and are 0 and NAN if

@@ -44,8 +44,8 @@ struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, doub
 void pp_board_panel_words(char *words, size_t room, const struct pp_board_face *face,
                           bool glazed);
 
-/* The sums below a diagram: for each of the first few windows with its letter and line,
- * then the number of the others, and the sum of all. */
+/* Sums written below a diagram: one line with letter and sum for each of the first few
+ * windows, the number of other windows, and the total. */
 struct pp_board_sums {
     const char *unit; /* "squares" */
     bool upright;     /* for the outside of a wall: the sum is the vertical sky

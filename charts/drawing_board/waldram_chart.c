@@ -1,6 +1,5 @@
-/* waldram_chart.c - the sheet of a Waldram diagram: its panels side by side, keys and the
- * sum below them, its words.
- */
+/* waldram_chart.c - the sheet of a Waldram diagram: text above, panels side by side,
+ * keys, and the sum below the panels. */
 #include "charts/drawing_board/waldram_chart.h"
 
 #include <math.h>

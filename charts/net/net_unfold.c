@@ -99,8 +99,8 @@ static bool fits(const struct unfolding *unfolding, const struct pp_bounds2 *ext
            && extent->high[1] - extent->low[1] <= unfolding->limit[1] + 1e-6;
 }
 
-/* Turns and shifts a panel so that its edge lies on a placed one, in the opposite
- * direction. */
+/* Turns and shifts a panel so that its edge own_edge lies on an edge of a placed panel,
+ * in the opposite direction. */
 static void lay_beside(const struct pp_net_panel *placed, int edge,
                        struct pp_net_panel *panel, int own_edge)
 {

@@ -8,8 +8,8 @@
 #include "charts/sheet/lettering.h"
 #include "model/results/report.h"
 
-/* Draws plan and section below each other, from the top of the box, to scale; *height:
- * of both. PP_BAD_INPUT if the point is on no section. */
+/* Draws the plan and below it the section, from the top of the box, to scale. *height:
+ * height of both together. PP_BAD_INPUT if the point is on no section. */
 enum pp_status pp_note_drawings_room(double *height, cairo_t *cr,
                                      const struct pp_style *style,
                                      const struct pp_report *report, struct pp_box box,

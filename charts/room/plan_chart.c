@@ -1,6 +1,5 @@
-/* plan_chart.c - draws the plan with its contours, their figures, the no-sky line,
- * and below the plan scale bar, legend and north.
- */
+/* plan_chart.c - draws the plan with its contours, their figures and the no-sky line,
+ * and below the plan a scale bar, the legend and north. */
 #include "charts/room/plan_chart.h"
 
 #include <math.h>

@@ -7,7 +7,7 @@
 
 pp_option_reader pp_board_options_read_yes_no; /* enum pp_yes_no, "yes" or "no" */
 pp_option_reader
-    pp_board_options_read_receiver; /* the same, "vertical" or "horizontal" */
+    pp_board_options_read_receiver; /* enum pp_yes_no, "vertical" or "horizontal" */
 pp_option_reader pp_board_options_read_protractor; /* int, 1 to 10 */
 pp_option_reader pp_board_options_read_slope; /* struct pp_board_options, 0 to 90 */
 pp_option_reader

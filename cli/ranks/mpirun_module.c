@@ -58,7 +58,7 @@ static enum pp_status post_send(void *data, int to, const void *bytes, size_t le
                   &sending->request)
         != MPI_SUCCESS) {
         free(sending);
-        return PP_OK; /* the other rank is dead */
+        return PP_OK; /* the receiving rank has ended */
     }
     sending->next = post->sendings;
     post->sendings = sending;

@@ -14,8 +14,8 @@ enum pp_exit pp_against_radiance(const struct pp_rooms *rooms,
                                  const struct pp_room_options *options,
                                  enum pp_format format);
 
-/* Does the same as a suite. page: file for the page, or NULL. PP_EXIT_INPUT if more
- * cases than allowed are outside their limits. */
+/* Runs the comparison as a suite. page: file for the page, or NULL. PP_EXIT_INPUT if
+ * more cases than allowed are outside their limits. */
 enum pp_exit pp_against_radiance_suite(const struct pp_rooms *rooms,
                                        const struct pp_room_options *options,
                                        enum pp_format format, const char *page);

@@ -23,7 +23,7 @@ enum pp_exit pp_run_suite(const struct pp_suite_source *source,
                           const struct pp_room_options *options, enum pp_format format,
                           const char *page);
 
-/* Does the same for a suite with its own rooms. */
+/* Runs a suite that has its own rooms, like pp_run_suite. */
 enum pp_exit pp_run_suite_known(const struct pp_suite *suite,
                                 const struct pp_room_options *options,
                                 enum pp_format format, const char *page);

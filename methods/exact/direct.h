@@ -46,8 +46,8 @@ enum pp_status pp_direct_add(struct pp_direct *sum, const struct pp_visible *vis
                              const struct pp_outside_light *light,
                              struct pp_error *err);
 
-/* The same for the view of a receiver through an opening, with `glass` (clear, or none)
- * in place of the opening's own. */
+/* Adds the components of a receiver's view through an opening to *sum, with `glass`
+ * (clear, or none) in place of the opening's own. */
 enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *world,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening,

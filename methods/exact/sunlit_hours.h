@@ -51,7 +51,8 @@ enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       struct pp_sunlit_place place, int month, int date,
                                       struct pp_error *err);
 
-/* The same with the sun above an altitude (rad, 0 to below pi/2). */
+/* Finds the times as pp_sunlit_hours_of_day does, but only with the sun above an
+ * altitude (rad, 0 to below pi/2). */
 enum pp_status pp_sunlit_hours_above(struct pp_sunlit_day *day,
                                      const struct pp_hidden_cones *cones,
                                      struct pp_sunlit_place place, int month, int date,

@@ -28,7 +28,7 @@
 enum pp_status pp_lumen_csv_read(struct pp_lumen_table *table, const char *path,
                                  struct pp_mistakes *mistakes, struct pp_error *err);
 
-/* The same from the text of a file. */
+/* Replaces the table as pp_lumen_csv_read does, by that in the text of a file. */
 enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text,
                                   size_t length, struct pp_mistakes *mistakes,
                                   struct pp_error *err);

@@ -36,7 +36,7 @@ struct pp_lumen_room {
     double direct_at[PP_LUMEN_POINTS];
 };
 
-/* The part's normal, into the room; of SIDE, the wall at x = width/2. */
+/* The part's normal, into the room. SIDE is the wall at x = width/2. */
 static struct pp_vec3 normal_of(enum part part)
 {
     static const struct pp_vec3 normals[PARTS] = {[PLANE] = {0, 0, 1},

@@ -30,7 +30,7 @@ enum pp_lumen_side_axis {
     PP_LUMEN_CEILING,
     PP_LUMEN_WALLS,
     PP_LUMEN_DEPTH, /* depth of the room, in window heights */
-    PP_LUMEN_WIDTH, /* the same; INFINITY is allowed */
+    PP_LUMEN_WIDTH, /* width of the room, in window heights; INFINITY is allowed */
     PP_LUMEN_SIDE_AXES
 };
 

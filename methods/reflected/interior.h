@@ -24,15 +24,15 @@ struct pp_interior {
 /* All inside surfaces, openings included: A and R. */
 struct pp_interior pp_interior_all(const struct pp_world *world);
 
-/* Records them as A and R. */
+/* Records area and mean reflectance of all inside surfaces as A and R. */
 void pp_interior_put(struct pp_worksheet *sheet, const struct pp_interior *all);
 
 /* Area and mean reflectance of the faces of a role (floor, walls or ceiling) without
  * their openings. */
 struct pp_interior pp_interior_role(const struct pp_world *world, enum pp_role role);
 
-/* The same for the part above the horizontal plane at `z`, including openings with
- * 0.1. */
+/* Area and mean reflectance of the faces of a role above the horizontal plane at `z`,
+ * including openings with a reflectance of 0.1. */
 struct pp_interior pp_interior_role_above(const struct pp_world *world,
                                           enum pp_role role, double z);
 

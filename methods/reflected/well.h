@@ -29,7 +29,8 @@ struct pp_well_shape {
     double sides;                      /* reflectance, 0 to 1 */
 };
 
-/* Shares of the light through the glass, 0 to 1; N in print. */
+/* Shares, 0 to 1, of the light that enters through the glass. N is the symbol in
+ * reports. */
 struct pp_well_efficiency {
     double whole;  /* N: leaves the foot */
     double direct; /* N_d: leaves the foot without touching the sides */
@@ -45,7 +46,7 @@ struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
 
 double pp_well_index(const struct pp_well_shape *shape);
 
-/* The efficiencies for an opening; 1, 1 and an index of 0 for one without a well. */
+/* The efficiencies of an opening's well; both are 1 if there is no well. */
 struct pp_well_efficiency pp_well_of(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening);

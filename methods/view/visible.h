@@ -52,8 +52,8 @@ enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err);
 
-/* The same, faster, for sums: patches among obstructions outside are sets of adjacent
- * convex rings, not outlines. */
+/* View through an opening as by pp_visible_through, but faster, for sums: patches among
+ * obstructions outside are sets of adjacent convex rings, not outlines. */
 enum pp_status pp_visible_in_parts(struct pp_visible *visible,
                                    const struct pp_world *world,
                                    const struct pp_opening *opening, struct pp_vec3 eye,

@@ -38,9 +38,10 @@ typedef bool pp_thread_pool_work(void *data, int worker, int index);
 int pp_thread_pool_run(struct pp_thread_pool *pool, int first, int end,
                        pp_thread_pool_work *work, void *data);
 
-/* The same for work of microseconds: if there are many indices a worker takes several
- * at once, which avoids false sharing of the counter and of adjacent results. The last
- * index started depends on the number of indices and on the pool's size. */
+/* Runs the indices as pp_thread_pool_run does, for work that takes microseconds: if
+ * there are many indices a worker takes several at once, which avoids false sharing of
+ * the counter and of adjacent results. The last index started depends on the number of
+ * indices and on the pool's size. */
 int pp_thread_pool_run_small(struct pp_thread_pool *pool, int first, int end,
                              pp_thread_pool_work *work, void *data);
 

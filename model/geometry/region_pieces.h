@@ -9,7 +9,7 @@
 struct pp_region_pieces {
     struct pp_region_piece {
         int count;
-        struct pp_vec3 *corners; /* counter-clockwise seen against along x up */
+        struct pp_vec3 *corners; /* counter-clockwise in (along, up) */
     } * list;
     int count;
 };

@@ -169,8 +169,8 @@ static struct term wrong_dimension(struct parser *parser, const char *at,
     return fail(parser, at, what);
 }
 
-/* Checks that a and b have the same dimension; they are added, compared or
- * alternatives. */
+/* Checks that a and b, which are added, compared or alternatives, have the same
+ * dimension. */
 static bool check_alike(struct parser *parser, const struct term *a,
                         const struct term *b)
 {

@@ -233,7 +233,7 @@ struct pp_room {
     enum pp_site_state state;
     struct pp_site_part site; /* the building's site unless the room has its own */
     bool site_is_own;         /* the room has its own site */
-    struct pp_sky_part sky;   /* likewise the building's or its own */
+    struct pp_sky_part sky;   /* the building's sky unless the room has its own */
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
     const struct pp_finish *floor_finish, *walls_finish, *ceiling_finish;

@@ -1,5 +1,5 @@
-/* world.c - resolves a room into its world, step by step. Large steps are files of
- * build/ and outside/; small ones are here. */
+/* world.c - resolves a room into its world, step by step. Large steps have their own
+ * files in build/ and outside/. */
 #include "model/room/world.h"
 
 #include <math.h>

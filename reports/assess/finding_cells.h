@@ -14,7 +14,7 @@ enum { PP_FINDING_CELL = 40 }; /* bytes */
 void pp_finding_cells_figure(char cell[PP_FINDING_CELL],
                              const struct pp_finding *finding, bool utf8);
 
-/* ">= 0.3"; empty if there is no bound or no figure. */
+/* Writes ">= 0.3"; empty if there is no bound or no figure. */
 void pp_finding_cells_wanted(char cell[PP_FINDING_CELL],
                              const struct pp_finding *finding, bool utf8);
 

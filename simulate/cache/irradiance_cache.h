@@ -29,7 +29,7 @@
 /* Options by their usual names; in Radiance -aa, -ar, -ad, -as, -ab, -av, -ai and
  * -ae. */
 struct pp_cache_options {
-    double accuracy;  /* -aa: the smaller, the closer are records; above 0 to 1 */
+    double accuracy;  /* -aa: above 0 to 1; a smaller value makes records closer */
     int resolution;   /* -ar: least distance of records is the scene's size times
                        * accuracy over resolution; 0: no limit */
     int divisions;    /* -ad: rays of a hemisphere, one in each of its cells; 16 up,
@@ -59,8 +59,8 @@ enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *
 struct pp_irradiance_cache;
 
 /* Creates a cache. scene, environment (of a world; NULL: of a description) and store
- * (may be NULL) must outlive it. `bounces` of `light` is ignored: options->bounces
- * counts. Checks options. */
+ * (may be NULL) must outlive the cache. options->bounces replaces light->bounces.
+ * Checks options. */
 enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
                                           const struct pp_light_scene *scene,
                                           const struct pp_environment *environment,
@@ -100,7 +100,7 @@ struct pp_cache_record pp_irradiance_cache_record(
 
 /* ---- for the other files of simulate/ ---- */
 
-/* The space on the side of a hit that `normal` is on. */
+/* Space on that side of the hit surface to which `normal` points. */
 enum pp_space pp_irradiance_cache_hit_space(const struct pp_irradiance_cache *cache,
                                             const struct pp_light_hit *hit,
                                             struct pp_vec3 normal);

@@ -24,7 +24,7 @@ static inline uint64_t pp_little_endian_take(const unsigned char **at, int bytes
     return value;
 }
 
-/* The same of a double by its 8 bytes, and of a float by its 4. */
+/* Stores a double as the 8 bytes of its bits; the float functions use 4 bytes. */
 static inline void pp_little_endian_put_double(unsigned char **at, double value)
 {
     uint64_t bits;

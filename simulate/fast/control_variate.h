@@ -38,7 +38,7 @@ double pp_control_variate_at(const struct pp_control_variate *variate,
                              const struct pp_light_scene *scene,
                              const struct pp_light_hit *hit);
 
-/* The same, as the callback of a niche's light; `variate` is a struct
+/* Callback of a niche's light that calls pp_control_variate_at; `variate` is a struct
  * pp_control_variate. */
 double pp_control_variate_of_side(void *variate, const struct pp_light_hit *side,
                                   double worth);

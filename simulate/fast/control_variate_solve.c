@@ -30,8 +30,7 @@ struct variate_patch {
     bool in_figure;                /* the centre is in the surface's outline */
     double own;                    /* exitance by emission and direct light: M + rho
                                     * E */
-    double exchanged;              /* the same plus interreflected light, before
-                                    * smoothing */
+    double exchanged;              /* own plus interreflected light, before smoothing */
     int seen[LOBE_SAMPLES];        /* indices of patches that its rays meet; -1: none */
     int sides[OPENING_SAMPLES];    /* niche sides met by directions to mouths, */
     double worth[OPENING_SAMPLES]; /* and the share of their exitance that the patch

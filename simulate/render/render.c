@@ -96,7 +96,7 @@ static bool irradiance_seen(const struct pp_render *render,
 
 /* ---- the sampler: the pixels of a tile, row by row ---- */
 
-/* The sums of a randomisation, and the values; the last is the luminance. */
+/* Sums of a randomisation: of each channel, and the number of samples with a value. */
 enum { RED, GREEN, BLUE, SEEN };
 enum { GREY = 3, VALUES };
 

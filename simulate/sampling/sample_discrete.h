@@ -60,7 +60,7 @@ static inline double pp_sample_discrete_estimate(const void *estimates, int i)
     return ((const double *)estimates)[i];
 }
 
-/* The same for estimates in an array. */
+/* Draws an index by estimates in an array, with PP_SAMPLE_DISCRETE_UNIFORM. */
 static inline int pp_sample_discrete_defensive(const double *estimates, int count,
                                                double u, double *probability)
 {

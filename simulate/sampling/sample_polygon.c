@@ -276,7 +276,7 @@ static struct pp_direction_sample at_point(const struct pp_polygon_sampler *samp
     return sample;
 }
 
-/* Steradians per square metre where the target is met. */
+/* Solid angle per area (sr/m2) of the target at the sampled point. */
 static double per_area(const struct pp_polygon_sampler *sampler,
                        const struct pp_direction_sample *sample)
 {

@@ -23,7 +23,8 @@ static inline struct pp_vec3 pp_triangle_point(const struct pp_vec3 corners[3],
                                  pp_vec_scale(corners[2], root * v)));
 }
 
-/* The same for several triangles with that total area. */
+/* A point of one of several triangles, uniform by area. area_m2: total area of the
+ * triangles. */
 static inline struct pp_vec3 pp_triangle_point_of(const struct pp_vec3 (*triangles)[3],
                                                   int count, double area_m2, double u,
                                                   double v)

@@ -224,7 +224,7 @@ static struct pp_convex_nearest nearest_plane(const struct pp_convex_room *room,
     return nearest;
 }
 
-/* The same, vectorised; false if the rays start outside. */
+/* Vectorised nearest_plane for several rays; false if the rays start outside. */
 PP_LANES_BODY bool nearest_of_lanes(const struct pp_convex_room *room,
                                     struct pp_vec3 from, const double *to_x,
                                     const double *to_y, const double *to_z,

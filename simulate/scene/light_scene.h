@@ -114,7 +114,8 @@ enum pp_meeting pp_light_scene_trace(const struct pp_light_scene *scene,
                                      const struct pp_light_ray *ray,
                                      struct pp_light_hit *hit);
 
-/* The same, given the ray's nearest plane; NULL: unknown. */
+/* First intersection as by pp_light_scene_meet, given the ray's nearest plane; NULL:
+ * unknown. */
 enum pp_meeting pp_light_scene_meet_by(const struct pp_light_scene *scene,
                                        const struct pp_light_ray *ray,
                                        const struct pp_convex_nearest *nearest,

@@ -12,7 +12,7 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err);
 
-/* The same with the sun as a distant source (per_sky 0: none), for pictures. */
+/* Makes a scene with the sun as a distant source (per_sky 0: none), for pictures. */
 enum pp_status pp_light_scene_of_world_sunlit(struct pp_light_scene **scene,
                                               const struct pp_world *world,
                                               const struct pp_outside_sun *sun,

@@ -16,8 +16,8 @@
 #include "model/room/world.h"
 
 struct pp_far_skyline {
-    struct pp_vec3 outward; /* horizontal, unit: towards it */
-    double slope;           /* tangent of its angle */
+    struct pp_vec3 outward; /* horizontal unit vector towards the skyline */
+    double slope;           /* tangent of the skyline's angle */
     double reflectance;
 };
 

@@ -40,9 +40,9 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
  * % more time, with 0.5 2 % more. */
 #define PP_GLASS_CHANCE 0.25
 
-/* Samples an opening's image in the glass of another (glass_images.h): up to that
- * glass, and on to the opening. *there is then in the glass. False if no light arrives
- * along it. */
+/* Samples the image of an opening in the glass of another opening (glass_images.h): a
+ * path to the glass, and on to the opening. *there is then the point in the glass.
+ * False if no light arrives along this path. */
 bool pp_light_images_in_glass(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_glass_view *view,

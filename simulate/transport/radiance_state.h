@@ -75,18 +75,19 @@ struct pp_radiance_state {
     struct pp_ray_log *log; /* not owned; NULL: none */
 
     long rays;  /* traced so far */
-    long leaks; /* number of these lost between the edges of two surfaces */
+    long leaks; /* number of rays lost between the edges of two surfaces */
     struct pp_polygon_sampler samplers[PP_KEPT_SAMPLERS];
     struct pp_openings_shares shares; /* shares of the last point that chose an
                                        * opening */
 };
 
-/* pp_light_scene_meet, with the ray counted. */
+/* Calls pp_light_scene_meet and counts the ray. */
 enum pp_meeting pp_radiance_state_meet(struct pp_radiance_state *state,
                                        const struct pp_light_ray *ray,
                                        struct pp_light_hit *hit);
 
-/* The same, given the ray's nearest plane (pp_light_scene_nearest); NULL: unknown. */
+/* Does the same as pp_radiance_state_meet, given the ray's nearest plane
+ * (pp_light_scene_nearest); NULL: unknown. */
 enum pp_meeting pp_radiance_state_meet_by(struct pp_radiance_state *state,
                                           const struct pp_light_ray *ray,
                                           const struct pp_convex_nearest *nearest,
@@ -99,8 +100,9 @@ bool pp_radiance_state_unoccluded(struct pp_radiance_state *state,
                                   struct pp_light_ray ray, int part, double distance_m,
                                   struct pp_rgb *through);
 
-/* The same to a plane mirror, where the ray is reflected. *left_m, the remaining
- * distance, is reduced by the distance to the mirror. */
+/* Traces a shadow ray to a plane mirror, as pp_radiance_state_unoccluded does, and
+ * reflects the ray there. *left_m, the remaining distance, is reduced by the distance
+ * to the mirror. */
 bool pp_radiance_state_reach_mirror(struct pp_radiance_state *state,
                                     struct pp_light_ray *ray, int mirror,
                                     double *left_m, struct pp_rgb *through);

@@ -11,7 +11,7 @@
 struct pp_band_table;
 extern const struct pp_band_table pp_band_table_overcast, pp_band_table_iso;
 
-/* Table of the run under such skies; NULL: there is no such run. */
+/* Table for rooms under this sky; NULL: there is none. */
 const struct pp_band_table *pp_band_table_under(const struct pp_sky *sky);
 
 /* Entry of a table for a column in one regime. */

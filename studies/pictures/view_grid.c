@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Points of a full circle less one, points of an edge less one, labels of a picture. */
+/* Steps around a full circle, steps along an edge, and most labels of a picture. */
 enum { STEPS = 180, EDGE_STEPS = 24, WORDS_MOST = 16 };
 
 /* Labels lie within this share of the picture's radius, so that all letters are inside;

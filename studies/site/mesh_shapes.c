@@ -256,8 +256,8 @@ static void add_shape_corner(struct pp_site_shape *shape, struct pp_vec3 at,
     shape->unseen[shape->count++] = unseen;
 }
 
-/* Adds an open edge of vertical triangles as a line, unless it is a point seen from
- * above, or triangles stand on it, which have an edge above it. */
+/* Adds an open edge of vertical triangles as a line. Leaves out vertical edges, and
+ * edges with their triangle above them: its upper edge gives the line. */
 static enum pp_status add_line(struct pp_site_sheet *sheet,
                                const struct mesh_parts *parts,
                                const struct mesh_edge *edge, struct pp_error *err)

@@ -246,7 +246,8 @@ static enum pp_status add_arc(struct pp_curve *outline, int *room,
     return PP_OK;
 }
 
-/* Adds the points of a curve in reverse order, which has lower values on the left. */
+/* Adds the points of a curve in reverse order. A reversed curve has lower values on its
+ * left. */
 static enum pp_status add_backwards(struct pp_curve *outline, int *room,
                                     const struct pp_curve *curve, struct pp_error *err)
 {

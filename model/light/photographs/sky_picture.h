@@ -65,8 +65,9 @@ enum pp_status pp_sky_picture_settle(struct pp_sky_picture *picture, double meas
  * picture has one reference. It must not change once it is settled. */
 void pp_sky_picture_release(struct pp_sky_picture *picture);
 
-/* Luminance (cd/m2) in unit direction u. *filled (may be NULL): not from the
- * pictures. */
+/* Luminance (cd/m2) in unit direction u. *filled (may be NULL) is set to true if the
+ * direction is below the horizon line or outside the pictures; the luminance is then
+ * `fill_cd_m2`, if set. */
 double pp_sky_picture_luminance(const struct pp_sky_picture *picture, struct pp_vec3 u,
                                 bool *filled);
 

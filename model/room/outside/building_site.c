@@ -90,8 +90,8 @@ static enum pp_status add_sheet(struct pp_room *room, const struct pp_room *othe
     return status;
 }
 
-/* Adds a front of another room, less the room's own facades, which its world has as
- * they are. */
+/* Adds a front of another room, except where the own fronts of this room overlap it,
+ * since its world contains those already. */
 static enum pp_status add_front(struct pp_room *room, const struct pp_room_shell *own,
                                 const struct pp_room *other,
                                 const struct pp_room_front *front,

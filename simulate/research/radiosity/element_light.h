@@ -16,7 +16,8 @@ struct pp_element_light_accuracy {
     double
         tolerance;  /* greatest uncertainty of illuminance over Eh for which an element
                      * represents its parts */
-    double divided; /* the same, above which an undivided element is to be divided */
+    double divided; /* greatest such uncertainty; above it an undivided element is to
+                     * be divided */
     double
         most_factor; /* of an element that something may hide: larger ones are divided */
     double least_factor; /* below this form factor only the middle is tested for

@@ -72,8 +72,8 @@ static inline double pp_facet_height(const struct pp_facet *facet, struct pp_vec
     return pp_vec_dot(facet->normal, pp_vec_sub(point, facet->origin));
 }
 
-/* The share of the light at this cosine of incidence that goes straight through a clear
- * pane, and that it mirrors. */
+/* Shares, 0 to 1, of light at this cosine of incidence that a clear pane transmits
+ * without scattering, and that it reflects. */
 double pp_facet_straight(const struct pp_facet *facet, double cosine);
 double pp_facet_mirrored(const struct pp_facet *facet, double cosine);
 

@@ -30,7 +30,8 @@ struct pp_compared {
     double *explained; /* our values with the likeliest set */
     struct pp_cause_search search;
 
-    /* Likeliest sets with 98 % together, or as many as fit: search.sets[0] up. */
+    /* Number of listed sets, search.sets[0] to search.sets[listed - 1]: the likeliest
+     * ones, up to a total probability of 98 % or as many as fit. */
     int listed;
 
     double gap;               /* mean of theirs over ours, less 1; logarithmic mean */
