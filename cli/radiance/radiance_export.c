@@ -162,7 +162,7 @@ static enum pp_status add_script(struct pp_output_directory *directory,
             "follow each path to its end without a cache.\n",
             moment ? "Illuminances (lx)" : "Daylight factors (%)",
             moment ? "lux" : "factor");
-    char files[200] = ""; /* without empty ones, which oconv warns about */
+    char files[200] = ""; /* only files with content: oconv warns about empty ones */
     for (int i = 0; i < PP_RAD_GROUPS; i++)
         if (rad->first[i + 1] > rad->first[i])
             snprintf(files + strlen(files), sizeof files - strlen(files), " %s",

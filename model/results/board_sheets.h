@@ -135,8 +135,8 @@ struct pp_pepper_pot_panel {
 struct pp_pepper_pot_sheet {
     const char *name; /* name of the room, or NULL; not owned */
     bool blank;       /* without a room and a point */
-    bool upright;     /* vertical receiver; else horizontal, facing up, unless aslant */
-    bool aslant;      /* or neither? */
+    bool upright;     /* vertical receiver */
+    bool aslant;      /* sloping receiver; a receiver that is neither faces up */
     bool any;         /* dots of `pepper-pot-sky`, valid for any slope */
     struct pp_vec3 point;
     struct pp_sky sky;

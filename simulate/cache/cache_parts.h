@@ -22,7 +22,7 @@ struct pp_irradiance_cache {
     struct pp_sobol sobol;
     struct pp_cache_layer layers[PP_CACHE_DEPTHS];
     int expanded; /* requests of depth 0 whose requests of depth 1 have been made */
-    int expanded_rays; /* rays traced for that so far */
+    int expanded_rays; /* rays traced so far to make these requests */
     struct pp_ambient ambient;
 };
 

@@ -11,7 +11,7 @@
 
 struct pp_clock_times {
     int count;
-    struct pp_working_hours list[PP_PERIODS_MOST]; /* the same on all working days */
+    struct pp_working_hours list[PP_PERIODS_MOST]; /* equal on all working days */
 };
 
 struct pp_illuminances {

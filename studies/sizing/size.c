@@ -10,7 +10,7 @@
 /* The numbers of scanned sizes, and both tolerances below, were chosen by trial. */
 enum {
     SCANNED = 9,         /* sizes over the whole range, both ends included */
-    SCANNED_SAMPLED = 4, /* the same for sampled values, which take long */
+    SCANNED_SAMPLED = 4, /* number of sizes for sampled values, which take long */
     REFINED_MOST = 3,    /* refinements of the grid: down to a micrometre */
 };
 

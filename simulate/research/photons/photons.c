@@ -32,7 +32,7 @@ static const double LEAST_ERROR = 0.00002;
 struct photon_point {
     struct pp_photon_receiver receiver;
     struct pp_photon_counter counter;
-    bool sees; /* any opening? */
+    bool sees; /* true if an opening is visible from the point */
     struct pp_room_bound most;
     uint64_t seed;
 };

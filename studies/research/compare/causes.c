@@ -104,7 +104,8 @@ static bool has_colours(const struct pp_compare_subject *subject)
     return false;
 }
 
-/* True if the points are elsewhere and all are valid there. */
+/* True if no point is at the height z_m, all points face up, and z_m is below the
+ * ceiling. */
 static bool is_off(const struct pp_compare_subject *subject, double z_m)
 {
     bool off = !subject->room || z_m < subject->room->world->height_m;

@@ -71,7 +71,8 @@ struct pp_overall {
     int worst_room;        /* index of the room with the worst point */
     int averages;          /* rooms for which both give an average */
     double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
-    double average_spread; /* root mean square of the same */
+    double average_spread; /* root mean square of method/traced - 1 over these
+                            * averages */
     double assumption, formula;                 /* parts of bias */
     double average_assumption, average_formula; /* parts of average_bias */
     bool own_world; /* true if the method's world differs from the room's in some
