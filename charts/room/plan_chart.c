@@ -32,7 +32,8 @@ struct plan_drawing {
 /* Curve of style.c whose dash is used for the no-sky line. */
 enum { NO_SKY_LINE = 2 };
 
-/* Owner of the no-sky line in the labels; those of contours are their indices. */
+/* Owner of the no-sky line's labels. Labels of contours have the contour's index as
+ * owner. */
 enum { NO_SKY_OWNER = PP_LABEL_MARKS - 1 };
 
 bool pp_plan_chart_landscape(const struct pp_world *world)
@@ -290,9 +291,10 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
 /* Part of the field that a table of values may take in one direction. */
 static const double table_most = 0.5;
 
-/* Places the plan in the field. Values of points that are too close go into a table
- * beside or below the plan, wherever the plan is larger; a table that is too large is
- * left out, and so are the values. The key of the points, the last one, says so. */
+/* Places the plan in the field. If the values of points are too close to each other
+ * they go into a table beside or below the plan, wherever the plan is larger. If the
+ * table is too large, table and values are left out. The last key, of the points, says
+ * so. */
 static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
 {
     const struct pp_plan_chart *chart = drawing->chart;

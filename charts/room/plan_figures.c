@@ -27,8 +27,8 @@ void pp_plan_figures_value(char *words, size_t room, const struct pp_plan_chart 
         *space = '\0';
 }
 
-/* A box next to a mark, as near as one covers nothing, or else no more than lines;
- * false: there is none. *on_lines: it covers lines. */
+/* Finds a box next to a mark, as near as possible, that covers nothing, or else only
+ * lines. False: there is none. *on_lines: the box covers lines. */
 static bool find_box(struct pp_box *box, bool *on_lines, const struct pp_labels *labels,
                      struct pp_box size, double x, double y, double off)
 {

@@ -10,11 +10,11 @@
 /* True if the receiver faces up on the working plane and has a value. */
 bool pp_plan_figures_has(const struct pp_plan_chart *chart, int receiver);
 
-/* Its value in per cent, without the sign. */
+/* Writes the receiver's value in per cent, without the sign. */
 void pp_plan_figures_value(char *words, size_t room, const struct pp_plan_chart *chart,
                            int receiver);
 
-/* True if the points are far enough from each other on paper for values beside them. */
+/* True if the points are far enough apart on paper for values beside them. */
 bool pp_plan_figures_fit(cairo_t *cr, const struct pp_style *style,
                          const struct pp_room_plan *plan,
                          const struct pp_plan_chart *chart);

@@ -128,8 +128,8 @@ static void name_walls(struct name_drawing *drawing)
 
 /* ---- overhead ---- */
 
-/* Box of the name of an opening above the plane: in the upper left corner of its
- * outline. */
+/* Box of the name of an opening above the plane, in the upper left corner of the
+ * opening's outline. */
 static struct pp_box overhead_box(cairo_t *cr, const struct pp_style *style,
                                   const struct pp_room_plan *plan,
                                   const struct pp_opening *opening)
@@ -245,9 +245,9 @@ static double depth_at(const struct name_drawing *drawing, const double xy[2])
     return depth;
 }
 
-/* Draws one end: a heavy line outwards, an arrow the way that the section is seen, and
- * the letter A. `out` points out of the room along the section, `seen` the way it is
- * seen; both unit, on paper. */
+/* Draws one end of a section mark: a heavy line outwards, an arrow in the direction of
+ * view, and the letter A. `out` points out of the room along the section, `seen` in the
+ * direction of view; both are unit vectors on paper. */
 static void mark_end(struct name_drawing *drawing, double x, double y, double depth,
                      const double out[2], const double seen[2])
 {

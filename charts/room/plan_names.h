@@ -1,9 +1,9 @@
 /* plan_names.h - names, dimensions and section marks on a plan.
  *
- * Outside the walls are the names of windows and walls; beyond them, below and on the
- * left, the overall width and depth. The marks "A" at both ends of a section point the
- * way that it is seen. Rooflights are named inside their outline. A name that would
- * cover another is moved along its wall, or else left out.
+ * Names of windows and walls are outside the walls. Overall width and depth are beyond
+ * the names, below and on the left of the plan. The marks "A" at both ends of a section
+ * point in the direction of view. Rooflights are named inside their outline. A name
+ * that would cover another is moved along its wall, or else left out.
  */
 #ifndef PP_CHARTS_ROOM_PLAN_NAMES_H
 #define PP_CHARTS_ROOM_PLAN_NAMES_H
@@ -14,8 +14,8 @@
 /* Space that the names need on a side of the plan, mm. */
 double pp_plan_names_mm(const struct pp_style *style, enum pp_plan_side side);
 
-/* Ends of a section on the plan, m; seen towards the left of the way from the first to
- * the second. */
+/* Ends of a section on the plan, m. The view is to the left of the direction from the
+ * first end to the second. */
 struct pp_plan_mark {
     double from[2], to[2];
 };
@@ -29,8 +29,9 @@ void pp_plan_names_draw(cairo_t *cr, const struct pp_style *style,
 void pp_plan_names_note(struct pp_labels *labels, cairo_t *cr,
                         const struct pp_style *style, const struct pp_room_plan *plan);
 
-/* Draws a dimension line from x0, y0 to x1, y1, level or upright, with its length in
- * metres on white in the middle, or beside a line that is too short for it. */
+/* Draws a dimension line from x0, y0 to x1, y1, horizontal or vertical on paper, with
+ * its length in metres on white in the middle, or beside the line if that is too
+ * short. */
 void pp_plan_names_dimension(cairo_t *cr, const struct pp_style *style, double x0,
                              double y0, double x1, double y1, double metres,
                              bool with_unit);

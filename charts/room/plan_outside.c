@@ -41,7 +41,7 @@ static void set_pen(cairo_t *cr, const struct pp_style *style, bool above)
         cairo_set_dash(cr, dashes, 2, 0.0);
 }
 
-/* Traces a level surface as its outline, an upright one as a line. */
+/* Traces a horizontal surface as its outline, a vertical one as a line. */
 static void trace_shade(cairo_t *cr, const struct pp_room_plan *plan,
                         const struct pp_polygon *outline)
 {
@@ -58,7 +58,7 @@ static void trace_shade(cairo_t *cr, const struct pp_room_plan *plan,
     cairo_close_path(cr);
 }
 
-/* True if an upright surface stands on the edge of a slab of the same window, as a
+/* True if a vertical surface stands on the edge of a slab of the same window, as a
  * parapet does: the slab's outline is drawn. */
 static bool is_on_slab(const struct pp_world *world, const struct pp_surface *upright)
 {

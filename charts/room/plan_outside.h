@@ -9,8 +9,8 @@
  * windows. */
 bool pp_plan_outside_is_shade(const struct pp_surface *surface);
 
-/* Draws what is above the cut in dashed lines, and what is below it in thin full
- * lines. Facades are drawn where the cut meets them. */
+/* Draws objects above the cut in dashed lines, and objects below it in thin full lines.
+ * Facades are drawn where the cut meets them. */
 void pp_plan_outside_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan);
 

@@ -36,12 +36,12 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
  * rules) not larger than 1:least. */
 double pp_room_plan_usual_scale(double least);
 
-/* Extent beyond the plane on one side, mm: of walls, reveals, facades and balconies,
- * and of names and dimensions if the plan is named. */
+/* Width, mm, of the border outside the plane on one side: space for walls, reveals,
+ * facades and balconies, and for names and dimensions if the plan is named. */
 double pp_room_plan_border(const struct pp_room_plan *plan,
                            const struct pp_style *style, enum pp_plan_side side);
 
-/* The same without names and dimensions. */
+/* Width of the border without names and dimensions, mm. */
 double pp_room_plan_walls_mm(const struct pp_room_plan *plan,
                              const struct pp_style *style, enum pp_plan_side side);
 
@@ -53,7 +53,7 @@ void pp_room_plan_place(struct pp_room_plan *plan, const struct pp_style *style,
 double pp_room_plan_wall_mm(const struct pp_style *style);
 
 /* Ends on paper of a window, door or wall, left and right as seen from inside, and the
- * unit direction out of the room. The outline must be upright. */
+ * unit direction out of the room. The outline must be vertical. */
 void pp_room_plan_ends(const struct pp_room_plan *plan,
                        const struct pp_polygon *outline, double ends[2][2],
                        double out[2]);

@@ -9,7 +9,8 @@
 #include "charts/sheet/lettering.h"
 #include "model/base/text.h"
 
-/* What is outside one end of the section. Out is -1 to the left on paper. */
+/* Objects outside one end of the section. out: direction on paper, -1 to the left, 1 to
+ * the right. */
 struct outside_drawing {
     cairo_t *cr;
     const struct pp_style *style;

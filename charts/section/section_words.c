@@ -32,7 +32,7 @@ static bool heights_at(const struct pp_section_cut *cut, double s, double *low,
     return *high > *low + 1e-6;
 }
 
-/* Draws the height of the room where it is greatest, by choice near the far wall. */
+/* Draws the height of the room where it is greatest, near the far wall if possible. */
 static void draw_height(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_section *section)
 {
@@ -73,7 +73,7 @@ static void name_room(cairo_t *cr, const struct pp_style *style,
         pp_lettering_draw_on_white(cr, style, &set, x, y, world->name);
 }
 
-/* Writes the name of an opening that is cut inside the room, beside its glass. */
+/* Writes the name of a cut opening inside the room, beside its glass. */
 static void name_cut(cairo_t *cr, const struct pp_style *style,
                      const struct pp_room_section *section, const struct pp_cut *cut)
 {

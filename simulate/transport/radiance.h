@@ -32,8 +32,8 @@ struct pp_rgb pp_radiance_along(struct pp_radiance_state *state,
                                 const struct pp_light_ray *ray,
                                 struct pp_light_hit *hit);
 
-/* The same without the light that next-event estimation samples where the ray starts:
- * sources and windows seen directly or through clear glass. */
+/* Radiance along a ray without the light that next-event estimation samples where the
+ * ray starts: sources and windows seen directly or through clear glass. */
 struct pp_rgb pp_radiance_indirect(struct pp_radiance_state *state,
                                    const struct pp_light_ray *ray,
                                    struct pp_light_hit *hit);

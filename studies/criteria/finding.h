@@ -54,7 +54,8 @@ struct pp_finding {
  * that is only stated. Static. */
 const char *pp_finding_verdict(enum pp_verdict verdict);
 
-/* The same for users: "not applicable" for PP_NOT_JUDGED. */
+/* Word for a verdict in reports: as pp_finding_verdict, but "not applicable" for
+ * PP_NOT_JUDGED. */
 const char *pp_finding_word(enum pp_verdict verdict);
 
 /* The word for a finding's verdict: "reached" or "not reached" for an optional level. */
