@@ -73,7 +73,6 @@ static void draw_no_sky_line(struct plan_drawing *drawing)
     pp_style_pen(drawing->cr, &drawing->style, &look);
     for (int i = 0; i < lines->count; i++)
         pp_contour_lines_path(drawing->cr, &drawing->plan, &lines->list[i]);
-    pp_labels_note_path(drawing->labels, drawing->cr, NO_SKY_OWNER);
     cairo_stroke(drawing->cr);
 }
 
@@ -119,16 +118,26 @@ static void label_beside(struct plan_drawing *drawing, int owner, const char *wo
     pp_labels_note_box(drawing->labels, box);
 }
 
-static void draw_contours(struct plan_drawing *drawing)
+/* Notes every line before any is labelled, so that values and labels avoid all of
+ * them. */
+static void note_lines(struct plan_drawing *drawing)
 {
-    const struct pp_curve_list *curves = &drawing->chart->plan->contours;
-
-    /* Notes every line before any is labelled, so that figures avoid all of them. */
+    const struct pp_curve_list *curves = &drawing->chart->plan->contours,
+                               *no_sky = &drawing->chart->plan->no_sky;
     for (int i = 0; i < curves->count; i++) {
         pp_contour_lines_path(drawing->cr, &drawing->plan, &curves->list[i]);
         pp_labels_note_path(drawing->labels, drawing->cr, i);
         cairo_new_path(drawing->cr);
     }
+    for (int i = 0; i < no_sky->count; i++)
+        pp_contour_lines_path(drawing->cr, &drawing->plan, &no_sky->list[i]);
+    pp_labels_note_path(drawing->labels, drawing->cr, NO_SKY_OWNER);
+    cairo_new_path(drawing->cr);
+}
+
+static void draw_contours(struct plan_drawing *drawing)
+{
+    const struct pp_curve_list *curves = &drawing->chart->plan->contours;
     for (int first = 0; first < curves->count;) {
         double level = curves->list[first].level;
         char words[32];
@@ -383,6 +392,22 @@ static double draw_summary(struct plan_drawing *drawing, struct pp_box box, bool
            + 3.0 * drawing->style.scale;
 }
 
+/* Places of the values, to be freed; NULL: values are not beside the points. */
+static struct pp_plan_figure *place_figures(struct plan_drawing *drawing)
+{
+    const struct pp_plan_chart *chart = drawing->chart;
+    if (!chart->report || !chart->figures || drawing->in_table)
+        return NULL;
+    struct pp_plan_figure *list =
+        calloc((size_t)chart->report->receiver_count + 1, sizeof *list);
+    if (list)
+        pp_plan_figures_place(list, drawing->cr, &drawing->style, &drawing->plan, chart,
+                              drawing->labels);
+    else
+        pp_canvas_lacks_memory(drawing->cr);
+    return list;
+}
+
 static void draw_plan_sheet(struct plan_drawing *drawing, struct pp_canvas *canvas)
 {
     const struct pp_plan_chart *chart = drawing->chart;
@@ -412,9 +437,12 @@ static void draw_plan_sheet(struct plan_drawing *drawing, struct pp_canvas *canv
     lay_plan(drawing, (struct pp_box){body.x, body.y, body.width,
                                       body.height - strip - bar - summary - gap});
     pp_plan_names_note(drawing->labels, drawing->cr, style, &drawing->plan);
+    note_lines(drawing);
+    struct pp_plan_figure *figures = place_figures(drawing);
     draw_plane(drawing);
-    pp_plan_figures_draw(drawing->cr, style, &drawing->plan, chart, drawing->labels,
-                         !drawing->in_table);
+    if (chart->report)
+        pp_plan_figures_draw(drawing->cr, style, &drawing->plan, chart, figures);
+    free(figures);
     if (chart->plan->contours.count == 0)
         say_flat(drawing);
     pp_room_plan_draw(drawing->cr, style, &drawing->plan);

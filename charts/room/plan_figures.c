@@ -74,36 +74,53 @@ bool pp_plan_figures_fit(cairo_t *cr, const struct pp_style *style,
     return true;
 }
 
-void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
-                          const struct pp_room_plan *plan,
-                          const struct pp_plan_chart *chart, struct pp_labels *labels,
-                          bool values)
+void pp_plan_figures_place(struct pp_plan_figure *list, cairo_t *cr,
+                           const struct pp_style *style,
+                           const struct pp_room_plan *plan,
+                           const struct pp_plan_chart *chart, struct pp_labels *labels)
 {
     const struct pp_report *report = chart->report;
-    struct pp_lettering set = {.size = PP_TEXT_SMALL};
-    for (int i = 0; report && i < report->receiver_count; i++) {
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    for (int i = 0; i < report->receiver_count; i++) {
         double x = pp_room_plan_x(plan, report->receivers[i].position.x);
         double y = pp_room_plan_y(plan, report->receivers[i].position.y);
         pp_labels_note(labels, PP_LABEL_MARKS, x, y, x, y);
     }
-    for (int i = 0; report && i < report->receiver_count; i++) {
+    for (int i = 0; i < report->receiver_count; i++) {
+        char words[32];
+        list[i] = (struct pp_plan_figure){0};
+        if (!pp_plan_figures_has(chart, i))
+            continue;
         double x = pp_room_plan_x(plan, report->receivers[i].position.x);
         double y = pp_room_plan_y(plan, report->receivers[i].position.y);
-        bool hidden = pp_labels_is_near(labels, -1, x, y, 1.2 * style->scale), on_lines;
-        char words[32];
-        struct pp_box box;
-        if (!hidden)
-            pp_style_marker(cr, style, PP_POINT_MARK, x, y);
-        if (!values || !pp_plan_figures_has(chart, i))
-            continue;
         pp_plan_figures_value(words, sizeof words, chart, i);
         struct pp_box size = pp_lettering_measure(cr, style, &set, 0, 0, words);
-        if (!find_box(&box, &on_lines, labels, size, x, y, 0.8 * style->scale))
-            continue;
-        (on_lines ? pp_lettering_draw_on_white
-                  : pp_lettering_draw)(cr, style, &set, box.x, box.y, words);
-        pp_labels_note_box(labels, box);
+        list[i].placed = find_box(&list[i].box, &list[i].on_lines, labels, size, x, y,
+                                  0.8 * style->scale);
+        if (list[i].placed)
+            pp_labels_note_box(labels, list[i].box);
     }
+}
+
+void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_room_plan *plan,
+                          const struct pp_plan_chart *chart,
+                          const struct pp_plan_figure *list)
+{
+    const struct pp_report *report = chart->report;
+    const struct pp_lettering set = {.size = PP_TEXT_SMALL};
+    for (int i = 0; i < report->receiver_count; i++) {
+        char words[32];
+        if (!list || !list[i].placed)
+            continue;
+        pp_plan_figures_value(words, sizeof words, chart, i);
+        (list[i].on_lines ? pp_lettering_draw_on_white : pp_lettering_draw)(
+            cr, style, &set, list[i].box.x, list[i].box.y, words);
+    }
+    for (int i = 0; i < report->receiver_count; i++)
+        pp_style_marker(cr, style, PP_POINT_MARK,
+                        pp_room_plan_x(plan, report->receivers[i].position.x),
+                        pp_room_plan_y(plan, report->receivers[i].position.y));
 }
 
 /* ---- of the plane ---- */

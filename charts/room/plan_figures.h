@@ -19,12 +19,27 @@ bool pp_plan_figures_fit(cairo_t *cr, const struct pp_style *style,
                          const struct pp_room_plan *plan,
                          const struct pp_plan_chart *chart);
 
-/* Draws the points and, with `values`, writes the values of those on the working plane
- * beside them. A value for which there is no other place covers lines. */
+/* Place of the value of a receiver on paper. */
+struct pp_plan_figure {
+    struct pp_box box;
+    bool placed;
+    bool on_lines; /* covers lines: there is no other place */
+};
+
+/* Finds places for the values of the report's receivers, and notes them and the
+ * points; list: as many as there are receivers. Lines must be noted before; their own
+ * labels are placed afterwards. */
+void pp_plan_figures_place(struct pp_plan_figure *list, cairo_t *cr,
+                           const struct pp_style *style,
+                           const struct pp_room_plan *plan,
+                           const struct pp_plan_chart *chart, struct pp_labels *labels);
+
+/* Draws the points of the chart's report, and the values at their places; list NULL: no
+ * values. */
 void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
-                          const struct pp_plan_chart *chart, struct pp_labels *labels,
-                          bool values);
+                          const struct pp_plan_chart *chart,
+                          const struct pp_plan_figure *list);
 
 /* Minimum, median, mean, uniformity and shares over the levels, as a sentence or two;
  * empty if there are none. */
