@@ -27,6 +27,24 @@ static double least_of(double a, double b, double c)
     return fmin(a, fmin(b, c));
 }
 
+/* Outermost place of the room's own wall on paper: its facade or reveal. */
+static double facade_mm(const struct outside_drawing *drawing)
+{
+    const struct pp_section_cut *cut = drawing->section->cut;
+    double farthest = 0.0;
+    for (int i = 0; i < cut->count; i++)
+        for (int k = 0; k < 2; k++) {
+            const struct pp_cut *one = &cut->list[i];
+            const struct pp_surface *surface =
+                &drawing->section->world->surfaces[one->of];
+            bool glass = one->kind == PP_CUT_GLASS;
+            if (glass || (one->kind == PP_CUT_OUTSIDE && surface->role == PP_FACADE))
+                farthest = fmax(farthest, drawing->out * (one->s[k] - drawing->sight.s)
+                                              * drawing->section->mm_per_m);
+        }
+    return fmin(farthest, 0.5 * drawing->reach);
+}
+
 /* Draws the line below an overhang, dashed: sky is visible under it. */
 static void draw_overhang(const struct outside_drawing *drawing)
 {
@@ -43,10 +61,12 @@ static void draw_overhang(const struct outside_drawing *drawing)
                   drawing->y - run * tan(angle));
     cairo_stroke(drawing->cr);
     snprintf(words, sizeof words, "overhang: sky up to %.0f\u00b0", angle / PP_RAD);
-    const struct pp_lettering text = {.across = drawing->out < 0.0 ? 0.0 : 1.0,
-                                      .down = 1.0};
+    double wide =
+        fmax(drawing->reach - facade_mm(drawing) - style->scale, 12.0 * style->scale);
+    const struct pp_lettering text = {.down = 1.0, .width = wide, .lines = 3};
+    double end = drawing->x + drawing->out * drawing->reach;
     pp_lettering_draw_on_white(drawing->cr, style, &text,
-                               drawing->x + drawing->out * drawing->reach,
+                               drawing->out < 0.0 ? end : end - wide,
                                drawing->y - 0.5 * style->scale, words);
 }
 
@@ -104,24 +124,6 @@ static void draw_break(const struct outside_drawing *drawing)
         cairo_line_to(cr, x + (0.4 * side + 0.4) * unit, y - 1.2 * unit);
     }
     cairo_stroke(cr);
-}
-
-/* Outermost place of the room's own wall on paper: its facade or reveal. */
-static double facade_mm(const struct outside_drawing *drawing)
-{
-    const struct pp_section_cut *cut = drawing->section->cut;
-    double farthest = 0.0;
-    for (int i = 0; i < cut->count; i++)
-        for (int k = 0; k < 2; k++) {
-            const struct pp_cut *one = &cut->list[i];
-            const struct pp_surface *surface =
-                &drawing->section->world->surfaces[one->of];
-            bool glass = one->kind == PP_CUT_GLASS;
-            if (glass || (one->kind == PP_CUT_OUTSIDE && surface->role == PP_FACADE))
-                farthest = fmax(farthest, drawing->out * (one->s[k] - drawing->sight.s)
-                                              * drawing->section->mm_per_m);
-        }
-    return fmin(farthest, 0.5 * drawing->reach);
 }
 
 /* Name of the obstruction with this surface; NULL: it has none. */

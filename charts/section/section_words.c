@@ -32,9 +32,10 @@ static bool heights_at(const struct pp_section_cut *cut, double s, double *low,
     return *high > *low + 1e-6;
 }
 
-/* Draws the height of the room where it is greatest, near the far wall if possible. */
-static void draw_height(cairo_t *cr, const struct pp_style *style,
-                        const struct pp_room_section *section)
+/* Draws the height of the room where it is greatest, near the far wall if possible.
+ * Returns its x on paper. */
+static double draw_height(cairo_t *cr, const struct pp_style *style,
+                          const struct pp_room_section *section)
 {
     enum { PLACES = 19, FIRST = 17 };
     const struct pp_section_cut *cut = section->cut;
@@ -55,11 +56,13 @@ static void draw_height(cairo_t *cr, const struct pp_style *style,
         pp_plan_names_dimension(cr, style, x, pp_room_section_y(section, best_low), x,
                                 pp_room_section_y(section, best_high),
                                 best_high - best_low, true);
+    return x;
 }
 
-/* Writes the name of the room in the upper middle of the section. */
+/* Writes the name of the room in the upper middle of the section, or beside its height
+ * if that is there. */
 static void name_room(cairo_t *cr, const struct pp_style *style,
-                      const struct pp_room_section *section)
+                      const struct pp_room_section *section, double height_x)
 {
     const struct pp_world *world = section->world;
     double low, high, length = section->cut->length_m * section->mm_per_m;
@@ -67,9 +70,13 @@ static void name_room(cairo_t *cr, const struct pp_style *style,
     const struct pp_lettering set = {.size = PP_TEXT_BODY, .across = 0.5, .down = 0.5};
     double x = section->x + 0.5 * length,
            y = pp_room_section_y(section, low + 0.68 * (high - low));
-    if (world->name
-        && pp_lettering_measure(cr, style, &set, x, y, world->name).width
-               < 0.65 * length)
+    if (!world->name)
+        return;
+    double wide = pp_lettering_measure(cr, style, &set, x, y, world->name).width,
+           aside = 0.5 * wide + 3.0 * style->scale;
+    if (fabs(height_x - x) < aside)
+        x = height_x - aside;
+    if (wide < 0.65 * length && x - 0.5 * wide > section->x)
         pp_lettering_draw_on_white(cr, style, &set, x, y, world->name);
 }
 
@@ -151,8 +158,8 @@ void pp_section_words_draw(cairo_t *cr, const struct pp_style *style,
     for (int i = 0; i < section->world->opening_count; i++)
         if (!pp_room_section_is_cut(cut, i))
             name_behind(cr, style, section, &section->world->openings[i]);
-    name_room(cr, style, section);
-    draw_height(cr, style, section);
+    double height_x = draw_height(cr, style, section);
+    name_room(cr, style, section, height_x);
     for (int i = 0; i < cut->count; i++)
         if (cut->list[i].kind == PP_CUT_OPENING)
             name_cut(cr, style, section, &cut->list[i]);
