@@ -60,6 +60,8 @@ const struct pp_option pp_assess_words_choice[] = {
      "Assess only the criteria that apply to this profile: a kind of report or use of "
      "a room.",
      pp_options_read_text, PLACE(profile_name)},
+    {"withdrawn", 0, NULL, "Also assess criteria whose standards were withdrawn.", NULL,
+     PLACE(withdrawn)},
     {"before", 'b', "FILE",
      "The room before something was built outside, to assess the loss of sky and lit "
      "area.",
@@ -99,7 +101,14 @@ void pp_assess_words_help(FILE *out)
     const struct pp_criterion *criterion;
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         pp_options_help_word(criterion->name, criterion->summary, out);
-    fputs("\nProfiles for --for:\n", out);
+    fputs("\nWithdrawn, assessed only if named, or with --withdrawn:\n", out);
+    const char *before = "  ";
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
+        if (criterion->withdrawn) {
+            fprintf(out, "%s%s", before, criterion->name);
+            before = ", ";
+        }
+    fputs("\n\nProfiles for --for:\n", out);
     const struct pp_profile *profile;
     for (int i = 0; (profile = pp_profile_at(i)) != NULL; i++)
         pp_options_help_word(profile->name, profile->summary, out);

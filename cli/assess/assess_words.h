@@ -25,6 +25,7 @@ struct pp_assess_words {
     const char *criteria;     /* as typed; NULL: all */
     const char *profile_name; /* as typed; NULL: none */
     const struct pp_profile *profile;
+    bool withdrawn;       /* of --withdrawn */
     bool table;           /* one table of all rooms in place of a sheet a room */
     const char *schedule; /* file for the schedule of windows; NULL: none */
     const char *before;   /* the file with the room in its former state; NULL: none */

@@ -125,6 +125,8 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
                                          [PP_STATE_PROPOSED] = "proposed"};
     put_option("--criteria", words->criteria, out);
     put_option("--for", words->profile_name, out);
+    if (words->withdrawn)
+        fputs(" --withdrawn", out);
     put_option("--before", words->before, out);
     if (words->mirror_image.given)
         fprintf(out, " --mirror-image %.10g,%.10g,%.10g,%.10g",

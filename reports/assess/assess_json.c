@@ -24,6 +24,8 @@ static struct json_object *finding_object(const struct pp_finding *finding,
     if (good && finding->line > 0)
         good = pp_json_add(object, "line", json_object_new_int(finding->line))
                && pp_json_room_add_opening_names(object, world, finding->line);
+    if (good && finding->season)
+        good = pp_json_text(object, "season", finding->season);
     if (good)
         good = pp_json_number(object, "figure", scale * finding->figure);
     if (good && judged)
@@ -43,6 +45,14 @@ static struct json_object *finding_object(const struct pp_finding *finding,
                               pp_figure_scale(finding->compared) * finding->before)
                && pp_json_number(object, "now",
                                  pp_figure_scale(finding->compared) * finding->now);
+    if (good && isfinite(finding->before_unshaded))
+        good = pp_json_number(object, "before-unshaded",
+                              pp_figure_scale(finding->compared)
+                                  * finding->before_unshaded);
+    if (good && isfinite(finding->now_unshaded))
+        good =
+            pp_json_number(object, "now-unshaded",
+                           pp_figure_scale(finding->compared) * finding->now_unshaded);
     if (good && isfinite(finding->wanted))
         good = pp_json_number(object, "wanted", scale * finding->wanted)
                && pp_json_text(object, "bound", finding->at_most ? "most" : "least");
@@ -88,6 +98,8 @@ static struct json_object *answer_object(const struct pp_answer *answer,
     bool good = object && pp_json_text(object, "criterion", answer->criterion->name)
                 && pp_json_text(object, "title", answer->criterion->title)
                 && pp_json_text(object, "source", answer->criterion->source);
+    if (good && answer->criterion->withdrawn)
+        good = pp_json_text(object, "withdrawn", answer->criterion->withdrawn);
     if (good && answer->findings.basis[0])
         good = pp_json_text(object, "basis", answer->findings.basis);
     good = good && add_findings(object, &answer->findings, world, external_lux);

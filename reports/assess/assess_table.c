@@ -249,8 +249,9 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
         for (int i = 0; i < counts[l] && lists[l][i].room == lists[l][0].room; i++) {
             const struct pp_criterion *criterion = lists[l][i].criterion;
             if (criterion != last)
-                pp_text_append(text, sizeof text, "%s %s [%s]", last ? "," : "",
-                               criterion->title, criterion->source);
+                pp_text_append(text, sizeof text, "%s %s [%s]%s", last ? "," : "",
+                               criterion->title, criterion->source,
+                               criterion->withdrawn ? " (withdrawn)" : "");
             last = criterion;
         }
     if (table->has_mirror_image)

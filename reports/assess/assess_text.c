@@ -122,8 +122,8 @@ static void print_cells(char cells[COLUMNS][CELL], const struct layout *layout,
     fputc('\n', out);
 }
 
-static void print_finding(const struct pp_finding *finding, const struct layout *layout,
-                          FILE *out)
+static void print_finding(const struct pp_finding *finding, const char *note,
+                          const struct layout *layout, FILE *out)
 {
     char cells[COLUMNS][CELL], part[sizeof finding->what];
     write_cells(cells, finding, layout);
@@ -141,28 +141,49 @@ static void print_finding(const struct pp_finding *finding, const struct layout 
         else
             fputc('\n', out);
     }
-    if (finding->note[0])
-        put_note(finding->note, layout, out);
+    if (note[0])
+        put_note(note, layout, out);
+}
+
+/* Writes for how many findings a note is: "both: ", "all 3: "; nothing for one. */
+static void put_extent(char *words, size_t size, int findings)
+{
+    if (findings == 2)
+        pp_text_append(words, size, "both: ");
+    else if (findings > 2)
+        pp_text_append(words, size, "all %d: ", findings);
 }
 
 static void print_answer(const struct pp_answer *answer, struct layout layout,
                          FILE *out)
 {
     lay_out_columns(&layout, &answer->findings);
-    fprintf(out, "\n  %s  [%s]\n", answer->criterion->title, answer->criterion->source);
+    fprintf(out, "\n  %s  [%s]%s\n", answer->criterion->title,
+            answer->criterion->source,
+            answer->criterion->withdrawn ? "  (withdrawn)" : "");
     const struct pp_finding_list *findings = &answer->findings;
+    if (answer->criterion->withdrawn) {
+        fprintf(out, "%*s", INDENT, "");
+        pp_print_wrapped(answer->criterion->withdrawn, INDENT, INDENT, layout.width,
+                         out);
+    }
     if (findings->basis[0]) {
         fprintf(out, "%*s", INDENT, "");
         pp_print_wrapped(findings->basis, INDENT, INDENT, layout.width, out);
     }
     /* Notes common to several consecutive findings are printed once, below the last. */
+    int same = 1;
     for (int i = 0; i < findings->count; i++) {
-        struct pp_finding finding = findings->list[i];
+        const struct pp_finding *finding = &findings->list[i];
+        char note[sizeof finding->note + 16] = "";
         bool said_again = i + 1 < findings->count
-                          && strcmp(finding.note, findings->list[i + 1].note) == 0;
-        if (said_again)
-            finding.note[0] = '\0';
-        print_finding(&finding, &layout, out);
+                          && strcmp(finding->note, findings->list[i + 1].note) == 0;
+        if (!said_again && finding->note[0]) {
+            put_extent(note, sizeof note, same);
+            pp_text_append(note, sizeof note, "%s", finding->note);
+        }
+        print_finding(finding, note, &layout, out);
+        same = said_again ? same + 1 : 1;
     }
 }
 

@@ -141,8 +141,13 @@ static void put_answer(struct pp_document *document, const struct pp_answer *ans
 {
     const struct pp_finding_list *findings = &answer->findings;
     pp_document_row(document, PP_ROW_GROUP);
-    pp_document_cell(document, PP_TONE_PLAIN, "%s [%s]", answer->criterion->title,
-                     answer->criterion->source);
+    const struct pp_criterion *criterion = answer->criterion;
+    pp_document_cell(document, PP_TONE_PLAIN, "%s [%s]%s", criterion->title,
+                     criterion->source, criterion->withdrawn ? " (withdrawn)" : "");
+    if (criterion->withdrawn) {
+        pp_document_row(document, PP_ROW_REMARK);
+        pp_document_cell(document, PP_TONE_SOFT, "%s", criterion->withdrawn);
+    }
     if (findings->basis[0]) {
         pp_document_row(document, PP_ROW_REMARK);
         pp_document_cell(document, PP_TONE_SOFT, "%s", findings->basis);

@@ -208,8 +208,8 @@ static enum pp_status trace_finer(struct pp_assessment *assessment,
                : status;
 }
 
-/* Chooses the named criteria; otherwise those of the profile, or all, that apply to the
- * room. Choosing a profile implies its country's rules. */
+/* Chooses the named criteria; otherwise those of the profile that apply to the room, or
+ * all in force that do. Choosing a profile implies its country's rules. */
 static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
                                       const struct pp_world *world,
                                       const struct pp_assess_options *options,
@@ -222,7 +222,8 @@ static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
         return status;
     const struct pp_criterion *criterion;
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
-        chosen[i] &= pp_bearing_bears(criterion, world, !profile);
+        chosen[i] &= pp_bearing_bears(criterion, world, !profile)
+                     && (profile || options->withdrawn || !criterion->withdrawn);
     return PP_OK;
 }
 

@@ -18,6 +18,8 @@ struct pp_assess_options {
         *criteria; /* comma-separated names, evaluated whatever the room's use and
                     * country; NULL: the profile's */
     const struct pp_profile *profile; /* not owned; NULL: all */
+    bool withdrawn;    /* without criteria and profile: also those of withdrawn
+                     * standards */
     const char *place; /* a capital of the standard's table; NULL: the room's site */
     double median_lux; /* used instead of the site's; 0: not given */
     double french_m;   /* as in struct pp_inquiry */

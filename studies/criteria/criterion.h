@@ -52,6 +52,9 @@ struct pp_criterion {
     const char *alias;       /* usual short name, also accepted; NULL: none */
     const char *title;       /* for people */
     const char *source;      /* keys in docs/SOURCES.md, separated by ", " */
+    const char *withdrawn;   /* for a rule that is no longer in force: its fate, as a
+                              * sentence without a full stop; such a rule is assessed
+                              * only on request. NULL: in force */
     const char *summary;     /* one line for the help, without a full stop */
     bool needs_before;       /* is evaluated only if there is a former state of the
                               * room */

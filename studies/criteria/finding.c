@@ -26,6 +26,8 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
                                  .figure = figure,
                                  .now = NAN,
                                  .before = NAN,
+                                 .now_unshaded = NAN,
+                                 .before_unshaded = NAN,
                                  .std_error = NAN,
                                  .grid_error = NAN,
                                  .band = pp_band_none(),

@@ -24,13 +24,17 @@ struct pp_finding {
     char what[80]; /* "W1, south"; "300 lx over 50 % of the plane" */
     int line;      /* line of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
-    double figure;           /* NAN: not judged */
-    double now, before;      /* the values compared by the figure
+    double figure;                        /* NAN: not judged */
+    double now, before;                   /* the values compared by the figure
                               * (pp_finding_compares); NAN: none */
-    enum pp_figure compared; /* kind of the values */
-    double std_error;        /* standard error of the figure, by noise and grid; NAN:
+    enum pp_figure compared;              /* kind of the values */
+    double now_unshaded, before_unshaded; /* `now` and `before` without the overhangs
+                                           * and balconies of the building itself; NAN:
+                                           * it has none, or not known */
+    const char *season; /* "year" or "winter", for sunlight hours; NULL. Static */
+    double std_error;   /* standard error of the figure, by noise and grid; NAN:
                         * nothing was sampled */
-    double grid_error; /* part of std_error due to the spacing of the grid; NAN: no
+    double grid_error;  /* part of std_error due to the spacing of the grid; NAN: no
                         * grid */
     struct pp_band_ends band; /* band of a hand figure, if known */
     double wanted;            /* the bound; NAN: none, the figure is only stated */

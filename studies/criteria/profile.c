@@ -15,7 +15,7 @@ static const struct pp_profile profiles[] = {
      "en17037,view-out,sun-exposure", ""},
     {"uk-dwellings", "daylight in dwellings by the UK annex of EN 17037", "uk-annex",
      "GB"},
-    {"breeam", "average, uniformity and view of the sky, by BREEAM",
+    {"breeam", "average, uniformity and view of the sky, by BREEAM 2014 (replaced)",
      "average,uniformity,sky-line", ""},
     {"rights-of-light", "adequately lit area for rights of light (English law)",
      "rights-of-light", "GB"},

@@ -120,6 +120,16 @@ check "without a latitude EN 17037 is not judged" \
     shows "has no latitude" assess --by-hand "$scratch/nowhere-room.xml"
 check "but the rest is" grep -q "^  No-sky line" "$scratch/out"
 
+check "withdrawn standards are not assessed by default" sh -c "
+    '$pepperpot' assess --by-hand '$deep' | grep -q BREEAM && exit 1; true"
+check "but with --withdrawn, marked" shows "Uniformity  [BREEAM14]  (withdrawn)" \
+    assess --by-hand --withdrawn "$deep"
+check "or by name" shows "replaced it" assess --by-hand -c average "$deep"
+check "JSON has the reason" shows '"withdrawn": "later issues of BREEAM' \
+    assess --by-hand -c uniformity -f json "$deep"
+check "no other standard is marked" nothing \
+    "$("$pepperpot" assess --by-hand -f json "$deep" | grep withdrawn)"
+
 check "a room is needed" refuses 2 "expected a room file" assess
 check "a criterion by its name" refuses 2 "did you mean en17037?" \
     assess --criteria en17073 "$deep"

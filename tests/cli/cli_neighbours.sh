@@ -51,6 +51,8 @@ check "a room below a balcony has the figures of its plates written out" sh -c "
         awk '{ d = \$1 - \$2; if (d > 1e-8 || -d > 1e-8) bad = 1; n++ } END { exit bad || n < 4 }'"
 check "with and without the balcony" shows "without the overhangs and balconies of the window's own building" \
     assess --by-hand -c vsc --room Below "$scratch/flats.xml"
+check "JSON has the figure without as a number" shows '"now-unshaded": ' \
+    assess --by-hand -c vsc --room Below -f json "$scratch/flats.xml"
 check "the room opposite has none of its own" gives assess --by-hand -c vsc --room Opposite "$scratch/flats.xml"
 check "and no figure without" nothing "$(grep 'without the overhangs' "$scratch/out")"
 check "simulation has them" gives df --simulate --error 10% -q --room Below "$scratch/flats.xml"

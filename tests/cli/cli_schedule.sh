@@ -25,6 +25,8 @@ check "loss and ratio are one" awk -v loss="$(field vsc_loss_percent W3)" \
     -v ratio="$(field vsc_ratio W3)" 'BEGIN { d = loss - 100 * (1 - ratio); exit !(loss > 20 && d * d < 1e-12) }'
 check "the year's sun is more than winter's" awk -v year="$(field sun_year_proposed W1)" \
     -v winter="$(field sun_winter_proposed W1)" 'BEGIN { exit !(year > winter && winter > 0) }'
+check "findings have their season" shows '"season": "winter"' \
+    assess --by-hand -c sunlight -f json "$site"
 check "only windows of living rooms have sunlight" test -z "$(field sun_year_proposed W4)"
 check "the lit area is that of its room" test -n "$(field lit_area_proposed W3)"
 check "hours without a weather file are possible" test "$(field sun_hours W3)" = possible

@@ -87,11 +87,12 @@ static bool is_kept(const struct pp_sunlit_year *now, const struct pp_sunlit_yea
 static enum pp_status add_finding(struct pp_finding_list *findings, double now,
                                   double then, double wanted, bool kept, bool judged,
                                   const struct pp_opening *opening, const char *window,
-                                  const char *when, struct pp_error *err)
+                                  const char *season, struct pp_error *err)
 {
     struct pp_finding finding = pp_finding_of(
-        PP_FIGURE_SHARE, now, judged ? wanted : NAN, false, "%s, %s", window, when);
+        PP_FIGURE_SHARE, now, judged ? wanted : NAN, false, "%s, %s", window, season);
     finding.line = opening->line;
+    finding.season = season;
     pp_finding_compares(&finding, PP_FIGURE_SHARE, now, then);
     if (!isnan(then))
         pp_finding_note(&finding, "%.1f %% now, %.1f %% before", 100.0 * now,

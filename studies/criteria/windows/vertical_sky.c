@@ -111,8 +111,11 @@ static enum pp_status find_unshaded(double *share, const struct pp_world *world,
     return status;
 }
 
-static const char unshaded[] =
+static const char without[] =
     "without the overhangs and balconies of the window's own building";
+
+/* Least difference of two shares that is worth a note: half of the last digit. */
+#define SHARE_STATED 0.0005
 
 /* Adds a finding for each opening: made by `find` for vertical ones, not judged for all
  * others. */
@@ -159,8 +162,9 @@ static enum pp_status find_component(struct pp_finding *finding,
         return status;
     *finding = pp_finding_of(PP_FIGURE_FACTOR, share, VSC_WANTED, false, "%s", what);
     pp_finding_compares(finding, PP_FIGURE_FACTOR, share, NAN);
-    if (isfinite(bare))
-        pp_finding_note(finding, "%.1f %% %s", 100.0 * bare, unshaded);
+    finding->now_unshaded = bare;
+    if (fabs(bare - share) >= SHARE_STATED)
+        pp_finding_note(finding, "%.1f %% %s", 100.0 * bare, without);
     return PP_OK;
 }
 
@@ -206,9 +210,13 @@ static enum pp_status find_loss(struct pp_finding *finding,
         pp_finding_note(finding,
                         "; the vertical sky component is still at least 27 %%");
     }
-    if (bare_now / bare_then > 0.0)
+    finding->now_unshaded = bare_now;
+    finding->before_unshaded = bare_then;
+    if (bare_now / bare_then > 0.0
+        && (fabs(bare_now - now) >= SHARE_STATED
+            || fabs(bare_then - then) >= SHARE_STATED))
         pp_finding_note(finding, "; ratio %.3f %s (%.1f %% now, %.1f %% before)",
-                        bare_now / bare_then, unshaded, 100.0 * bare_now,
+                        bare_now / bare_then, without, 100.0 * bare_now,
                         100.0 * bare_then);
     return PP_OK;
 }

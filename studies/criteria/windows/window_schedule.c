@@ -67,8 +67,7 @@ static enum pp_status add_change(struct pp_window_schedule *schedule,
 
 static bool is_of_winter(const struct pp_finding *finding)
 {
-    const char *season = strrchr(finding->what, ',');
-    return season && strcmp(season, ", winter") == 0;
+    return finding->season && strcmp(finding->season, "winter") == 0;
 }
 
 enum pp_status pp_window_schedule_of(struct pp_window_schedule *schedule,

@@ -65,7 +65,7 @@ static struct json_object *said_of(const char *file, const char *room)
     char *command;
     const char *source = getenv("srcdir");
     assert_true(asprintf(&command,
-                         "./pepperpot assess --by-hand --spacing largest "
+                         "./pepperpot assess --withdrawn --by-hand --spacing largest "
                          "--least-altitude 0.001 --format json "
                          "--room '%s' %s/examples/%s.xml",
                          room, source ? source : ".", file)
