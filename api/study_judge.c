@@ -46,14 +46,14 @@ enum pp_status pp_study_judge(struct pp_study *study, const char *criteria,
 int pp_study_judgement_count(const struct pp_study *study)
 {
     int count = 0;
-    for (int i = 0; study->has_assessment && i < study->assessment.answer_count; i++)
-        count += study->assessment.answers[i].findings.count;
+    for (int i = 0; study->has_assessment && i < study->assessment.answers.count; i++)
+        count += study->assessment.answers.list[i].findings.count;
     return count;
 }
 
 struct pp_judgement pp_study_judgement(const struct pp_study *study, int index)
 {
-    const struct pp_answer *answer = study->assessment.answers;
+    const struct pp_answer *answer = study->assessment.answers.list;
     for (; index >= answer->findings.count; answer++)
         index -= answer->findings.count;
     const struct pp_finding *finding = &answer->findings.list[index];

@@ -67,8 +67,10 @@ enum pp_status pp_room_options_read_state(const char *text, void *place,
         *state = PP_STATE_EXISTING;
     else if (strcmp(text, "proposed") == 0)
         *state = PP_STATE_PROPOSED;
+    else if (strcmp(text, "cumulative") == 0)
+        *state = PP_STATE_CUMULATIVE;
     else
-        return pp_fail(err, PP_BAD_INPUT, "existing or proposed");
+        return pp_fail(err, PP_BAD_INPUT, "existing, proposed or cumulative");
     return PP_OK;
 }
 
@@ -96,7 +98,8 @@ const struct pp_option pp_room_sky_options[] = {
     {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
      PLACE(room)},
     {"state", 0, "STATE",
-     "The site as existing or as proposed (default), if the file has both.",
+     "The site as existing, as proposed (default), or cumulative: with other permitted "
+     "buildings, too.",
      pp_room_options_read_state, PLACE(state)},
     {0},
 };

@@ -25,7 +25,7 @@ struct pp_room_options {
     const struct pp_ranks *ranks; /* not owned; NULL: this process is alone */
 };
 
-/* Reads "existing" or "proposed" (enum pp_site_state), as options do. */
+/* Reads "existing", "proposed" or "cumulative" (enum pp_site_state), as options do. */
 enum pp_status pp_room_options_read_state(const char *text, void *place,
                                           struct pp_error *err);
 

@@ -97,7 +97,9 @@ static enum pp_status choose_state(struct pp_building *building, const char *fil
         return PP_SYSTEM;
     if (pp_building_room_count(building) == 0)
         return pp_fail(err, PP_BAD_INPUT, "%s: no room in it is %s; expected one", file,
-                       state == PP_STATE_EXISTING ? "existing" : "proposed");
+                       state == PP_STATE_EXISTING     ? "existing"
+                       : state == PP_STATE_CUMULATIVE ? "cumulative"
+                                                      : "proposed");
     return PP_OK;
 }
 
@@ -284,14 +286,16 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
-/* Uses the building as it is, or adds its mirror image at the line. */
-static enum pp_status settle_mirror_image(struct pp_building *building,
-                                          const struct pp_mirror_line *line,
-                                          struct pp_error *err)
+/* Puts the building in that state, or without a state adds its mirror image at the
+ * line. */
+static enum pp_status settle_again(struct pp_building *building,
+                                   enum pp_site_state state,
+                                   const struct pp_mirror_line *line,
+                                   struct pp_error *err)
 {
     struct pp_error why = {0};
     if (!line)
-        return pp_building_set_state(building, PP_STATE_EXISTING, err);
+        return pp_building_set_state(building, state, err);
     enum pp_status status = pp_building_mirror(building, line, &why);
     return status == PP_OK ? PP_OK
                            : pp_fail(err, status, "--mirror-image: %s", why.message);
@@ -300,6 +304,7 @@ static enum pp_status settle_mirror_image(struct pp_building *building,
 /* Parses the proposed building again, from its text. */
 static enum pp_exit load_again(struct loading *loading, const char *file,
                                const struct pp_building *proposed,
+                               enum pp_site_state state,
                                const struct pp_mirror_line *line)
 {
     struct pp_mistakes mistakes;
@@ -309,7 +314,7 @@ static enum pp_exit load_again(struct loading *loading, const char *file,
     enum pp_status status =
         pp_building_read_again(&building, proposed, &mistakes, &err);
     if (status == PP_OK)
-        status = settle_mirror_image(building, line, &err);
+        status = settle_again(building, state, line, &err);
     enum pp_exit result = status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
     enum pp_exit kept = keep_building(loading->rooms, building);
     if (result == PP_EXIT_DONE)
@@ -322,10 +327,17 @@ static enum pp_exit load_again(struct loading *loading, const char *file,
     return result;
 }
 
-/* Parses every building of those rooms that has states again, for another state. */
+static bool has_state(const struct pp_building *building, enum pp_site_state state)
+{
+    return state == PP_STATE_CUMULATIVE ? pp_building_has_cumulative(building)
+                                        : pp_building_has_states(building);
+}
+
+/* Parses every building of those rooms that has the state again, for that state. */
 static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
                                    const struct pp_rooms *proposed,
                                    const struct pp_room_options *options,
+                                   enum pp_site_state state,
                                    const struct pp_mirror_line *line)
 {
     *rooms = (struct pp_rooms){.more_than_one_file = proposed->more_than_one_file};
@@ -334,21 +346,22 @@ static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
     const struct pp_building *last = NULL;
     for (int i = 0; i < proposed->count && result == PP_EXIT_DONE; i++) {
         const struct pp_study_room *room = &proposed->list[i];
-        if (room->building == last || !pp_building_has_states(room->building))
+        if (room->building == last || !has_state(room->building, state))
             continue;
         last = room->building;
-        result = load_again(&loading, room->file, last, line);
+        result = load_again(&loading, room->file, last, state, line);
     }
     if (result != PP_EXIT_DONE)
         pp_rooms_clear(rooms);
     return result;
 }
 
-enum pp_exit pp_rooms_load_existing(struct pp_rooms *rooms, const char *command,
-                                    const struct pp_rooms *proposed,
-                                    const struct pp_room_options *options)
+enum pp_exit pp_rooms_load_state(struct pp_rooms *rooms, const char *command,
+                                 const struct pp_rooms *proposed,
+                                 const struct pp_room_options *options,
+                                 enum pp_site_state state)
 {
-    return load_all_again(rooms, command, proposed, options, NULL);
+    return load_all_again(rooms, command, proposed, options, state, NULL);
 }
 
 enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
@@ -366,7 +379,7 @@ enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
                 proposed->list[i].file);
         return pp_message_error(&err);
     }
-    return load_all_again(rooms, command, proposed, options, line);
+    return load_all_again(rooms, command, proposed, options, PP_STATE_BOTH, line);
 }
 
 void pp_rooms_clear(struct pp_rooms *rooms)

@@ -56,7 +56,7 @@ _pepperpot()
         local profiles='uk-planning en17037 uk-dwellings breeam rights-of-light de-dwelling'
         mapfile -t COMPREPLY < <(compgen -W "$profiles" -- "$word")
     elif [ "$previous" = --state ]; then
-        mapfile -t COMPREPLY < <(compgen -W 'existing proposed' -- "$word")
+        mapfile -t COMPREPLY < <(compgen -W 'existing proposed cumulative' -- "$word")
     elif [ "$previous" = --sky ]; then
         local skies
         skies="overcast uniform picture, $(printf 'iso-%d ' {1..15})"

@@ -41,6 +41,8 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
                                          !run->words->before};
     const struct pp_rooms_before mirrored = {run->mirrored->list, run->mirrored->count,
                                              true};
+    const struct pp_rooms_before cumulative = {run->cumulative->list,
+                                               run->cumulative->count, true};
     const struct pp_study_options *study = &run->words->room.study;
     const struct pp_assess_options wanted = {
         .study = study,
@@ -55,6 +57,7 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
         .trace_again = study->simulate,
         .of_averages = run->words->of_averages,
         .mirrored = &mirrored,
+        .cumulative = &cumulative,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
         .of_weather = run->words->weather != NULL};
     enum pp_status status = PP_OK;
@@ -98,6 +101,7 @@ struct pp_assess_run pp_assess_run_of(const struct pp_assess_words *words,
         .rooms = &rooms->rooms,
         .before = &rooms->before,
         .mirrored = &rooms->mirrored,
+        .cumulative = &rooms->cumulative,
         .all = {.several = rooms->rooms.several,
                 .more_than_one_file = rooms->rooms.more_than_one_file,
                 .options = &words->room.study}};
@@ -159,8 +163,11 @@ enum pp_exit pp_assess_run_load(struct pp_assess_rooms *all,
         char *file[] = {(char *)words->before};
         exit_status = pp_rooms_load(&all->before, command, file, 1, &all_rooms);
     } else if (words->room.state == PP_STATE_BOTH) {
-        exit_status =
-            pp_rooms_load_existing(&all->before, command, &all->rooms, &words->room);
+        exit_status = pp_rooms_load_state(&all->before, command, &all->rooms,
+                                          &words->room, PP_STATE_EXISTING);
+        if (exit_status == PP_EXIT_DONE)
+            exit_status = pp_rooms_load_state(&all->cumulative, command, &all->rooms,
+                                              &words->room, PP_STATE_CUMULATIVE);
     }
     if (exit_status == PP_EXIT_DONE)
         exit_status = check_compared(words, command, all->before.count > 0);
@@ -173,6 +180,7 @@ enum pp_exit pp_assess_run_load(struct pp_assess_rooms *all,
 void pp_assess_run_unload(struct pp_assess_rooms *all)
 {
     pp_rooms_clear(&all->mirrored);
+    pp_rooms_clear(&all->cumulative);
     pp_rooms_clear(&all->before);
     pp_rooms_clear(&all->rooms);
 }

@@ -12,14 +12,15 @@ struct pp_assess_run {
     const struct pp_assess_words *words;
     const struct pp_rooms *rooms, *before; /* before: in their former state; may be
                                             * empty */
+    const struct pp_rooms *cumulative;     /* in that state; may be empty */
     const struct pp_rooms *mirrored; /* with the mirror image outside; may be empty */
     struct pp_assessments all;
 };
 
-/* Rooms in the proposed state, in their former state, and with the mirror image; must
- * be all zero at first. */
+/* Rooms in the proposed state, in their former and their cumulative state, and with the
+ * mirror image; must be all zero at first. */
 struct pp_assess_rooms {
-    struct pp_rooms rooms, before, mirrored;
+    struct pp_rooms rooms, before, cumulative, mirrored;
 };
 
 /* Loads the rooms with the changes of words->room.sweep. The caller unloads them in any

@@ -122,7 +122,8 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
 {
     static const char *const states[] = {[PP_STATE_BOTH] = NULL,
                                          [PP_STATE_EXISTING] = "existing",
-                                         [PP_STATE_PROPOSED] = "proposed"};
+                                         [PP_STATE_PROPOSED] = "proposed",
+                                         [PP_STATE_CUMULATIVE] = "cumulative"};
     put_option("--criteria", words->criteria, out);
     put_option("--for", words->profile_name, out);
     if (words->withdrawn)

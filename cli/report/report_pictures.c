@@ -150,9 +150,9 @@ static int least_sunny(const struct pp_assessment *room)
 {
     int line = -1;
     double least = INFINITY;
-    for (int i = 0; i < room->answer_count; i++) {
-        const char *name = room->answers[i].criterion->name;
-        const struct pp_finding_list *findings = &room->answers[i].findings;
+    for (int i = 0; i < room->answers.count; i++) {
+        const char *name = room->answers.list[i].criterion->name;
+        const struct pp_finding_list *findings = &room->answers.list[i].findings;
         if (strcmp(name, "sunlight") != 0 && strcmp(name, "sun-exposure") != 0)
             continue;
         for (int k = 0; k < findings->count; k++) {

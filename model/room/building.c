@@ -184,7 +184,12 @@ int pp_building_openings_before(const struct pp_building *building, int index)
 
 bool pp_building_has_states(const struct pp_building *building)
 {
-    return building->has_states;
+    return building->states != 1;
+}
+
+bool pp_building_has_cumulative(const struct pp_building *building)
+{
+    return (building->states & 1u << PP_STATE_CUMULATIVE) != 0;
 }
 
 enum pp_status pp_building_set_state(struct pp_building *building,

@@ -62,11 +62,14 @@ int pp_building_place(const struct pp_building *building, int index);
  * including rooms of any state. */
 int pp_building_openings_before(const struct pp_building *building, int index);
 
-/* True if any part of the file exists in one state only. */
+/* True if any part of the file exists in some states only. */
 bool pp_building_has_states(const struct pp_building *building);
 
-/* Replaces the rooms by those of a state, PP_STATE_EXISTING or PP_STATE_PROPOSED;
- * pointers to rooms become invalid. A building just read is in the proposed state.
+/* True if any part of the file exists in the cumulative state only. */
+bool pp_building_has_cumulative(const struct pp_building *building);
+
+/* Replaces the rooms by those of a state other than PP_STATE_BOTH; pointers to rooms
+ * become invalid. A building just read is in the proposed state.
  * Fails only without memory. */
 enum pp_status pp_building_set_state(struct pp_building *building,
                                      enum pp_site_state state, struct pp_error *err);

@@ -59,6 +59,7 @@ static void copy_parts(struct pp_room *room, bool *good)
 {
     copy_text(&room->name, good);
     copy_text(&room->ref, good);
+    copy_text(&room->address, good);
     room->sky = pp_sky_words_copy(&room->sky);
     copy_plan(&room->plan, good);
     COPY_LIST(room->finishes, room->finish_count, good);

@@ -71,6 +71,7 @@ void pp_room_parts_clear(struct pp_room *room)
 {
     free(room->name);
     free(room->ref);
+    free(room->address);
     pp_sky_words_clear(&room->sky);
     pp_room_parts_clear_plan(&room->plan);
     for (int i = 0; i < room->finish_count; i++)

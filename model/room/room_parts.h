@@ -225,7 +225,7 @@ struct pp_garden_part {
 
 /* All data it points to are its own: see pp_room_parts_clear and pp_room_copy. */
 struct pp_room {
-    char *name, *ref; /* NULL: not given */
+    char *name, *ref, *address; /* NULL: not given */
     enum pp_room_use use;
     double
         north_rad; /* of a building's room that stands as read: NAN where not given */

@@ -59,6 +59,7 @@ void pp_world_destroy(struct pp_world *world)
     free(world->receivers);
     free(world->name);
     free(world->ref);
+    free(world->address);
     pp_region_clear(&world->plane);
     free(world);
 }
@@ -123,7 +124,9 @@ static enum pp_status resolve_site(struct pp_resolver *r, struct pp_error *err)
     world->use = room->use;
     world->name = room->name ? strdup(room->name) : NULL;
     world->ref = room->ref ? strdup(room->ref) : NULL;
-    if ((room->name && !world->name) || (room->ref && !world->ref))
+    world->address = room->address ? strdup(room->address) : NULL;
+    if ((room->name && !world->name) || (room->ref && !world->ref)
+        || (room->address && !world->address))
         return pp_fail_memory(err);
     return PP_OK;
 }

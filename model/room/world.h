@@ -62,8 +62,15 @@ struct pp_surface {
     int line;      /* line of the room file; 0: none */
 };
 
-/* State in which a part exists: always, before the new building, or with it. */
-enum pp_site_state { PP_STATE_BOTH, PP_STATE_EXISTING, PP_STATE_PROPOSED };
+/* State in which a part exists: always; only before the new building; with it; or only
+ * with the new building and others that are permitted nearby. A part of the proposed
+ * state exists in the cumulative one, too. */
+enum pp_site_state {
+    PP_STATE_BOTH,
+    PP_STATE_EXISTING,
+    PP_STATE_PROPOSED,
+    PP_STATE_CUMULATIVE
+};
 
 /* Bytes of an opening's label, including its NUL. */
 enum { PP_WORLD_LABEL = 32 };
@@ -196,6 +203,7 @@ enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 
 struct pp_world {
     char *name, *ref; /* NULL: no name */
+    char *address;    /* the house that the room is in; NULL: not given */
     enum pp_room_use use;
     struct pp_placement placement;      /* in its building */
     double north_rad;                   /* bearing of +y, clockwise from true north */

@@ -54,8 +54,8 @@ enum pp_status pp_assess_csv(const struct pp_assessments *all, FILE *out,
           "wanted,bound,verdict,confidence,note,grid_error,reached_over,over_error\r\n",
           out);
     for (int i = 0; i < all->count; i++)
-        for (int k = 0; k < all->list[i].answer_count; k++) {
-            const struct pp_answer *answer = &all->list[i].answers[k];
+        for (int k = 0; k < all->list[i].answers.count; k++) {
+            const struct pp_answer *answer = &all->list[i].answers.list[k];
             for (int n = 0; n < answer->findings.count; n++)
                 put_finding(&all->list[i], answer->criterion, &answer->findings.list[n],
                             out);

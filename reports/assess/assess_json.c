@@ -112,9 +112,9 @@ static bool add_criteria(struct json_object *object,
     const struct pp_world *world = assessment->room->world;
     struct json_object *list = json_object_new_array();
     bool good = pp_json_add(object, "criteria", list);
-    for (int i = 0; i < assessment->answer_count && good; i++)
+    for (int i = 0; i < assessment->answers.count && good; i++)
         good = pp_json_append(
-            list, answer_object(&assessment->answers[i], world, external_lux));
+            list, answer_object(&assessment->answers.list[i], world, external_lux));
     return good;
 }
 

@@ -2,6 +2,7 @@
 #include "reports/assess/assess_table.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
@@ -25,6 +26,9 @@ enum shown {
     FIGURE,
     WANTED,
     VERDICT,
+    CUMULATIVE,
+    CUMULATIVE_RATIO,
+    BY_CUMULATIVE,
     MIRRORED,
     BY_MIRROR_IMAGE,
     /* for rights of light */
@@ -44,8 +48,8 @@ struct heading {
 
 static const char sky[] = "vertical sky component, %",
                   lit[] = "area with a view of the sky, m2",
-                  mirror_image[] = "mirror image", found[] = "found",
-                  sun[] = "share of sunlight hours, %",
+                  cumulative[] = "cumulative", mirror_image[] = "mirror image",
+                  found[] = "found", sun[] = "share of sunlight hours, %",
                   sunlit[] = "sunlit for two hours, %",
                   adequate[] = "adequately lit, m2", lost[] = "lost, m2";
 static const struct heading of_windows[] = {
@@ -54,8 +58,12 @@ static const struct heading of_windows[] = {
     {NULL, "window", OF, false},
     {sky, "existing", EXISTING, true},
     {sky, "proposed", PROPOSED, false},
+    {sky, "loss, %", LOSS, true},
     {sky, "ratio", RATIO, true},
     {sky, "verdict", VERDICT, false},
+    {cumulative, "sky, %", CUMULATIVE, true},
+    {cumulative, "ratio", CUMULATIVE_RATIO, true},
+    {cumulative, "verdict", BY_CUMULATIVE, true},
     {mirror_image, "sky, %", MIRRORED, false},
     {mirror_image, "verdict", BY_MIRROR_IMAGE, false},
     {0}};
@@ -65,8 +73,12 @@ static const struct heading of_rooms[] = {
     {NULL, "use", USE, false},
     {lit, "existing", EXISTING, true},
     {lit, "proposed", PROPOSED, false},
+    {lit, "loss, %", LOSS, true},
     {lit, "ratio", RATIO, true},
     {lit, "verdict", VERDICT, true},
+    {cumulative, "area, m2", CUMULATIVE, true},
+    {cumulative, "ratio", CUMULATIVE_RATIO, true},
+    {cumulative, "verdict", BY_CUMULATIVE, true},
     {mirror_image, "area, m2", MIRRORED, false},
     {mirror_image, "verdict", BY_MIRROR_IMAGE, false},
     {0}};
@@ -78,6 +90,9 @@ static const struct heading of_suns[] = {{NULL, "room", ROOM, false},
                                          {sun, "loss, %", LOSS, true},
                                          {sun, "ratio", RATIO, true},
                                          {sun, "verdict", VERDICT, false},
+                                         {cumulative, "sun, %", CUMULATIVE, true},
+                                         {cumulative, "ratio", CUMULATIVE_RATIO, true},
+                                         {cumulative, "verdict", BY_CUMULATIVE, true},
                                          {0}};
 static const struct heading of_gardens[] = {
     {NULL, "garden", OF, false},           {sunlit, "existing", EXISTING, true},
@@ -171,6 +186,17 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
     case VERDICT:
         snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");
         break;
+    case CUMULATIVE:
+        put_number(cell, compared * row->cumulative, 2);
+        break;
+    case CUMULATIVE_RATIO:
+        put_number(cell, row->existing > 0.0 ? row->cumulative / row->existing : NAN,
+                   3);
+        break;
+    case BY_CUMULATIVE:
+        verdict = row->in_cumulative ? pp_finding_own_word(row->in_cumulative) : NULL;
+        snprintf(cell, PP_CELL_BYTES, "%s", verdict ? verdict : "-");
+        break;
     case MIRRORED:
         put_number(cell, compared * row->mirrored, 2);
         break;
@@ -192,8 +218,9 @@ static enum pp_status print_table(const char *title, const struct heading *headi
                                   struct pp_error *err)
 {
     bool compares = false, has_ref = false, all_have = true, good = true;
-    bool mirrored = false;
+    bool mirrored = false, has_cumulative = false;
     for (int i = 0; i < count; i++) {
+        has_cumulative |= rows[i].in_cumulative != NULL;
         compares |= !isnan(rows[i].existing);
         mirrored |= rows[i].by_mirror_image != NULL;
         has_ref |= rows[i].room->room->world->ref != NULL;
@@ -206,6 +233,7 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     table.last_label = sum ? "sum" : NULL;
     for (const struct heading *h = headings; h->words && good; h++) {
         if ((h->compares && !compares) || (h->shown == REF && !has_ref)
+            || (h->group == cumulative && !has_cumulative)
             || (h->group == mirror_image && !mirrored))
             continue;
         /* Findings and bounds need the width: rooms are given by their references. */
@@ -220,8 +248,9 @@ static enum pp_status print_table(const char *title, const struct heading *headi
         if (good && sum)
             put_lit(column->cells[count], sum, shown);
         if (good)
-            column->is_words =
-                h->shown <= OF || h->shown == VERDICT || h->shown == BY_MIRROR_IMAGE;
+            column->is_words = h->shown <= OF || h->shown == VERDICT
+                               || h->shown == BY_CUMULATIVE
+                               || h->shown == BY_MIRROR_IMAGE;
     }
     fprintf(out, "\n  %s\n\n", title);
     if (good) {
@@ -232,8 +261,28 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-/* Prints the criteria of the rows with their sources, and the basis of daylight
- * figures, from the first room that has any. */
+/* Prints a table of the rooms that exist before and one of those that are new, if there
+ * are both. */
+static enum pp_status print_tables(const char *title, const struct heading *headings,
+                                   const struct pp_site_row *rows, int count, int width,
+                                   FILE *out, struct pp_error *err)
+{
+    char words[96];
+    int old = 0;
+    while (old < count && !rows[old].room->is_new)
+        old++;
+    if (old == count)
+        return print_table(title, headings, rows, count, NULL, width, out, err);
+    snprintf(words, sizeof words, "%s, existing rooms", title);
+    enum pp_status status =
+        print_table(words, headings, rows, old, NULL, width, out, err);
+    snprintf(words, sizeof words, "%s, proposed rooms", title);
+    return status == PP_OK ? print_table(words, headings, rows + old, count - old, NULL,
+                                         width, out, err)
+                           : status;
+}
+
+/* Prints the criteria of the rows with their sources. */
 static void print_foot(const struct pp_site_table *table, int width, FILE *out)
 {
     enum { LISTS = 6 };
@@ -244,15 +293,20 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
                                table->sun_count,    table->garden_count,
                                table->rights_count, table->other_count};
     char text[1024] = "Criteria:";
-    const struct pp_criterion *last = NULL;
+    bool listed[PP_CRITERIA_MOST] = {false};
+    bool first = true;
     for (int l = 0; l < LISTS; l++)
-        for (int i = 0; i < counts[l] && lists[l][i].room == lists[l][0].room; i++) {
+        for (int i = 0; i < counts[l]; i++) {
             const struct pp_criterion *criterion = lists[l][i].criterion;
-            if (criterion != last)
-                pp_text_append(text, sizeof text, "%s %s [%s]%s", last ? "," : "",
+            int place = 0;
+            while (pp_criteria_at(place) != criterion)
+                place++;
+            if (!listed[place])
+                pp_text_append(text, sizeof text, "%s %s [%s]%s", first ? "" : ",",
                                criterion->title, criterion->source,
                                criterion->withdrawn ? " (withdrawn)" : "");
-            last = criterion;
+            listed[place] = true;
+            first = false;
         }
     if (table->has_mirror_image)
         pp_text_append(text, sizeof text,
@@ -286,6 +340,74 @@ static void print_count(const struct pp_assessments *all, int width, FILE *out)
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
+enum { GROUP_WINDOWS = 1, GROUP_ROOMS, GROUP_LOSSES };
+enum { GROUP_COLUMNS = GROUP_LOSSES + PP_LOSS_BANDS };
+static const char meets[] = "meet BR 209", by_loss[] = "windows by loss of sky";
+
+static void put_group_heading(char heading[32], int column)
+{
+    const int band = column - GROUP_LOSSES;
+    if (column < GROUP_LOSSES)
+        snprintf(heading, 32, "%s",
+                 (const char *[]){"floor", "windows", "rooms"}[column]);
+    else if (band == 0)
+        snprintf(heading, 32, "< %.0f %%", 100.0 * pp_loss_bands[1]);
+    else
+        snprintf(heading, 32, ">= %.0f %%", 100.0 * pp_loss_bands[band]);
+}
+
+static void put_group_cell(char cell[PP_CELL_BYTES], const struct pp_br209_count *count,
+                           int column)
+{
+    if (column == GROUP_WINDOWS) {
+        snprintf(cell, PP_CELL_BYTES, "%d of %d", count->windows_met, count->windows);
+    } else if (column == GROUP_ROOMS && count->rooms == 0) {
+        snprintf(cell, PP_CELL_BYTES, "-");
+    } else if (column == GROUP_ROOMS) {
+        snprintf(cell, PP_CELL_BYTES, "%d of %d", count->rooms_met, count->rooms);
+    } else {
+        snprintf(cell, PP_CELL_BYTES, "%d", count->losses[column - GROUP_LOSSES]);
+    }
+}
+
+/* Prints the count of each floor and house with the losses of its windows in bands. */
+static enum pp_status print_groups(const struct pp_assessments *all, int width,
+                                   FILE *out, struct pp_error *err)
+{
+    struct pp_br209_group *groups;
+    int count;
+    enum pp_status status =
+        pp_br209_count_groups(&groups, &count, all->list, all->count, err);
+    struct pp_table table;
+    pp_table_init(&table, count);
+    table.key_count = 1;
+    bool good = status == PP_OK && count > 1;
+    for (int c = 0; c < GROUP_COLUMNS && good; c++) {
+        char heading[32], words[PP_BR209_WORDS];
+        put_group_heading(heading, c);
+        const char *group = c == 0 ? NULL : c < GROUP_LOSSES ? meets : by_loss;
+        struct pp_table_column *column = pp_table_add(&table, group, group, heading);
+        good = column != NULL;
+        for (int i = 0; i < count && good; i++)
+            if (c > 0) {
+                put_group_cell(column->cells[i], &groups[i].count, c);
+            } else {
+                pp_br209_count_group_words(words, groups, count, i);
+                pp_text_excerpt(column->cells[i], PP_CELL_BYTES, words);
+            }
+        if (good)
+            column->is_words = c == 0;
+    }
+    if (good) {
+        fputs("\n  Floors and houses\n\n", out);
+        pp_table_fit(&table, width);
+        pp_table_print(&table, width, out);
+    }
+    pp_table_clear(&table);
+    free(groups);
+    return status == PP_OK && count > 1 && !good ? pp_fail_memory(err) : status;
+}
+
 enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE *out,
                                struct pp_error *err)
 {
@@ -294,14 +416,16 @@ enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE
     if (status == PP_OK)
         print_count(all, width, out);
     if (status == PP_OK)
-        status = print_table("Windows", of_windows, table.windows, table.window_count,
-                             NULL, width, out, err);
+        status = print_groups(all, width, out, err);
     if (status == PP_OK)
-        status = print_table("Rooms", of_rooms, table.rooms, table.room_count, NULL,
-                             width, out, err);
+        status = print_tables("Windows", of_windows, table.windows, table.window_count,
+                              width, out, err);
     if (status == PP_OK)
-        status = print_table(pp_site_table_sun_title(&table), of_suns, table.suns,
-                             table.sun_count, NULL, width, out, err);
+        status = print_tables("Rooms", of_rooms, table.rooms, table.room_count, width,
+                              out, err);
+    if (status == PP_OK)
+        status = print_tables(pp_site_table_sun_title(&table), of_suns, table.suns,
+                              table.sun_count, width, out, err);
     if (status == PP_OK)
         status = print_table("Gardens, on 21 March", of_gardens, table.gardens,
                              table.garden_count, NULL, width, out, err);
@@ -310,8 +434,8 @@ enum pp_status pp_assess_table(const struct pp_assessments *all, int width, FILE
                              of_rights, table.rights, table.rights_count,
                              &table.rights_sum, width, out, err);
     if (status == PP_OK)
-        status = print_table("Other criteria", of_others, table.others,
-                             table.other_count, NULL, width, out, err);
+        status = print_tables("Other criteria", of_others, table.others,
+                              table.other_count, width, out, err);
     if (status == PP_OK)
         print_foot(&table, width, out);
     pp_site_table_clear(&table);

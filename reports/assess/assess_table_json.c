@@ -19,6 +19,9 @@ static struct json_object *row_object(const struct pp_site_row *row, bool compar
                 && pp_json_text(object, "ref", world->ref)
                 && pp_json_text(object, "use",
                                 world->use ? pp_room_use_words[world->use] : NULL)
+                && (!world->address || pp_json_text(object, "address", world->address))
+                && (!row->room->is_new
+                    || pp_json_add(object, "new", json_object_new_boolean(true)))
                 && pp_json_text(object, "criterion", row->criterion->name)
                 && pp_json_text(object, "of", finding->what);
     if (good && finding->line > 0)
@@ -30,6 +33,12 @@ static struct json_object *row_object(const struct pp_site_row *row, bool compar
                && pp_json_number(object, "ratio", row->ratio)
                && pp_json_number(object, "loss", 100.0 * (1.0 - row->ratio))
                && pp_json_text(object, "unit", pp_figure_unit(finding->compared));
+    if (good && row->in_cumulative)
+        good = pp_json_number(object, "cumulative", scale * row->cumulative)
+               && pp_json_number(object, "cumulative-ratio",
+                                 row->cumulative / row->existing)
+               && pp_json_text(object, "cumulative-verdict",
+                               pp_finding_verdict(row->in_cumulative->verdict));
     if (good && row->by_mirror_image)
         good = pp_json_number(object, "mirror_image", scale * row->mirrored)
                && pp_json_text(object, "mirror_image_verdict",

@@ -194,9 +194,10 @@ static int count_verdicts(const struct pp_assessment *assessment,
                           enum pp_verdict verdict)
 {
     int count = 0;
-    for (int i = 0; i < assessment->answer_count; i++)
-        for (int k = 0; k < assessment->answers[i].findings.count; k++) {
-            const struct pp_finding *finding = &assessment->answers[i].findings.list[k];
+    for (int i = 0; i < assessment->answers.count; i++)
+        for (int k = 0; k < assessment->answers.list[i].findings.count; k++) {
+            const struct pp_finding *finding =
+                &assessment->answers.list[i].findings.list[k];
             count += finding->verdict == verdict && !finding->is_optional;
         }
     return count;
@@ -239,9 +240,9 @@ static void print_bands(const struct pp_assessment *assessment,
                         const struct layout *layout, FILE *out)
 {
     const char *text = assessment->report.no_bands;
-    for (int i = 0; i < assessment->answer_count && !text; i++)
-        for (int k = 0; k < assessment->answers[i].findings.count; k++)
-            if (pp_band_is_known(assessment->answers[i].findings.list[k].band))
+    for (int i = 0; i < assessment->answers.count && !text; i++)
+        for (int k = 0; k < assessment->answers.list[i].findings.count; k++)
+            if (pp_band_is_known(assessment->answers.list[i].findings.list[k].band))
                 text = "In brackets, likely range: in 95 of 100 similar simulated "
                        "rooms (the atlas) the true value was in it. For a part of the "
                        "plane the same error is assumed at all points.";
@@ -263,11 +264,11 @@ static void print_assessed_room(const struct pp_assessment *assessment,
         fputs("  before         ", out);
         pp_print_title(assessment->before->world, assessment->before->file, out);
     }
-    if (assessment->answer_count == 0)
+    if (assessment->answers.count == 0)
         fprintf(out, "\n  None of these criteria applies to a room whose use is %s.\n",
                 pp_room_use_words[assessment->room->world->use]);
-    for (int i = 0; i < assessment->answer_count; i++)
-        print_answer(&assessment->answers[i], layout, out);
+    for (int i = 0; i < assessment->answers.count; i++)
+        print_answer(&assessment->answers.list[i], layout, out);
     if (options->simulate && assessment->has_factors)
         print_simulation(assessment, options, &layout, out);
     if (!options->simulate && assessment->has_factors) {

@@ -5,13 +5,16 @@
 
 void pp_schedule_csv(const struct pp_window_schedule *schedule, FILE *out)
 {
-    static const char *const names[PP_SCHEDULE_CHANGES] = {"vsc", "sun_year",
-                                                           "sun_winter", "lit_area"};
+    static const char *const names[PP_SCHEDULE_CHANGES] = {
+        "vsc", "sun_year", "sun_winter", "lit_area", "vsc_unshaded"};
     fputs("file,room,ref,use,level_m,window", out);
     for (int k = 0; k < PP_SCHEDULE_CHANGES; k++)
         fprintf(out, ",%s_existing,%s_proposed,%s_loss_percent,%s_ratio", names[k],
                 names[k], names[k], names[k]);
-    fputs(",sun_hours,vsc_verdict\r\n", out);
+    fputs(",sun_hours,vsc_verdict", out);
+    for (int k = 0; k < PP_SCHEDULE_CHANGES; k++)
+        fprintf(out, ",%s_cumulative", names[k]);
+    fputs(",address\r\n", out);
     for (int i = 0; i < schedule->count; i++) {
         const struct pp_schedule_row *row = &schedule->rows[i];
         const struct pp_world *world = row->room->room->world;
@@ -32,7 +35,14 @@ void pp_schedule_csv(const struct pp_window_schedule *schedule, FILE *out)
             pp_format_csv_number(100.0 * pp_schedule_loss(row->changes[k]), out);
             pp_format_csv_number(pp_schedule_ratio(row->changes[k]), out);
         }
-        fprintf(out, ",%s,%s\r\n", schedule->probable ? "probable" : "possible",
+        fprintf(out, ",%s,%s", schedule->probable ? "probable" : "possible",
                 verdict ? verdict : "");
+        for (int k = 0; k < PP_SCHEDULE_CHANGES; k++)
+            pp_format_csv_number(pp_schedule_scale((enum pp_schedule_quantity)k)
+                                     * row->changes[k].cumulative,
+                                 out);
+        fputc(',', out);
+        pp_format_csv_field(world->address, out);
+        fputs("\r\n", out);
     }
 }

@@ -27,7 +27,7 @@ enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
 
 #include "studies/criteria/br209_count.h"
 
-enum { KEYS = 5, PARTS = 4, HEAD_ROWS = 2 };
+enum { KEYS = 6, PARTS = 5, HEAD_ROWS = 2 };
 
 /* Cell formats: of heads, of figures, and of losses by band. */
 struct formats {
@@ -76,36 +76,44 @@ static lxw_format *loss_format(const struct formats *formats, double loss)
     return formats->loss[band];
 }
 
-static void put_heads(lxw_worksheet *sheet, const struct formats *formats,
-                      bool probable)
+/* Number of columns of each quantity: the cumulative one is the last. */
+static int parts_of(const struct pp_window_schedule *schedule)
 {
-    static const char *const keys[KEYS] = {"room", "ref", "use", "level, m", "window"},
+    return schedule->has_cumulative ? PARTS : PARTS - 1;
+}
+
+static void put_heads(lxw_worksheet *sheet, const struct formats *formats,
+                      const struct pp_window_schedule *schedule)
+{
+    const int count = parts_of(schedule);
+    static const char *const keys[KEYS] = {"room",     "ref",    "use",
+                                           "level, m", "window", "address"},
                              *const parts[PARTS] = {"existing", "proposed", "loss, %",
-                                                    "ratio"};
+                                                    "ratio", "cumulative"};
     for (int i = 0; i < KEYS; i++)
         put_text_cell(sheet, 1, i, keys[i], formats->head);
     for (int k = 0; k < PP_SCHEDULE_CHANGES; k++) {
         char title[96];
         bool sun = k == PP_SCHEDULE_YEAR || k == PP_SCHEDULE_WINTER;
         snprintf(title, sizeof title, "%s%s",
-                 !sun       ? ""
-                 : probable ? "probable "
-                            : "possible ",
+                 !sun                 ? ""
+                 : schedule->probable ? "probable "
+                                      : "possible ",
                  pp_schedule_titles[k]);
-        worksheet_merge_range(sheet, 0, (lxw_col_t)(KEYS + PARTS * k), 0,
-                              (lxw_col_t)(KEYS + PARTS * k + PARTS - 1), title,
+        worksheet_merge_range(sheet, 0, (lxw_col_t)(KEYS + count * k), 0,
+                              (lxw_col_t)(KEYS + count * k + count - 1), title,
                               formats->head);
-        for (int p = 0; p < PARTS; p++)
-            put_text_cell(sheet, 1, KEYS + PARTS * k + p, parts[p], formats->head);
+        for (int p = 0; p < count; p++)
+            put_text_cell(sheet, 1, KEYS + count * k + p, parts[p], formats->head);
     }
-    put_text_cell(sheet, 1, KEYS + PARTS * PP_SCHEDULE_CHANGES, "BR 209, sky",
+    put_text_cell(sheet, 1, KEYS + count * PP_SCHEDULE_CHANGES, "BR 209, sky",
                   formats->head);
     worksheet_freeze_panes(sheet, HEAD_ROWS, KEYS);
     worksheet_set_column(sheet, 0, 0, 20.0, NULL);
 }
 
 static void put_schedule_row(lxw_worksheet *sheet, const struct formats *formats,
-                             int at, const struct pp_schedule_row *row)
+                             int at, const struct pp_schedule_row *row, int parts)
 {
     const struct pp_world *world = row->room->room->world;
     put_text_cell(sheet, at, 0, world->name, NULL);
@@ -114,10 +122,11 @@ static void put_schedule_row(lxw_worksheet *sheet, const struct formats *formats
                   NULL);
     put_figure_cell(sheet, at, 3, row->level_m, formats->figure);
     put_text_cell(sheet, at, 4, row->window, NULL);
+    put_text_cell(sheet, at, 5, world->address, NULL);
     for (int k = 0; k < PP_SCHEDULE_CHANGES; k++) {
         double scale = pp_schedule_scale((enum pp_schedule_quantity)k);
         double loss = pp_schedule_loss(row->changes[k]);
-        int column = KEYS + PARTS * k;
+        int column = KEYS + parts * k;
         put_figure_cell(sheet, at, column, scale * row->changes[k].existing,
                         formats->figure);
         put_figure_cell(sheet, at, column + 1, scale * row->changes[k].proposed,
@@ -126,8 +135,11 @@ static void put_schedule_row(lxw_worksheet *sheet, const struct formats *formats
                         loss_format(formats, loss));
         put_figure_cell(sheet, at, column + 3, pp_schedule_ratio(row->changes[k]),
                         formats->ratio);
+        if (parts == PARTS)
+            put_figure_cell(sheet, at, column + 4, scale * row->changes[k].cumulative,
+                            formats->figure);
     }
-    put_text_cell(sheet, at, KEYS + PARTS * PP_SCHEDULE_CHANGES,
+    put_text_cell(sheet, at, KEYS + parts * PP_SCHEDULE_CHANGES,
                   pp_finding_verdict(row->verdict), NULL);
 }
 
@@ -148,9 +160,10 @@ static enum pp_status write_workbook(const struct pp_window_schedule *schedule,
     workbook_set_properties(workbook, &properties);
     make_formats(&formats, workbook);
     lxw_worksheet *sheet = workbook_add_worksheet(workbook, "Windows");
-    put_heads(sheet, &formats, schedule->probable);
+    put_heads(sheet, &formats, schedule);
     for (int i = 0; i < schedule->count; i++)
-        put_schedule_row(sheet, &formats, HEAD_ROWS + i, &schedule->rows[i]);
+        put_schedule_row(sheet, &formats, HEAD_ROWS + i, &schedule->rows[i],
+                         parts_of(schedule));
     lxw_error error = workbook_close(workbook);
     return error == LXW_NO_ERROR
                ? PP_OK

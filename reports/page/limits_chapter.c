@@ -9,8 +9,8 @@
 static bool is_assessed(const struct pp_assessments *all, const char *criterion)
 {
     for (int i = 0; i < all->count; i++)
-        for (int k = 0; k < all->list[i].answer_count; k++)
-            if (strcmp(all->list[i].answers[k].criterion->name, criterion) == 0)
+        for (int k = 0; k < all->list[i].answers.count; k++)
+            if (strcmp(all->list[i].answers.list[k].criterion->name, criterion) == 0)
                 return true;
     return false;
 }

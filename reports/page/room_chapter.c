@@ -159,7 +159,7 @@ static void put_answer(struct pp_document *document, const struct pp_answer *ans
 static void put_answers(struct pp_document *document, const struct pp_assessment *room,
                         bool full)
 {
-    if (room->answer_count == 0) {
+    if (room->answers.count == 0) {
         pp_document_paragraph(document, PP_TONE_PLAIN,
                               "None of the selected criteria applies to this room.");
         return;
@@ -171,8 +171,8 @@ static void put_answers(struct pp_document *document, const struct pp_assessment
     pp_document_column(document, PP_COLUMN_NUMBERS, "found");
     pp_document_column(document, PP_COLUMN_NUMBERS, "target");
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
-    for (int i = 0; i < room->answer_count; i++)
-        put_answer(document, &room->answers[i]);
+    for (int i = 0; i < room->answers.count; i++)
+        put_answer(document, &room->answers.list[i]);
 }
 
 static void put_gains(struct pp_document *document, const struct pp_gains *gains)

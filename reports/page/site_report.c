@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "model/base/text.h"
@@ -27,8 +28,8 @@ enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
 static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict)
 {
     int count = 0;
-    for (int k = 0; k < room->answer_count; k++) {
-        const struct pp_finding_list *list = &room->answers[k].findings;
+    for (int k = 0; k < room->answers.count; k++) {
+        const struct pp_finding_list *list = &room->answers.list[k].findings;
         for (int n = 0; n < list->count; n++)
             count += list->list[n].verdict == verdict && !list->list[n].is_optional;
     }
@@ -113,6 +114,14 @@ static bool has_before(const struct pp_site_row *rows, int count)
     return false;
 }
 
+static bool has_cumulative(const struct pp_site_row *rows, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (rows[i].in_cumulative)
+            return true;
+    return false;
+}
+
 static bool has_mirror_image(const struct pp_site_row *rows, int count)
 {
     for (int i = 0; i < count; i++)
@@ -121,59 +130,105 @@ static bool has_mirror_image(const struct pp_site_row *rows, int count)
     return false;
 }
 
+/* Columns of a table of windows, rooms or gardens. */
+struct site_columns {
+    const char *of;  /* title of the second column; NULL: no such column */
+    bool compares;   /* with the former state */
+    bool cumulative; /* with the cumulative state */
+    bool mirrored;   /* with the mirror image */
+};
+
+/* The verdict of another finding in the line; empty if there is none. */
+static void put_other_verdict(struct pp_document *document,
+                              const struct pp_finding *finding)
+{
+    if (finding)
+        pp_room_chapter_verdict(document, finding);
+    else
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", "");
+}
+
 static void put_site_row(struct pp_document *document, const struct pp_site_row *row,
-                         bool named, bool compares, bool mirrored)
+                         const struct site_columns *columns)
 {
     const char *name = row->room->room->world->name;
     double scale = pp_figure_scale(row->finding->compared);
     pp_document_row(document, PP_ROW_CELLS);
     pp_document_cell(document, PP_TONE_PLAIN, "%s", name ? name : "");
-    if (named)
+    if (columns->of)
         pp_document_cell(document, PP_TONE_PLAIN, "%s", row->finding->what);
-    if (compares)
+    if (columns->compares)
         pp_room_chapter_number(document, scale * row->existing, 2);
     pp_room_chapter_number(document, scale * row->proposed, 2);
-    if (compares) {
+    if (columns->compares) {
         pp_room_chapter_number(document, 100.0 * (1.0 - row->ratio), 1);
         pp_room_chapter_number(document, row->ratio, 3);
     }
     pp_room_chapter_verdict(document, row->finding);
-    if (mirrored)
+    if (columns->cumulative) {
+        pp_room_chapter_number(document, scale * row->cumulative, 2);
+        pp_room_chapter_number(document, row->cumulative / row->existing, 3);
+        put_other_verdict(document, row->in_cumulative);
+    }
+    if (columns->mirrored) {
         pp_room_chapter_number(document, scale * row->mirrored, 2);
-    if (mirrored && row->by_mirror_image)
-        pp_room_chapter_verdict(document, row->by_mirror_image);
-    else if (mirrored)
-        pp_document_cell(document, PP_TONE_PLAIN, "%s", "");
+        put_other_verdict(document, row->by_mirror_image);
+    }
 }
 
-/* Adds a table of the rows. of: title of the second column; NULL: there is no such
- * column. */
-static void put_rows(struct pp_document *document, const char *title, const char *of,
-                     const char *unit, const struct pp_site_row *rows, int count)
+static void put_rows_of(struct pp_document *document, const char *title,
+                        const char *unit, const struct pp_site_row *rows, int count,
+                        const struct site_columns *columns)
 {
-    bool compares = has_before(rows, count), mirrored = has_mirror_image(rows, count);
-    if (count == 0)
-        return;
     pp_document_heading(document, 3, "%s", title);
     pp_document_table(document);
     pp_document_column(document, PP_COLUMN_WORDS, "room");
-    if (of)
-        pp_document_column(document, PP_COLUMN_WORDS, "%s", of);
-    if (compares)
+    if (columns->of)
+        pp_document_column(document, PP_COLUMN_WORDS, "%s", columns->of);
+    if (columns->compares)
         pp_document_column(document, PP_COLUMN_NUMBERS, "existing, %s", unit);
     pp_document_column(document, PP_COLUMN_NUMBERS,
-                       compares ? "proposed, %s" : "now, %s", unit);
-    if (compares) {
+                       columns->compares ? "proposed, %s" : "now, %s", unit);
+    if (columns->compares) {
         pp_document_column(document, PP_COLUMN_NUMBERS, "loss, %%");
         pp_document_column(document, PP_COLUMN_NUMBERS, "ratio");
     }
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
-    if (mirrored) {
+    if (columns->cumulative) {
+        pp_document_column(document, PP_COLUMN_NUMBERS, "cumulative, %s", unit);
+        pp_document_column(document, PP_COLUMN_NUMBERS, "cumulative ratio");
+        pp_document_column(document, PP_COLUMN_WORDS, "cumulative verdict");
+    }
+    if (columns->mirrored) {
         pp_document_column(document, PP_COLUMN_NUMBERS, "mirror image, %s", unit);
         pp_document_column(document, PP_COLUMN_WORDS, "verdict by it");
     }
     for (int i = 0; i < count; i++)
-        put_site_row(document, &rows[i], of != NULL, compares, mirrored);
+        put_site_row(document, &rows[i], columns);
+}
+
+/* Writes a table of the existing rooms and one of the proposed ones. of: title of the
+ * second column; NULL: no such column. */
+static void put_rows(struct pp_document *document, const char *title, const char *of,
+                     const char *unit, const struct pp_site_row *rows, int count)
+{
+    char words[160];
+    int old = 0;
+    while (old < count && !rows[old].room->is_new)
+        old++;
+    for (int is_new = 0; is_new < 2; is_new++) {
+        const struct pp_site_row *own = is_new ? rows + old : rows;
+        const int own_count = is_new ? count - old : old;
+        const struct site_columns columns = {of, has_before(own, own_count),
+                                             has_cumulative(own, own_count),
+                                             has_mirror_image(own, own_count)};
+        snprintf(words, sizeof words, "%s%s", title,
+                 old == count ? ""
+                 : is_new     ? ", proposed rooms"
+                              : ", existing rooms");
+        if (own_count > 0)
+            put_rows_of(document, words, unit, own, own_count, &columns);
+    }
 }
 
 static void put_areas(struct pp_document *document, const char *name,
@@ -224,14 +279,8 @@ static void put_rights(struct pp_document *document, const struct pp_site_table 
         put_areas(document, "sum", &table->rights_sum, compares);
 }
 
-/* Windows by the loss of their vertical sky component, if any has a former one. */
-static void put_losses(struct pp_document *document, const struct pp_assessments *all)
+static void put_loss_heads(struct pp_document *document)
 {
-    const struct pp_br209_count count = pp_br209_count_of(all->list, all->count);
-    if (count.compared == 0)
-        return;
-    pp_document_heading(document, 3, "Windows by the loss of sky");
-    pp_document_table(document);
     for (int i = 0; i < PP_LOSS_BANDS; i++)
         if (i == 0)
             pp_document_column(document, PP_COLUMN_NUMBERS, "below %.0f %%",
@@ -242,9 +291,49 @@ static void put_losses(struct pp_document *document, const struct pp_assessments
         else
             pp_document_column(document, PP_COLUMN_NUMBERS, "%.0f %% or more",
                                100.0 * pp_loss_bands[i]);
+}
+
+static void put_loss_row(struct pp_document *document, const char *words,
+                         const struct pp_br209_count *count)
+{
     pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", words);
+    put_share(document, count->windows_met, count->windows);
+    put_share(document, count->rooms_met, count->rooms);
     for (int i = 0; i < PP_LOSS_BANDS; i++)
-        pp_document_cell(document, PP_TONE_PLAIN, "%d", count.losses[i]);
+        pp_document_cell(document, PP_TONE_PLAIN, "%d", count->losses[i]);
+}
+
+/* Windows by the loss of their vertical sky component, by floor and house, if any has a
+ * former one. */
+static enum pp_status put_losses(struct pp_document *document,
+                                 const struct pp_assessments *all, struct pp_error *err)
+{
+    const struct pp_br209_count sum = pp_br209_count_of(all->list, all->count);
+    struct pp_br209_group *groups;
+    int count;
+    if (sum.compared == 0)
+        return PP_OK;
+    enum pp_status status =
+        pp_br209_count_groups(&groups, &count, all->list, all->count, err);
+    if (status == PP_OK) {
+        pp_document_heading(document, 3, "Windows by the loss of sky");
+        pp_document_table(document);
+        pp_document_column(document, PP_COLUMN_WORDS, "floor");
+        pp_document_column(document, PP_COLUMN_NUMBERS, "windows that meet BR 209");
+        pp_document_column(document, PP_COLUMN_NUMBERS, "rooms");
+        put_loss_heads(document);
+    }
+    for (int i = 0; i < count && status == PP_OK; i++) {
+        char words[PP_BR209_WORDS];
+        pp_br209_count_group_words(words, groups, count, i);
+        put_loss_row(document, words, &groups[i].count);
+    }
+    if (status == PP_OK && count > 1
+        && strcmp(groups[0].house, groups[count - 1].house) != 0)
+        put_loss_row(document, "all", &sum);
+    free(groups);
+    return status;
 }
 
 static enum pp_status put_tables(struct pp_document *document,
@@ -263,9 +352,10 @@ static enum pp_status put_tables(struct pp_document *document,
         put_rows(document, title, "window", "%", table.suns, table.sun_count);
         put_rows(document, "Share of gardens with two hours of sun on 21 March [BR209]",
                  "garden", "%", table.gardens, table.garden_count);
-        put_losses(document, all);
-        put_rights(document, &table);
+        status = put_losses(document, all, err);
     }
+    if (status == PP_OK)
+        put_rights(document, &table);
     pp_site_table_clear(&table);
     return status;
 }

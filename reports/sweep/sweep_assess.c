@@ -29,8 +29,8 @@ static void each_finding(const struct pp_assessments *run,
                          void *data)
 {
     for (int i = 0; i < run->count; i++)
-        for (int k = 0; k < run->list[i].answer_count; k++) {
-            const struct pp_answer *answer = &run->list[i].answers[k];
+        for (int k = 0; k < run->list[i].answers.count; k++) {
+            const struct pp_answer *answer = &run->list[i].answers.list[k];
             for (int n = 0; n < answer->findings.count; n++) {
                 const char *name = run->list[i].room->world->name;
                 struct finding_row row = {name ? name : "", answer->criterion->name,

@@ -13,6 +13,7 @@
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/grid/plane_trace.h"
+#include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/room_before.h"
 
 /* Marks the criteria named in a comma-separated list; NULL: all. */
@@ -58,16 +59,11 @@ static void find_median(struct pp_median *median, const struct pp_world *world,
     }
 }
 
-/* Judges by all chosen criteria, or by those of daylight factors alone. */
-static enum pp_status judge_criteria(struct pp_assessment *assessment,
-                                     const bool chosen[PP_CRITERIA_MOST],
-                                     bool factors_only,
-                                     const struct pp_assess_options *options,
-                                     struct pp_error *err)
+static struct pp_inquiry inquiry_of(const struct pp_assessment *assessment,
+                                    const struct pp_assess_options *options)
 {
     const char *own = assessment->room->world->country;
-    const char *country = options->profile && !own[0] ? options->profile->country : own;
-    const struct pp_inquiry inquiry = {
+    return (struct pp_inquiry){
         .world = assessment->room->world,
         .light = &assessment->room->light,
         .before = assessment->before ? assessment->before->world : NULL,
@@ -80,24 +76,83 @@ static enum pp_status judge_criteria(struct pp_assessment *assessment,
         .sunshine = options->sunshine,
         .french_m = options->french_m,
         .least_altitude_rad = options->least_altitude_rad,
-        .country = country,
+        .country = options->profile && !own[0] ? options->profile->country : own,
     };
-    assessment->answers = calloc(PP_CRITERIA_MOST, sizeof *assessment->answers);
-    if (!assessment->answers)
+}
+
+static void clear_answer_list(struct pp_answer_list *answers)
+{
+    for (int i = 0; i < answers->count; i++)
+        pp_finding_list_clear(&answers->list[i].findings);
+    free(answers->list);
+    *answers = (struct pp_answer_list){0};
+}
+
+static bool any_criterion(const struct pp_criterion *criterion)
+{
+    (void)criterion;
+    return true;
+}
+
+static bool is_of_factors(const struct pp_criterion *criterion)
+{
+    return criterion->of_factors;
+}
+
+static bool is_of_states(const struct pp_criterion *criterion)
+{
+    return criterion->of_states;
+}
+
+/* Judges by the chosen criteria for which `applies` is true. */
+static enum pp_status judge_criteria(struct pp_answer_list *answers,
+                                     const struct pp_inquiry *inquiry,
+                                     const bool chosen[PP_CRITERIA_MOST],
+                                     bool (*applies)(const struct pp_criterion *),
+                                     struct pp_error *err)
+{
+    *answers = (struct pp_answer_list){
+        .list = calloc(PP_CRITERIA_MOST, sizeof *answers->list)};
+    if (!answers->list)
         return pp_fail_memory(err);
     enum pp_status status = PP_OK;
     const struct pp_criterion *criterion;
     for (int i = 0; status == PP_OK && (criterion = pp_criteria_at(i)) != NULL; i++) {
-        if (!chosen[i] || (factors_only && !criterion->of_factors)
-            || (criterion->needs_before && !inquiry.before)
-            || (criterion->needs_mirror_image && !inquiry.mirrored)
-            || (criterion->of_gardens && inquiry.world->garden_count == 0))
+        if (!chosen[i] || !applies(criterion)
+            || (criterion->needs_before && !inquiry->before)
+            || (criterion->needs_mirror_image && !inquiry->mirrored)
+            || (criterion->of_gardens && inquiry->world->garden_count == 0))
             continue;
-        struct pp_answer *answer = &assessment->answers[assessment->answer_count++];
+        struct pp_answer *answer = &answers->list[answers->count++];
         answer->criterion = criterion;
-        status = criterion->evaluate(&inquiry, &answer->findings, err);
+        status = criterion->evaluate(inquiry, &answer->findings, err);
     }
     return status;
+}
+
+/* Judges the room as it is proposed. */
+static enum pp_status judge_room(struct pp_assessment *assessment,
+                                 const bool chosen[PP_CRITERIA_MOST],
+                                 bool (*applies)(const struct pp_criterion *),
+                                 const struct pp_assess_options *options,
+                                 struct pp_error *err)
+{
+    const struct pp_inquiry inquiry = inquiry_of(assessment, options);
+    return judge_criteria(&assessment->answers, &inquiry, chosen, applies, err);
+}
+
+/* Judges the sky and sun of the cumulative state. */
+static enum pp_status judge_cumulative(struct pp_assessment *assessment,
+                                       const bool chosen[PP_CRITERIA_MOST],
+                                       const struct pp_assess_options *options,
+                                       struct pp_error *err)
+{
+    struct pp_inquiry inquiry = inquiry_of(assessment, options);
+    inquiry.world = assessment->cumulative->world;
+    inquiry.light = &assessment->cumulative->light;
+    inquiry.pairs = assessment->cumulative_pairs;
+    return judge_criteria(&assessment->cumulative_answers, &inquiry, chosen,
+                          is_of_states, err);
 }
 
 /* ---- the grid ---- */
@@ -133,20 +188,11 @@ static bool wants_finer_grid(const struct pp_assessment *assessment,
         || assessment->grid.halvings >= HALVINGS_MOST
         || 4 * assessment->grid.count > POINTS_MOST)
         return false;
-    for (int i = 0; i < assessment->answer_count; i++)
-        for (int k = 0; k < assessment->answers[i].findings.count; k++)
-            if (is_coarse(&assessment->answers[i].findings.list[k]))
+    for (int i = 0; i < assessment->answers.count; i++)
+        for (int k = 0; k < assessment->answers.list[i].findings.count; k++)
+            if (is_coarse(&assessment->answers.list[i].findings.list[k]))
                 return true;
     return false;
-}
-
-static void clear_answers(struct pp_assessment *assessment)
-{
-    for (int i = 0; i < assessment->answer_count; i++)
-        pp_finding_list_clear(&assessment->answers[i].findings);
-    free(assessment->answers);
-    assessment->answers = NULL;
-    assessment->answer_count = 0;
 }
 
 /* Makes the grid, and a report with the daylight factors of hand methods at its
@@ -186,9 +232,9 @@ static enum pp_status gather_factors(struct pp_assessment *assessment,
     for (int halvings = 0; finer && status == PP_OK; halvings++) {
         status = lay_grid(assessment, halvings, options, err);
         if (status == PP_OK)
-            status = judge_criteria(assessment, chosen, true, options, err);
+            status = judge_room(assessment, chosen, is_of_factors, options, err);
         finer = status == PP_OK && wants_finer_grid(assessment, options);
-        clear_answers(assessment);
+        clear_answer_list(&assessment->answers);
     }
     return status == PP_OK ? pp_report_bands_fill(&assessment->report, err) : status;
 }
@@ -211,13 +257,18 @@ static enum pp_status trace_finer(struct pp_assessment *assessment,
 /* Chooses the named criteria; otherwise those of the profile that apply to the room, or
  * all in force that do. Choosing a profile implies its country's rules. */
 static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
-                                      const struct pp_world *world,
+                                      const struct pp_assessment *assessment,
                                       const struct pp_assess_options *options,
                                       struct pp_error *err)
 {
+    const struct pp_world *world = assessment->room->world;
     const struct pp_profile *profile = options->criteria ? NULL : options->profile;
-    enum pp_status status = pp_assessment_choose(
-        chosen, profile ? profile->criteria : options->criteria, err);
+    const char *list = options->criteria;
+    if (profile)
+        list = assessment->before && profile->of_neighbours ? profile->of_neighbours
+               : assessment->is_new && profile->of_new      ? profile->of_new
+                                                            : profile->criteria;
+    enum pp_status status = pp_assessment_choose(chosen, list, err);
     if (status != PP_OK || options->criteria)
         return status;
     const struct pp_criterion *criterion;
@@ -245,6 +296,38 @@ static bool is_chosen(const bool chosen[PP_CRITERIA_MOST],
     return false;
 }
 
+/* Finds the room in the other states of its site. */
+static enum pp_status find_counterparts(struct pp_assessment *assessment,
+                                        int room_count,
+                                        const struct pp_rooms_before *before,
+                                        const struct pp_assess_options *options,
+                                        struct pp_error *err)
+{
+    const struct pp_study_room *room = assessment->room;
+    const struct pp_rooms_before *mirrored = options->mirrored;
+    const struct pp_rooms_before *cumulative = options->cumulative;
+    enum pp_status status = PP_OK;
+    if (before && before->count > 0)
+        status = pp_room_before_find(&assessment->before, &assessment->pairs, room,
+                                     room_count, before, err);
+    assessment->is_new = before && before->is_state && before->count > 0
+                         && pp_building_has_states(room->building)
+                         && !assessment->before;
+    if (status == PP_OK && mirrored && mirrored->count > 0)
+        status = pp_room_before_find(&assessment->mirrored, &assessment->mirrored_pairs,
+                                     room, room_count, mirrored, err);
+    int *same = NULL; /* openings of the cumulative state are in the same order */
+    if (status == PP_OK && cumulative && cumulative->count > 0)
+        status = pp_room_before_find(&assessment->cumulative, &same, room, room_count,
+                                     cumulative, err);
+    free(same);
+    if (status == PP_OK && assessment->cumulative && assessment->before)
+        status =
+            pp_pair_rooms(&assessment->cumulative_pairs, assessment->cumulative->world,
+                          assessment->before->world, err);
+    return status;
+}
+
 enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_study_room *room, int room_count,
                                    const struct pp_rooms_before *before,
@@ -253,19 +336,16 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
 {
     bool chosen[PP_CRITERIA_MOST];
     *assessment = (struct pp_assessment){.room = room};
-    enum pp_status status = choose_criteria(chosen, room->world, options, err);
+    enum pp_status status =
+        find_counterparts(assessment, room_count, before, options, err);
+    if (status == PP_OK)
+        status = choose_criteria(chosen, assessment, options, err);
     if (status != PP_OK)
         return status;
     assessment->has_factors = any_of_factors(chosen);
     assessment->has_average =
         options->of_averages || is_chosen(chosen, &pp_criterion_average);
-    if (before && before->count > 0)
-        status = pp_room_before_find(&assessment->before, &assessment->pairs, room,
-                                     room_count, before, err);
-    if (status == PP_OK && options->mirrored && options->mirrored->count > 0)
-        status = pp_room_before_find(&assessment->mirrored, &assessment->mirrored_pairs,
-                                     room, room_count, options->mirrored, err);
-    return status == PP_OK ? gather_factors(assessment, chosen, options, err) : status;
+    return gather_factors(assessment, chosen, options, err);
 }
 
 enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
@@ -273,18 +353,19 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
                                    struct pp_error *err)
 {
     bool chosen[PP_CRITERIA_MOST];
-    const struct pp_world *world = assessment->room->world;
-    enum pp_status status = choose_criteria(chosen, world, options, err);
+    enum pp_status status = choose_criteria(chosen, assessment, options, err);
     if (status == PP_OK)
-        status = judge_criteria(assessment, chosen, false, options, err);
+        status = judge_room(assessment, chosen, any_criterion, options, err);
     while (status == PP_OK && options->trace_again && assessment->report.finished
            && pp_report_find(&assessment->report, PP_DF, "traced")
            && wants_finer_grid(assessment, options)) {
-        clear_answers(assessment);
+        clear_answer_list(&assessment->answers);
         status = trace_finer(assessment, options, err);
         if (status == PP_OK)
-            status = judge_criteria(assessment, chosen, false, options, err);
+            status = judge_room(assessment, chosen, any_criterion, options, err);
     }
+    if (status == PP_OK && assessment->cumulative)
+        status = judge_cumulative(assessment, chosen, options, err);
     assessment->has_gains =
         !options->criteria && !options->profile && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)
@@ -299,9 +380,11 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
 
 void pp_assessment_clear(struct pp_assessment *assessment)
 {
-    clear_answers(assessment);
+    clear_answer_list(&assessment->answers);
+    clear_answer_list(&assessment->cumulative_answers);
     pp_report_clear(&assessment->report);
     pp_plane_grid_clear(&assessment->grid);
     free(assessment->pairs);
     free(assessment->mirrored_pairs);
+    free(assessment->cumulative_pairs);
 }

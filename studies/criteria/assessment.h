@@ -28,11 +28,14 @@ struct pp_assess_options {
                                          * file */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
     const struct pp_rooms_before
-        *mirrored;              /* the rooms of the same files with the mirror
+        *mirrored; /* the rooms of the same files with the mirror
                                  * image outside; not owned; NULL: none */
-    bool of_averages;           /* the target error of the simulation also applies to
+    const struct pp_rooms_before
+        *cumulative;    /* the rooms of files that have a cumulative state, in that
+                      * state; not owned; NULL: none */
+    bool of_averages;   /* the target error of the simulation also applies to
                                  * the average over the plane, whatever the criteria */
-    bool verdicts_only;         /* improvements are not searched for */
+    bool verdicts_only; /* improvements are not searched for */
     struct pp_grid_choice grid; /* the grid of the plane; empty: the file's, or the
                                  * default one, halved as often as the verdicts need */
     bool
@@ -45,10 +48,16 @@ struct pp_answer {
     struct pp_finding_list findings;
 };
 
+struct pp_answer_list {
+    struct pp_answer *list;
+    int count;
+};
+
 struct pp_assessment {
     const struct pp_study_room *room;   /* not owned */
     const struct pp_study_room *before; /* not owned; NULL */
     int *pairs;
+    bool is_new; /* the site has states, and the room does not exist before */
     const struct pp_study_room *mirrored; /* not owned; NULL */
     int *mirrored_pairs;
     bool has_factors; /* true if any selected criterion uses them */
@@ -56,8 +65,11 @@ struct pp_assessment {
     struct pp_plane_grid grid;
     struct pp_report report; /* daylight factors on the grid */
     struct pp_median median;
-    struct pp_answer *answers;
-    int answer_count;
+    struct pp_answer_list answers;
+    const struct pp_study_room *cumulative;   /* not owned; NULL: no such state */
+    int *cumulative_pairs;                    /* with `before`; NULL: none */
+    struct pp_answer_list cumulative_answers; /* by criteria of_states, the state in
+                                               * place of the proposed one */
     bool has_gains; /* true if all criteria were selected, and improvements were
                      * searched */
     struct pp_gains gains;

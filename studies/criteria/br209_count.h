@@ -3,11 +3,12 @@
  *
  * A window meets the guide if its vertical sky component is 27 % or 0.8 of its former
  * value, a room if the area that sees sky is 0.8 of its former area. A window or room
- * that is not judged is not counted.
+ * that is not judged is not counted, nor are proposed rooms beside existing ones.
  */
 #ifndef PP_STUDIES_CRITERIA_BR209_COUNT_H
 #define PP_STUDIES_CRITERIA_BR209_COUNT_H
 
+#include "model/base/error.h"
 #include "studies/criteria/assessment.h"
 
 /* Bands of the loss of a window's vertical sky component, as used by consultants in
@@ -25,10 +26,31 @@ struct pp_br209_count {
 
 struct pp_br209_count pp_br209_count_of(const struct pp_assessment *rooms, int count);
 
+/* The count of the rooms of one floor of a house, or of a whole house. */
+struct pp_br209_group {
+    const char *house; /* address, else the file; not owned */
+    bool is_house;     /* the whole house, which follows its floors */
+    double level_m;    /* of the floor in the axes of the building; NAN for a house */
+    struct pp_br209_count count;
+};
+
+/* *groups: floors and houses in the order in which they appear, floors from below; a
+ * house of one floor has one group. Rooms on floors less than 0.5 m apart are on one
+ * floor. The caller frees *groups. Fails only without memory. */
+enum pp_status pp_br209_count_groups(struct pp_br209_group **groups, int *group_count,
+                                     const struct pp_assessment *rooms, int count,
+                                     struct pp_error *err);
+
 /* Puts the counts into words: "11 of 12 windows and 5 of 6 rooms meet BR 209"; empty if
  * nothing was judged. */
 enum { PP_BR209_WORDS = 96 };
 void pp_br209_count_words(char words[PP_BR209_WORDS],
                           const struct pp_br209_count *count);
+
+/* Words for group `index` of a list: "12 Mill Lane, floor at +3.00 m", "12 Mill Lane, all
+ * floors"; without the house if all groups are of one. */
+void pp_br209_count_group_words(char words[PP_BR209_WORDS],
+                                const struct pp_br209_group *groups, int count,
+                                int index);
 
 #endif

@@ -59,6 +59,7 @@ struct pp_criterion {
     bool needs_before;       /* is evaluated only if there is a former state of the
                               * room */
     bool needs_mirror_image; /* needs a result with the mirror image */
+    bool of_states;          /* sky and sun that change with the state of the site */
     bool of_gardens;         /* is evaluated only with a room that has gardens */
     bool of_factors; /* judges by the inquiry's factors; else they may be NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */

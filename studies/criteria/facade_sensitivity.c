@@ -22,9 +22,9 @@ static bool is_sampled(const struct pp_finding *finding)
 
 static bool any_sampled(const struct pp_assessment *assessment)
 {
-    for (int i = 0; i < assessment->answer_count; i++)
-        for (int k = 0; k < assessment->answers[i].findings.count; k++)
-            if (is_sampled(&assessment->answers[i].findings.list[k]))
+    for (int i = 0; i < assessment->answers.count; i++)
+        for (int k = 0; k < assessment->answers.list[i].findings.count; k++)
+            if (is_sampled(&assessment->answers.list[i].findings.list[k]))
                 return true;
     return false;
 }
@@ -35,9 +35,9 @@ static const struct pp_finding *counterpart(const struct pp_assessment *other,
                                             const struct pp_criterion *criterion,
                                             const struct pp_finding *finding, int index)
 {
-    for (int i = 0; i < other->answer_count; i++) {
-        const struct pp_finding_list *findings = &other->answers[i].findings;
-        if (other->answers[i].criterion == criterion && index < findings->count
+    for (int i = 0; i < other->answers.count; i++) {
+        const struct pp_finding_list *findings = &other->answers.list[i].findings;
+        if (other->answers.list[i].criterion == criterion && index < findings->count
             && strcmp(findings->list[index].what, finding->what) == 0)
             return &findings->list[index];
     }
@@ -61,8 +61,8 @@ static void doubt(struct pp_finding *finding, const struct pp_finding *other)
 static void compare_assessments(struct pp_assessment *assessment,
                                 const struct pp_assessment *other)
 {
-    for (int i = 0; i < assessment->answer_count; i++) {
-        struct pp_answer *answer = &assessment->answers[i];
+    for (int i = 0; i < assessment->answers.count; i++) {
+        struct pp_answer *answer = &assessment->answers.list[i];
         for (int k = 0; k < answer->findings.count; k++)
             doubt(&answer->findings.list[k],
                   counterpart(other, answer->criterion, &answer->findings.list[k], k));

@@ -129,6 +129,7 @@ const struct pp_criterion pp_criterion_no_sky_line = {
     .summary = "area without a view of the sky; with --before, at least 0.8 of the "
                "former area with a view of the sky remains",
     .bears_on_use = pp_bearing_needs_daylight,
+    .of_states = true,
     .evaluate = evaluate_line,
 };
 

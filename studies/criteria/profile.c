@@ -7,20 +7,34 @@
 #include "model/base/text.h"
 
 static const struct pp_profile profiles[] = {
-    {"uk-planning", "light of neighbours and of the new rooms, by BR 209",
-     "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,mirror-image,"
-     "uk-annex",
-     "GB"},
-    {"en17037", "daylight provision, view out and sunlight by EN 17037",
-     "en17037,view-out,sun-exposure", ""},
-    {"uk-dwellings", "daylight in dwellings by the UK annex of EN 17037", "uk-annex",
-     "GB"},
-    {"breeam", "average, uniformity and view of the sky, by BREEAM 2014 (replaced)",
-     "average,uniformity,sky-line", ""},
-    {"rights-of-light", "adequately lit area for rights of light (English law)",
-     "rights-of-light", "GB"},
-    {"de-dwelling", "window sizes by German building codes, and EN 17037",
-     "glazing-ratio,en17037", "DE"},
+    {.name = "uk-planning",
+     .summary = "light of neighbours and of the new rooms, by BR 209",
+     .criteria = "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,"
+                 "mirror-image,uk-annex,sun-exposure",
+     .of_neighbours = "vertical-sky,former-sky,obstruction,sunlight,gardens,"
+                      "no-sky-line,mirror-image",
+     .of_new = "gardens,uk-annex,sun-exposure",
+     .country = "GB"},
+    {.name = "en17037",
+     .summary = "daylight provision, view out and sunlight by EN 17037",
+     .criteria = "en17037,view-out,sun-exposure",
+     .country = ""},
+    {.name = "uk-dwellings",
+     .summary = "daylight in dwellings by the UK annex of EN 17037",
+     .criteria = "uk-annex",
+     .country = "GB"},
+    {.name = "breeam",
+     .summary = "average, uniformity and view of the sky, by BREEAM 2014 (replaced)",
+     .criteria = "average,uniformity,sky-line",
+     .country = ""},
+    {.name = "rights-of-light",
+     .summary = "adequately lit area for rights of light (English law)",
+     .criteria = "rights-of-light",
+     .country = "GB"},
+    {.name = "de-dwelling",
+     .summary = "window sizes by German building codes, and EN 17037",
+     .criteria = "glazing-ratio,en17037",
+     .country = "DE"},
 };
 
 enum { PROFILES = sizeof profiles / sizeof *profiles };

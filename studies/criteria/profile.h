@@ -5,10 +5,13 @@
 #include "model/base/error.h"
 
 struct pp_profile {
-    const char *name;     /* as typed on the command line */
-    const char *summary;  /* one line for the help, without a full stop */
-    const char *criteria; /* names separated by commas */
-    const char *country;  /* country of the rules; "": no single one */
+    const char *name;          /* as typed on the command line */
+    const char *summary;       /* one line for the help, without a full stop */
+    const char *criteria;      /* names separated by commas */
+    const char *of_neighbours; /* the same for rooms of a site that exist before it is
+                                * built; NULL: `criteria` */
+    const char *of_new;        /* the same for rooms that do not; NULL: `criteria` */
+    const char *country;       /* country of the rules; "": no single one */
 };
 
 /* Profiles in the order shown; NULL for the index just past the last, the largest

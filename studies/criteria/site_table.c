@@ -13,6 +13,21 @@
 
 #include "model/base/array.h"
 
+/* The same finding of the room in the cumulative state; NULL: none. */
+static const struct pp_finding *find_cumulative(const struct pp_assessment *room,
+                                                const struct pp_answer *answer,
+                                                const struct pp_finding *finding)
+{
+    const struct pp_answer_list *answers = &room->cumulative_answers;
+    const long index = finding - answer->findings.list;
+    for (int i = 0; i < answers->count; i++)
+        if (answers->list[i].criterion == answer->criterion
+            && index < answers->list[i].findings.count
+            && strcmp(answers->list[i].findings.list[index].what, finding->what) == 0)
+            return &answers->list[i].findings.list[index];
+    return NULL;
+}
+
 static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
                                    const struct pp_assessment *room,
                                    const struct pp_answer *answer,
@@ -22,6 +37,7 @@ static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
     if (pp_array_append(rows, *count, sizeof **rows, err) != PP_OK)
         return PP_SYSTEM;
     double before = finding->before;
+    const struct pp_finding *cumulative = find_cumulative(room, answer, finding);
     (*rows)[(*count)++] =
         (struct pp_site_row){.room = room,
                              .criterion = answer->criterion,
@@ -29,6 +45,8 @@ static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
                              .existing = before,
                              .proposed = finding->now,
                              .ratio = before > 0.0 ? finding->now / before : NAN,
+                             .cumulative = cumulative ? cumulative->now : NAN,
+                             .in_cumulative = cumulative,
                              .mirrored = NAN};
     return PP_OK;
 }
@@ -56,8 +74,8 @@ static bool put_beside(struct pp_site_table *table, const struct pp_assessment *
 /* True if the room has findings by that criterion. */
 static bool has(const struct pp_assessment *room, const struct pp_criterion *criterion)
 {
-    for (int i = 0; i < room->answer_count; i++)
-        if (room->answers[i].criterion == criterion)
+    for (int i = 0; i < room->answers.count; i++)
+        if (room->answers.list[i].criterion == criterion)
             return true;
     return false;
 }
@@ -143,9 +161,14 @@ enum pp_status pp_site_table_of(struct pp_site_table *table,
 {
     *table = (struct pp_site_table){.rights_sum = pp_lit_area_change(NAN, NAN, NAN)};
     enum pp_status status = PP_OK;
+    for (int is_new = 0; is_new < 2; is_new++)
+        for (int i = 0; i < count; i++)
+            for (int k = 0; k < rooms[i].answers.count && status == PP_OK; k++)
+                if (rooms[i].is_new == (is_new != 0))
+                    status =
+                        add_answer(table, &rooms[i], &rooms[i].answers.list[k], err);
     for (int i = 0; i < count; i++)
-        for (int k = 0; k < rooms[i].answer_count && status == PP_OK; k++)
-            status = add_answer(table, &rooms[i], &rooms[i].answers[k], err);
+        table->has_cumulative |= rooms[i].cumulative != NULL;
     return status;
 }
 

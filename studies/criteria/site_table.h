@@ -13,6 +13,8 @@ struct pp_site_row {
     double existing, proposed;        /* NAN: not known; units of finding->compared,
                                        * of rights of light m2 */
     double ratio;                     /* proposed over existing; NAN: not known */
+    double cumulative;                /* in the cumulative state; NAN: there is none */
+    const struct pp_finding *in_cumulative; /* the finding in that state; NULL: none */
     const struct pp_lit_change
         *lit;        /* for rights of light; NULL: not judged, or another criterion */
     double mirrored; /* with the building's mirror image instead of the proposed parts;
@@ -21,8 +23,9 @@ struct pp_site_row {
                                                * image; NULL: none */
 };
 
-/* The lines of all rooms, in the order of the rooms. */
+/* The lines of all rooms, in the order of the rooms; new rooms are last. */
 struct pp_site_table {
+    bool has_cumulative;         /* some line has a value in the cumulative state */
     bool has_mirror_image;       /* some line has a value by the mirror image */
     struct pp_site_row *windows; /* vertical sky component, a line a window */
     int window_count;

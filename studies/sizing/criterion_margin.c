@@ -133,8 +133,8 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
         status = pp_fail(err, PP_INTERRUPTED, "interrupted before a size was found");
     if (status == PP_OK && (!traced || is_traced))
         status = pp_assessment_judge(&assessment, &wanted, err);
-    if (status == PP_OK && assessment.answer_count > 0)
-        take_least(reading, why, why_bytes, &assessment.answers[0].findings,
+    if (status == PP_OK && assessment.answers.count > 0)
+        take_least(reading, why, why_bytes, &assessment.answers.list[0].findings,
                    beginning_of(words));
     else if (status == PP_OK && !traced)
         snprintf(why, why_bytes,

@@ -19,11 +19,12 @@ is() {
 check "the table of a site" gives assess --by-hand --for uk-planning --table "$site"
 check "fits in 80 columns" nothing "$(too_wide)"
 sed 's/ not met$/ not-met/' "$scratch/out" >"$scratch/table" && mv "$scratch/table" "$scratch/out"
-before=$(column 3 "W3, south") now=$(column 2 "W3, south") ratio=$(column 1 "W3, south")
+before=$(column 4 "W3, south") now=$(column 3 "W3, south") ratio=$(column 1 "W3, south")
 check "a ratio is that of its sky components" is "$ratio" \
     "$(awk -v a="$now" -v b="$before" 'BEGIN { print a / b }')" 6e-4
 check "a bathroom's window is in it for no criterion" nothing "$(grep W6 "$scratch/out")"
 check "a workshop is no room of a dwelling" nothing "$(grep '^  0.03 .* lx' "$scratch/out")"
+check "a lone dwelling" gives assess --by-hand --for uk-dwellings --table "$site"
 check "a living room with a kitchen is a kitchen" grep -q "^  0.01 *kitchen: 200" "$scratch/out"
 check "and nothing else" nothing "$(grep '^  0.01 *[bl][a-z ]*: 1' "$scratch/out")"
 
@@ -39,8 +40,8 @@ check "from standard input the same" sh -c "
     '$pepperpot' assess --by-hand --for uk-planning --table - <'$site' |
         grep -qE 'W3, south.* $before +$now '"
 check "a window has the name of the file" sh -c "
-    sed 's/name=\"W3\"/name=\"Fenster zum Hof\"/' '$site' |
-        '$pepperpot' assess --by-hand -c former-sky --table - | grep -qE '^  Study.* Fenster zum Hof'"
+    sed 's/name=\"W3\"/name=\"Fenster\"/' '$site' |
+        '$pepperpot' assess --by-hand -c former-sky --table - | grep -qE '^  Study.* Fenster, south'"
 check "as JSON" shows '"format": "pepperpot-site-1"' \
     assess --by-hand -c vsc,former-sky,nsl --table -f json "$site"
 check "with both states" grep -qE '"W5, south".*"label": "W5".*"existing": [0-9.]+, "proposed"' \
@@ -216,14 +217,14 @@ check "a profile by its name" refuses 2 "did you mean uk-planning?" \
 check "--for or --criteria" refuses 2 "expected one of them" assess --for en17037 -c vsc "$site"
 check "--before or --state" refuses 2 "expected one of them" \
     assess --before "$site" --state existing "$site"
-check "two states" refuses 2 "existing or proposed" df --state planned "$site"
+check "two states" refuses 2 "existing, proposed or cumulative" df --state planned "$site"
 check "none in a file without" refuses 1 "nothing in it has a state" df --state existing "$deep"
 sed 's/<room name/<room state="existing" name/' "$site" >"$scratch/gone.xml"
 check "rooms that all go" refuses 1 "no room in it is proposed" df "$scratch/gone.xml"
 check "are there before" gives df --state existing -m exact "$scratch/gone.xml"
 check "a room that is new has nothing before" sh -c "
     sed 's/<room name=\"Study\"/<room state=\"proposed\" name=\"Study\"/' '$site' |
-        '$pepperpot' assess --by-hand -c vsc,former-sky --table - | grep -qE 'W3.* - '"
+        '$pepperpot' assess --by-hand -c vsc,former-sky --table - | sed -n '/Windows, proposed rooms/,\$p' | grep -qE '^  Study .*W3, south +[0-9.]+  (not )?met'"
 
 # An overhang is the surface that it stands for, to the byte.
 cat >"$scratch/overhang.xml" <<'EOF'
@@ -264,4 +265,51 @@ check "a window in the opposite wall is advised" shows "same size in the opposit
 sed 's/<site /<wall name="north" kind="party"\/><site /' "$office" >"$scratch/party.xml"
 check "but not in a party wall" gives assess --by-hand "$scratch/party.xml"
 check "nowhere" nothing "$(grep 'opposite wall' "$scratch/out")"
+# ---- neighbours and proposed rooms, the cumulative state ----
+
+room() { # NAME ADDRESS USE X Z STATE
+    echo "<room name='$1' address='$2' use='$3' x='$4' y='0' z='$5' state='$6'>
+<plan width='4' depth='5' height='2.6'/>
+<window name='W' wall='south' left='1' sill='0.8' width='1.6' height='1.4'/>
+<working-plane height='0.85'/></room>"
+}
+blocks="<block name='Shed' state='existing' x='2' y='-20' width='14' depth='8' height='4'/>
+<block name='Tower' state='proposed' x='2' y='-20' width='14' depth='8' height='14'/>
+<block name='Next' state='cumulative' x='-16' y='-20' width='16' depth='8' height='17'/>"
+{
+    echo "<building version='1'><site latitude='51.5' longitude='-0.1' country='GB'/>"
+    echo "$blocks"
+    room Living "12 Mill Lane" living-room 0 0.5 both
+    room Bedroom "12 Mill Lane" bedroom 0 3.5 both
+    room Kitchen "14 Mill Lane" kitchen 5 0.5 both
+    room Flat "Tower" living-room -9 0.5 proposed
+    echo "</building>"
+} >"$scratch/lane.xml"
+check "a site with three states" gives assess --by-hand --for uk-planning --table "$scratch/lane.xml"
+check "has sums for each floor" grep -q "^  12 Mill Lane, floor at +3.50 m  *[01] of 1  *[01] of 1" "$scratch/out"
+check "and for a house" grep -q "^  12 Mill Lane, all floors  *[0-2] of 2" "$scratch/out"
+check "proposed rooms have a list of their own" grep -q "^  Other criteria, proposed rooms" "$scratch/out"
+check "with targets for dwellings and sun" grep -qE "living room: 150 lx|1.5 h on 21 March" "$scratch/out"
+check "neighbours have no such targets" nothing "$(grep 'bedroom: 100' "$scratch/out")"
+check "and new windows are not compared" nothing "$(grep -E '^  Flat +W' "$scratch/out")"
+cumulative=$("$pepperpot" assess --by-hand --for uk-planning --table -f json "$scratch/lane.xml" |
+    sed -n 's/.*"room": "Living".*"former-sky".*"cumulative": \([0-9.]*\).*/\1/p')
+vsc_of_living() { # FILE OPTION ...
+    "$pepperpot" assess --by-hand -c vsc --room Living -f csv "$@" | awk -F, 'NR == 2 { print $10 }'
+}
+check "the cumulative sky is that of the state" test "$cumulative" = \
+    "$(vsc_of_living --state cumulative "$scratch/lane.xml")"
+sed "/name='Shed'/d; s/state='[a-z]*'//" "$scratch/lane.xml" >"$scratch/all.xml"
+check "and of a file where all of it stands" test "$cumulative" = "$(vsc_of_living "$scratch/all.xml")"
+check "a schedule has a column of it" gives assess --by-hand --for uk-planning \
+    --schedule "$scratch/lane.csv" "$scratch/lane.xml"
+check "with the same figure" grep -q "$cumulative" "$scratch/lane.csv"
+check "a site without that state has none" nothing \
+    "$("$pepperpot" assess --by-hand --for uk-planning --table "$site" | grep cumulative)"
+check "another state is refused" refuses 2 "expected existing, proposed or cumulative" \
+    df --state built "$scratch/lane.xml"
+sed "s/state='cumulative'/state='permitted'/" "$scratch/lane.xml" >"$scratch/permitted.xml"
+check "in a file, too" refuses 1 'expected "existing", "proposed", "cumulative" or "both"' \
+    df "$scratch/permitted.xml"
+
 tap_done

@@ -217,7 +217,7 @@ static enum pp_status settle_room(const struct settling *site, int index,
     const struct pp_room *common = &building->common;
     struct pp_room *read = &building->read[index], *room = NULL;
     bool stays =
-        !read->placement.given && !holds(common) && !pp_site_state_matters(read);
+        !read->placement.given && !holds(common) && pp_site_state_set(read) == 1;
     enum pp_status status = PP_OK;
     building->places[building->room_count] = index;
     building->moved[building->room_count] = stays;
@@ -394,10 +394,10 @@ enum pp_status pp_building_site_settle(struct pp_building *building,
     if (!building->rooms || !building->places || !building->moved || !building->openings
         || !site.shells)
         status = pp_fail_memory(err);
-    building->has_states = pp_site_state_matters(&building->common);
+    building->states = pp_site_state_set(&building->common);
     for (int i = 0; i < count && status == PP_OK; i++) {
         building->openings[i] = building->read[i].opening_count;
-        building->has_states |= pp_site_state_matters(&building->read[i]);
+        building->states |= pp_site_state_set(&building->read[i]);
     }
     if (status == PP_OK)
         status = pp_clipper_create(&site.clipper, err);

@@ -5,7 +5,8 @@
 
 bool pp_site_state_has(enum pp_site_state state, enum pp_site_state it)
 {
-    return it == PP_STATE_BOTH || it == state;
+    return it == PP_STATE_BOTH || it == state
+           || (it == PP_STATE_PROPOSED && state == PP_STATE_CUMULATIVE);
 }
 
 void pp_site_state_keep(struct pp_room *room, enum pp_site_state state)
@@ -47,18 +48,18 @@ void pp_site_state_keep(struct pp_room *room, enum pp_site_state state)
     room->garden_count = kept;
 }
 
-bool pp_site_state_matters(const struct pp_room *room)
+unsigned pp_site_state_set(const struct pp_room *room)
 {
-    bool some = room->state != PP_STATE_BOTH;
+    unsigned set = 1u << PP_STATE_BOTH | 1u << room->state;
     for (int i = 0; i < room->skyline_count; i++)
-        some |= room->skylines[i].state != PP_STATE_BOTH;
+        set |= 1u << room->skylines[i].state;
     for (int i = 0; i < room->block_count; i++)
-        some |= room->blocks[i].state != PP_STATE_BOTH;
+        set |= 1u << room->blocks[i].state;
     for (int i = 0; i < room->surface_count; i++)
-        some |= room->surfaces[i].state != PP_STATE_BOTH;
+        set |= 1u << room->surfaces[i].state;
     for (int i = 0; i < room->mesh_count; i++)
-        some |= room->meshes[i].state != PP_STATE_BOTH;
+        set |= 1u << room->meshes[i].state;
     for (int i = 0; i < room->garden_count; i++)
-        some |= room->gardens[i].state != PP_STATE_BOTH;
-    return some;
+        set |= 1u << room->gardens[i].state;
+    return set;
 }

@@ -5,14 +5,14 @@
 
 #include "model/room/room_parts.h"
 
-/* True if a part with state `it` exists in `state` (PP_STATE_EXISTING or
- * PP_STATE_PROPOSED). */
+/* True if a part with state `it` exists in `state` of the site. */
 bool pp_site_state_has(enum pp_site_state state, enum pp_site_state it);
 
 /* Removes the parts of the room that do not exist in the state; keeps their order. */
 void pp_site_state_keep(struct pp_room *room, enum pp_site_state state);
 
-/* True if the room, or any of its parts, exists in one state only. */
-bool pp_site_state_matters(const struct pp_room *room);
+/* The states of the room and its parts: bit 1 << enum pp_site_state of each; 1 if all
+ * exist always. */
+unsigned pp_site_state_set(const struct pp_room *room);
 
 #endif

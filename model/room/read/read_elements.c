@@ -270,6 +270,7 @@ static void begin_room(struct pp_reader *r, struct pp_room *room,
 {
     room->name = pp_reader_copy_text(r, form->name);
     room->ref = pp_reader_copy_text(r, form->ref);
+    room->address = pp_reader_copy_text(r, form->address);
     room->use = (enum pp_room_use)form->use;
     room->state = (enum pp_site_state)form->state;
     room->north_rad = form->north_rad;

@@ -32,7 +32,7 @@ struct pp_building {
     int *places;           /* index in `read`, by room of `rooms` */
     bool *moved;           /* true if the room was moved from `read` */
     int room_count;
-    bool has_states; /* some part exists in one state only */
+    unsigned states; /* of all parts, as of pp_site_state_set */
     char *folder;    /* folder for relative paths, "" or with a final "/"; NULL: read
                    * from memory */
     struct pp_project project; /* owned texts */

@@ -375,6 +375,7 @@ static const struct pp_attribute_rule room_rows[] = {
     {"name", &text, OR(NAN), IN(room, name)},
     {"north", &pp_room_values_bearing, OR(NAN), IN(room, north_rad)},
     {"ref", &text, OR(NAN), IN(room, ref)},
+    {"address", &text, OR(NAN), IN(room, address)},
     {"use", &pp_room_values_use, OR(0), IN(room, use)},
     /* For rooms in a building only. */
     {"x", &pp_room_values_coordinate, OR(NAN), IN(room, x)},

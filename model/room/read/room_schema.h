@@ -91,7 +91,7 @@ struct pp_building_form {
 struct pp_room_form {
     int version; /* -1: not given */
     int units;   /* 1: millimetres; root only */
-    const char *name, *ref;
+    const char *name, *ref, *address;
     double north_rad;           /* NAN: not given */
     double x, y, z, rotate_rad; /* NAN: not given */
     int use;                    /* enum pp_room_use, 0: not given */

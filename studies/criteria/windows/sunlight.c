@@ -165,5 +165,6 @@ const struct pp_criterion pp_criterion_sunlight = {
     .summary = "25 % of annual probable sunlight hours, 5 % in winter, at windows that "
                "face south",
     .bears_on_use = pp_bearing_is_lived_in,
+    .of_states = true,
     .evaluate = assess_sunlight,
 };

@@ -103,5 +103,6 @@ const struct pp_criterion pp_criterion_gardens = {
     .source = "BR209",
     .summary = "at least two hours of sun on 21 March on half of each garden",
     .of_gardens = true,
+    .of_states = true,
     .evaluate = assess_sunlit_gardens,
 };

@@ -258,6 +258,7 @@ const struct pp_criterion pp_criterion_vertical_sky = {
     .source = "BR209",
     .summary = "at least 27 % at the centre of the outer face of each window",
     .bears_on_use = pp_bearing_needs_daylight,
+    .of_states = true,
     .evaluate = evaluate_component,
 };
 
@@ -268,6 +269,7 @@ const struct pp_criterion pp_criterion_former_sky = {
     .summary = "at least 27 %, or 0.8 of the former value, at each window (--before)",
     .needs_before = true,
     .bears_on_use = pp_bearing_needs_daylight,
+    .of_states = true,
     .evaluate = evaluate_loss,
 };
 

@@ -10,7 +10,8 @@
 
 const char *const pp_schedule_titles[PP_SCHEDULE_CHANGES] = {
     "vertical sky component, %", "sunlight hours of the year, %",
-    "sunlight hours in winter, %", "area with a view of the sky, m2"};
+    "sunlight hours in winter, %", "area with a view of the sky, m2",
+    "vertical sky component without own balconies, %"};
 
 double pp_schedule_loss(struct pp_schedule_change change)
 {
@@ -47,7 +48,7 @@ static struct pp_schedule_row *row_of(struct pp_window_schedule *schedule,
                                     .level_m = world->placement.z,
                                     .verdict = PP_NOT_JUDGED};
     for (int i = 0; i < PP_SCHEDULE_CHANGES; i++)
-        row->changes[i] = (struct pp_schedule_change){NAN, NAN};
+        row->changes[i] = (struct pp_schedule_change){NAN, NAN, NAN};
     return row;
 }
 
@@ -59,9 +60,15 @@ static enum pp_status add_change(struct pp_window_schedule *schedule,
     struct pp_schedule_row *row = row_of(schedule, of->room, of->finding->line, err);
     if (!row)
         return PP_SYSTEM;
-    row->changes[quantity] = (struct pp_schedule_change){of->existing, of->proposed};
-    if (quantity == PP_SCHEDULE_SKY)
+    row->changes[quantity] =
+        (struct pp_schedule_change){of->existing, of->proposed, of->cumulative};
+    if (quantity == PP_SCHEDULE_SKY) {
+        const struct pp_finding *cumulative = of->in_cumulative;
         row->verdict = of->finding->verdict;
+        row->changes[PP_SCHEDULE_BARE] = (struct pp_schedule_change){
+            of->finding->before_unshaded, of->finding->now_unshaded,
+            cumulative ? cumulative->now_unshaded : NAN};
+    }
     return PP_OK;
 }
 
@@ -89,7 +96,9 @@ enum pp_status pp_window_schedule_of(struct pp_window_schedule *schedule,
             if (table.rooms[k].room == schedule->rows[i].room)
                 schedule->rows[i].changes[PP_SCHEDULE_AREA] =
                     (struct pp_schedule_change){table.rooms[k].existing,
-                                                table.rooms[k].proposed};
+                                                table.rooms[k].proposed,
+                                                table.rooms[k].cumulative};
+    schedule->has_cumulative = table.has_cumulative;
     schedule->probable = table.sun_count > 0 && !isnan(table.suns[0].finding->wanted);
     pp_site_table_clear(&table);
     return status;

@@ -7,19 +7,21 @@
 
 /* Fractions, or m2 for an area; NAN: not known. */
 struct pp_schedule_change {
-    double existing, proposed;
+    double existing, proposed, cumulative;
 };
 
 /* Share of the existing value that is lost (negative: gained), and the ratio. */
 double pp_schedule_loss(struct pp_schedule_change change);
 double pp_schedule_ratio(struct pp_schedule_change change);
 
-enum { PP_SCHEDULE_CHANGES = 4 };
+enum { PP_SCHEDULE_CHANGES = 5 };
 enum pp_schedule_quantity {
     PP_SCHEDULE_SKY,    /* vertical sky component */
     PP_SCHEDULE_YEAR,   /* share of sunlight hours in the year */
     PP_SCHEDULE_WINTER, /* share of these hours in winter */
-    PP_SCHEDULE_AREA    /* area of the window's room with a view of the sky, m2 */
+    PP_SCHEDULE_AREA,   /* area of the window's room with a view of the sky, m2 */
+    PP_SCHEDULE_BARE    /* vertical sky component without the overhangs and balconies of
+                         * the building itself; unknown if there are none */
 };
 
 /* Titles with units: "vertical sky component, %". */
@@ -40,6 +42,7 @@ struct pp_schedule_row {
 struct pp_window_schedule {
     struct pp_schedule_row *rows;
     int count;
+    bool has_cumulative; /* the site has a cumulative state */
     bool probable; /* true: sunlight hours are probable ones; false: possible ones */
 };
 

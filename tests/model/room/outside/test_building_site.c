@@ -158,6 +158,35 @@ static void each_state_has_its_own_site(void **state)
     pp_building_destroy(building);
 }
 
+static void the_cumulative_state_has_the_proposal_and_more(void **state)
+{
+    (void)state;
+    struct pp_building *building = building_of(
+        "<block name='Shed' state='existing' x='10' y='-20' width='9' depth='5' "
+        "height='3'/>"
+        "<block name='Tower' state='proposed' x='20' y='-20' width='9' depth='5' "
+        "height='30'/>"
+        "<block name='Next' state='cumulative' x='-20' y='-20' width='9' depth='5' "
+        "height='30'/>"
+        "<room name='Stays'>" ROOM "</room>");
+    assert_true(pp_building_has_cumulative(building));
+    struct pp_world *world = world_of(building, 0);
+    assert_int_equal(world->block_count, 1);
+    pp_world_destroy(world);
+    assert_int_equal(pp_building_set_state(building, PP_STATE_CUMULATIVE, NULL), PP_OK);
+    world = world_of(building, 0);
+    assert_int_equal(world->block_count, 2);
+    assert_string_equal(world->blocks[0].name, "Tower");
+    assert_string_equal(world->blocks[1].name, "Next");
+    pp_world_destroy(world);
+    assert_int_equal(pp_building_set_state(building, PP_STATE_EXISTING, NULL), PP_OK);
+    world = world_of(building, 0);
+    assert_int_equal(world->block_count, 1);
+    assert_string_equal(world->blocks[0].name, "Shed");
+    pp_world_destroy(world);
+    pp_building_destroy(building);
+}
+
 static void a_skyline_of_the_site_stands_before_walls_of_that_name(void **state)
 {
     (void)state;
@@ -239,6 +268,7 @@ TEST_FILE
         cmocka_unit_test(a_room_shades_as_a_block_of_its_size),
         cmocka_unit_test(a_room_that_is_not_placed_stands_by_itself),
         cmocka_unit_test(each_state_has_its_own_site),
+        cmocka_unit_test(the_cumulative_state_has_the_proposal_and_more),
         cmocka_unit_test(a_skyline_of_the_site_stands_before_walls_of_that_name),
         cmocka_unit_test(a_wall_before_another_room_is_an_inner_one),
         cmocka_unit_test(a_rectangular_footprint_is_a_box),

@@ -9,8 +9,8 @@
 static void a_loss_is_what_the_ratio_leaves(void **state)
 {
     (void)state;
-    const struct pp_schedule_change half = {0.31, 0.155}, gain = {0.2, 0.25},
-                                    unknown = {NAN, 0.3}, dark = {0.0, 0.1};
+    const struct pp_schedule_change half = {0.31, 0.155, NAN}, gain = {0.2, 0.25, NAN},
+                                    unknown = {NAN, 0.3, NAN}, dark = {0.0, 0.1, NAN};
     assert_near(pp_schedule_loss(half), 0.5, 1e-12);
     assert_near(pp_schedule_ratio(half), 0.5, 1e-12);
     assert_near(pp_schedule_loss(gain), -0.25, 1e-12);
@@ -36,6 +36,9 @@ static void each_window_has_one_line_with_all_its_figures(void **state)
         sky[i].line = 2 + i;
         sun[i].line = 2;
     }
+    sun[0].season = "year";
+    sun[1].season = "winter";
+    sky[0].now_unshaded = 0.25;
     pp_finding_compares(&sky[0], PP_FIGURE_FACTOR, 0.21, 0.3);
     pp_finding_compares(&sky[1], PP_FIGURE_FACTOR, 0.27, 0.3);
     pp_finding_compares(&sun[0], PP_FIGURE_SHARE, 0.3, 0.4);
@@ -43,8 +46,7 @@ static void each_window_has_one_line_with_all_its_figures(void **state)
     struct pp_answer answers[] = {
         {.criterion = &pp_criterion_former_sky, .findings = {.list = sky, .count = 2}},
         {.criterion = &pp_criterion_sunlight, .findings = {.list = sun, .count = 2}}};
-    struct pp_assessment assessment = {
-        .room = &room, .answers = answers, .answer_count = 2};
+    struct pp_assessment assessment = {.room = &room, .answers = {answers, 2}};
     struct pp_window_schedule schedule;
     struct pp_error err;
     assert_int_equal(pp_window_schedule_of(&schedule, &assessment, 1, &err), PP_OK);
@@ -56,6 +58,9 @@ static void each_window_has_one_line_with_all_its_figures(void **state)
     assert_near(pp_schedule_ratio(a->changes[PP_SCHEDULE_SKY]), 0.7, 1e-12);
     assert_near(a->changes[PP_SCHEDULE_YEAR].proposed, 0.3, 1e-12);
     assert_near(a->changes[PP_SCHEDULE_WINTER].existing, 0.2, 1e-12);
+    assert_near(a->changes[PP_SCHEDULE_BARE].proposed, 0.25, 1e-12);
+    assert_true(isnan(second->changes[PP_SCHEDULE_BARE].proposed));
+    assert_false(schedule.has_cumulative);
     assert_true(isnan(second->changes[PP_SCHEDULE_YEAR].proposed));
     assert_true(isnan(a->changes[PP_SCHEDULE_AREA].proposed));
     assert_true(a->verdict == PP_NOT_MET && second->verdict == PP_MET);
