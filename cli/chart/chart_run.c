@@ -103,9 +103,8 @@ static enum pp_exit load_former(struct chart_task *task)
         char *file[] = {(char *)options->before};
         exit_status = pp_rooms_load(&task->former, "chart", file, 1, &all_rooms);
     } else if (options->before || task->kind->of_site) {
-        exit_status =
-            pp_rooms_load_state(&task->former, "chart", &task->rooms, &all_rooms,
-                                PP_STATE_EXISTING);
+        exit_status = pp_rooms_load_state(&task->former, "chart", &task->rooms,
+                                          &all_rooms, PP_STATE_EXISTING);
     }
     if (exit_status != PP_EXIT_DONE)
         return exit_status;

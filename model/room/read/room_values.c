@@ -126,7 +126,8 @@ const struct pp_value_kind pp_room_values_dirt_edition = {
 static const char *const grounds[] = {"shaded", "open", NULL};
 const struct pp_value_kind pp_room_values_ground_kind = {
     .reading = PP_VALUE_CHOICE, .expected = "\"shaded\" or \"open\"", .words = grounds};
-static const char *const states[] = {"both", "existing", "proposed", "cumulative", NULL};
+static const char *const states[] = {"both", "existing", "proposed", "cumulative",
+                                     NULL};
 const struct pp_value_kind pp_room_values_state = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"existing\", \"proposed\", \"cumulative\" or \"both\"",
