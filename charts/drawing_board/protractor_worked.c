@@ -183,7 +183,7 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
         double near = s * section.mm_per_m;
         double far = (cut.length_m - s) * section.mm_per_m;
         section.y = 0.0;
-        double above = pp_room_section_y(&section, sheet->point.z);
+        double above = pp_section_frame_y(&section, sheet->point.z);
         left = fmax(left, to_right ? fmax(edge + 2.0 - near, 4.0)
                                    : fmax(edge + 0.8 * words - near, words));
         right = fmax(right, to_right ? fmax(edge + 0.8 * words - far, words)
@@ -203,8 +203,8 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
     section.head_mm = 3.0 * drawing->style.scale;
 
     struct pp_protractor_disc disc = {.scale = &sheet->scale,
-                                      .x = pp_room_section_x(&section, s),
-                                      .y = pp_room_section_y(&section, sheet->point.z),
+                                      .x = pp_section_frame_x(&section, s),
+                                      .y = pp_section_frame_y(&section, sheet->point.z),
                                       .radius = drawing->radius,
                                       .grey = disc_grey,
                                       .to_right = to_right};
@@ -351,8 +351,8 @@ static void draw_worked_plan(const struct protractor_drawing *drawing,
     plan.y = box.y + (box.height - height - low[1] - high[1]) / 2.0 + high[1] + height;
 
     struct pp_protractor_disc disc = {.scale = &sheet->scale,
-                                      .x = pp_room_plan_x(&plan, sheet->point.x),
-                                      .y = pp_room_plan_y(&plan, sheet->point.y),
+                                      .x = pp_plan_frame_x(&plan, sheet->point.x),
+                                      .y = pp_plan_frame_y(&plan, sheet->point.y),
                                       .radius = drawing->radius,
                                       .grey = disc_grey,
                                       .plan = {sheet->read.out.x, -sheet->read.out.y}};

@@ -29,8 +29,8 @@ static double draw_note_plan(cairo_t *cr, const struct pp_style *style,
     pp_room_plan_place(&plan, style, box, true);
     double bottom = plan.y + pp_room_plan_border(&plan, style, PP_PLAN_BELOW);
     pp_room_plan_draw(cr, style, &plan);
-    pp_style_marker(cr, style, PP_DISC, pp_room_plan_x(&plan, point.x),
-                    pp_room_plan_y(&plan, point.y));
+    pp_style_marker(cr, style, PP_DISC, pp_plan_frame_x(&plan, point.x),
+                    pp_plan_frame_y(&plan, point.y));
     snprintf(words, sizeof words, "Plan 1:%g, with the point", plan.scale);
     return bottom - box.y + caption(cr, style, box, bottom, words, true);
 }

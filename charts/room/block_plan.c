@@ -66,8 +66,8 @@ static void say_block(cairo_t *cr, const struct pp_style *style,
     double xy[4][2], x = 0.0, y = 0.0;
     base_of(block, xy);
     for (int k = 0; k < 4; k++) {
-        x += 0.25 * pp_room_plan_x(frame, xy[k][0]);
-        y += 0.25 * pp_room_plan_y(frame, xy[k][1]);
+        x += 0.25 * pp_plan_frame_x(frame, xy[k][0]);
+        y += 0.25 * pp_plan_frame_y(frame, xy[k][1]);
     }
     if (block->name)
         pp_text_append(words, sizeof words, "%.30s\n", block->name);
@@ -96,10 +96,10 @@ static void say_block(cairo_t *cr, const struct pp_style *style,
     struct pp_box size = pp_lettering_measure(cr, style, &set, 0.0, 0.0, words);
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int k = 0; k < 4; k++) {
-        low[0] = fmin(low[0], pp_room_plan_x(frame, xy[k][0]));
-        low[1] = fmin(low[1], pp_room_plan_y(frame, xy[k][1]));
-        high[0] = fmax(high[0], pp_room_plan_x(frame, xy[k][0]));
-        high[1] = fmax(high[1], pp_room_plan_y(frame, xy[k][1]));
+        low[0] = fmin(low[0], pp_plan_frame_x(frame, xy[k][0]));
+        low[1] = fmin(low[1], pp_plan_frame_y(frame, xy[k][1]));
+        high[0] = fmax(high[0], pp_plan_frame_x(frame, xy[k][0]));
+        high[1] = fmax(high[1], pp_plan_frame_y(frame, xy[k][1]));
     }
     bool inside = size.width < high[0] - low[0] && size.height < high[1] - low[1];
     double gap = 1.0 * style->scale;
@@ -147,7 +147,7 @@ void pp_block_plan_axes(cairo_t *cr, const struct pp_style *style,
         outside |= plan->extent.low[k] > 0.0 || plan->extent.high[k] < 0.0;
     for (int k = 0; k < 2 && outside; k++)
         at[k] = plan->extent.low[k];
-    double x = pp_room_plan_x(plan, at[0]), y = pp_room_plan_y(plan, at[1]);
+    double x = pp_plan_frame_x(plan, at[0]), y = pp_plan_frame_y(plan, at[1]);
     arrow(cr, style, x, y, x + length, y);
     arrow(cr, style, x, y, x, y - length);
     const struct pp_lettering set = {
@@ -181,8 +181,8 @@ void pp_block_plan_draw(cairo_t *cr, const struct pp_style *style,
         double xy[4][2];
         base_of(&world->blocks[i], xy);
         for (int k = 0; k < 4; k++)
-            cairo_line_to(cr, pp_room_plan_x(&frame, xy[k][0]),
-                          pp_room_plan_y(&frame, xy[k][1]));
+            cairo_line_to(cr, pp_plan_frame_x(&frame, xy[k][0]),
+                          pp_plan_frame_y(&frame, xy[k][1]));
         cairo_close_path(cr);
         pp_style_grey(cr, PP_GREY_FILL);
         cairo_fill_preserve(cr);

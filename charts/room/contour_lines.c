@@ -12,8 +12,8 @@ void pp_contour_lines_path(cairo_t *cr, const struct pp_room_plan *plan,
 {
     cairo_new_sub_path(cr);
     for (int i = 0; i < curve->count; i++)
-        cairo_line_to(cr, pp_room_plan_x(plan, curve->xy[i][0]),
-                      pp_room_plan_y(plan, curve->xy[i][1]));
+        cairo_line_to(cr, pp_plan_frame_x(plan, curve->xy[i][0]),
+                      pp_plan_frame_y(plan, curve->xy[i][1]));
     if (curve->closed)
         cairo_close_path(cr);
 }
@@ -42,8 +42,8 @@ static bool lay_track(struct track *track, const struct pp_room_plan *plan,
         return false;
     for (int i = 0; i < count; i++) {
         const double *xy = curve->xy[i % curve->count];
-        track->xy[i][0] = pp_room_plan_x(plan, xy[0]);
-        track->xy[i][1] = pp_room_plan_y(plan, xy[1]);
+        track->xy[i][0] = pp_plan_frame_x(plan, xy[0]);
+        track->xy[i][1] = pp_plan_frame_y(plan, xy[1]);
         track->length[i] = i ? track->length[i - 1]
                                    + hypot(track->xy[i][0] - track->xy[i - 1][0],
                                            track->xy[i][1] - track->xy[i - 1][1])

@@ -165,7 +165,7 @@ static void draw_exercise_plan(const struct exercise_drawing *drawing,
          drawing->cut.origin[1] + drawing->cut.length_m * drawing->cut.along[1]}};
     pp_plan_names_draw(drawing->cr, style, &plan, &mark);
     pp_block_plan_axes(drawing->cr, style, &plan);
-    double x = pp_room_plan_x(&plan, point.x), y = pp_room_plan_y(&plan, point.y);
+    double x = pp_plan_frame_x(&plan, point.x), y = pp_plan_frame_y(&plan, point.y);
     pp_style_marker(drawing->cr, style, PP_DISC, x, y);
     const struct pp_lettering at = {.size = PP_TEXT_SMALL, .down = 0.5};
     snprintf(words, sizeof words, "P (%.4g, %.4g)", point.x, point.y);

@@ -182,8 +182,8 @@ static void say_flat(struct plan_drawing *drawing)
                           * drawing->plan.mm_per_m,
                       30.0)};
     pp_lettering_draw(drawing->cr, &drawing->style, &set,
-                      pp_room_plan_x(&drawing->plan, middle[0]),
-                      pp_room_plan_y(&drawing->plan, middle[1]), words);
+                      pp_plan_frame_x(&drawing->plan, middle[0]),
+                      pp_plan_frame_y(&drawing->plan, middle[1]), words);
 }
 
 /* ---- around the plan ---- */
@@ -354,8 +354,8 @@ static void blank_fittings(const struct plan_drawing *drawing)
             continue;
         for (int k = 0; k < fitting->corner_count; k++)
             cairo_line_to(drawing->cr,
-                          pp_room_plan_x(&drawing->plan, fitting->xy[k][0]),
-                          pp_room_plan_y(&drawing->plan, fitting->xy[k][1]));
+                          pp_plan_frame_x(&drawing->plan, fitting->xy[k][0]),
+                          pp_plan_frame_y(&drawing->plan, fitting->xy[k][1]));
         cairo_close_path(drawing->cr);
         cairo_fill(drawing->cr);
     }

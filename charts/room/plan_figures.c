@@ -82,8 +82,8 @@ void pp_plan_figures_place(struct pp_plan_figure *list, cairo_t *cr,
     const struct pp_report *report = chart->report;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL};
     for (int i = 0; i < report->receiver_count; i++) {
-        double x = pp_room_plan_x(plan, report->receivers[i].position.x);
-        double y = pp_room_plan_y(plan, report->receivers[i].position.y);
+        double x = pp_plan_frame_x(plan, report->receivers[i].position.x);
+        double y = pp_plan_frame_y(plan, report->receivers[i].position.y);
         pp_labels_note(labels, PP_LABEL_MARKS, x, y, x, y);
     }
     for (int i = 0; i < report->receiver_count; i++) {
@@ -91,8 +91,8 @@ void pp_plan_figures_place(struct pp_plan_figure *list, cairo_t *cr,
         list[i] = (struct pp_plan_figure){0};
         if (!pp_plan_figures_has(chart, i))
             continue;
-        double x = pp_room_plan_x(plan, report->receivers[i].position.x);
-        double y = pp_room_plan_y(plan, report->receivers[i].position.y);
+        double x = pp_plan_frame_x(plan, report->receivers[i].position.x);
+        double y = pp_plan_frame_y(plan, report->receivers[i].position.y);
         pp_plan_figures_value(words, sizeof words, chart, i);
         struct pp_box size = pp_lettering_measure(cr, style, &set, 0, 0, words);
         list[i].placed = find_box(&list[i].box, &list[i].on_lines, labels, size, x, y,
@@ -119,8 +119,8 @@ void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
     }
     for (int i = 0; i < report->receiver_count; i++)
         pp_style_marker(cr, style, PP_POINT_MARK,
-                        pp_room_plan_x(plan, report->receivers[i].position.x),
-                        pp_room_plan_y(plan, report->receivers[i].position.y));
+                        pp_plan_frame_x(plan, report->receivers[i].position.x),
+                        pp_plan_frame_y(plan, report->receivers[i].position.y));
 }
 
 /* ---- of the plane ---- */

@@ -50,7 +50,7 @@ static bool is_free(const struct name_drawing *drawing, struct pp_box box)
 static double depth_of(const struct name_drawing *drawing, int face)
 {
     const struct pp_world *world = drawing->plan->world;
-    double depth = pp_room_plan_wall_mm(drawing->style);
+    double depth = pp_plan_frame_wall_mm(drawing->style);
     for (int i = 0; i < world->facade_count; i++)
         if (world->facades[i].face == face)
             depth = fmax(depth, world->facades[i].depth_m * drawing->plan->mm_per_m
@@ -70,7 +70,7 @@ static void write_along(struct name_drawing *drawing, const struct pp_polygon *p
 {
     const struct pp_style *style = drawing->style;
     double ends[2][2], out[2];
-    pp_room_plan_ends(drawing->plan, piece, ends, out);
+    pp_plan_frame_ends(drawing->plan, piece, ends, out);
     struct pp_box size =
         pp_lettering_measure(drawing->cr, style, &set, 0.0, 0.0, words);
     bool turned = fabs(out[0]) > fabs(out[1]);
@@ -105,7 +105,7 @@ static void name_windows(struct name_drawing *drawing)
     const struct pp_world *world = drawing->plan->world;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .bold = true};
     for (int i = 0; i < world->opening_count; i++)
-        if (pp_room_plan_is_in_wall(world, &world->openings[i]))
+        if (pp_plan_frame_is_in_wall(world, &world->openings[i]))
             write_along(drawing, &world->openings[i].inner, world->openings[i].face,
                         set, world->openings[i].label);
 }
@@ -137,8 +137,8 @@ static struct pp_box overhead_box(cairo_t *cr, const struct pp_style *style,
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .bold = true};
     double x = INFINITY, y = INFINITY, gap = 0.6 * style->scale;
     for (int i = 0; i < opening->inner.count; i++) {
-        x = fmin(x, pp_room_plan_x(plan, opening->inner.vertices[i].x));
-        y = fmin(y, pp_room_plan_y(plan, opening->inner.vertices[i].y));
+        x = fmin(x, pp_plan_frame_x(plan, opening->inner.vertices[i].x));
+        y = fmin(y, pp_plan_frame_y(plan, opening->inner.vertices[i].y));
     }
     return pp_lettering_measure(cr, style, &set, x + gap, y + gap, opening->label);
 }
@@ -148,7 +148,7 @@ void pp_plan_names_note(struct pp_labels *labels, cairo_t *cr,
 {
     const struct pp_world *world = plan->world;
     for (int i = 0; i < world->opening_count; i++)
-        if (!pp_room_plan_is_in_wall(world, &world->openings[i]))
+        if (!pp_plan_frame_is_in_wall(world, &world->openings[i]))
             pp_labels_note_box(labels,
                                overhead_box(cr, style, plan, &world->openings[i]));
 }
@@ -159,7 +159,7 @@ static void name_overhead(struct name_drawing *drawing)
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .bold = true};
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        if (pp_room_plan_is_in_wall(world, opening))
+        if (pp_plan_frame_is_in_wall(world, opening))
             continue;
         struct pp_box box =
             overhead_box(drawing->cr, drawing->style, drawing->plan, opening);
@@ -215,12 +215,12 @@ static void draw_dimensions(struct name_drawing *drawing)
     const struct pp_style *style = drawing->style;
     const struct pp_bounds2 *room = &plan->extent;
     double left = plan->x, below = plan->y;
-    double right = pp_room_plan_x(plan, room->high[0]),
-           top = pp_room_plan_y(plan, room->high[1]);
-    double y = below + pp_room_plan_walls_mm(plan, style, PP_PLAN_BELOW)
+    double right = pp_plan_frame_x(plan, room->high[0]),
+           top = pp_plan_frame_y(plan, room->high[1]);
+    double y = below + pp_plan_frame_walls_mm(plan, style, PP_PLAN_BELOW)
                + 1.5 * strip_mm(style);
-    double x =
-        left - pp_room_plan_walls_mm(plan, style, PP_PLAN_LEFT) - 1.5 * strip_mm(style);
+    double x = left - pp_plan_frame_walls_mm(plan, style, PP_PLAN_LEFT)
+               - 1.5 * strip_mm(style);
     pp_plan_names_dimension(drawing->cr, style, left, y, right, y,
                             room->high[0] - room->low[0], true);
     pp_plan_names_dimension(drawing->cr, style, x, below, x, top,
@@ -233,7 +233,7 @@ static void draw_dimensions(struct name_drawing *drawing)
 static double depth_at(const struct name_drawing *drawing, const double xy[2])
 {
     const struct pp_world *world = drawing->plan->world;
-    double depth = pp_room_plan_wall_mm(drawing->style);
+    double depth = pp_plan_frame_wall_mm(drawing->style);
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_polygon *wall = &world->surfaces[i].outline;
         struct pp_vec3 place = pp_vec(xy[0], xy[1], wall->vertices[0].z);
@@ -287,10 +287,10 @@ static void mark_end(struct name_drawing *drawing, double x, double y, double de
 static void draw_mark(struct name_drawing *drawing, const struct pp_plan_mark *mark)
 {
     const struct pp_room_plan *plan = drawing->plan;
-    double x[2] = {pp_room_plan_x(plan, mark->from[0]),
-                   pp_room_plan_x(plan, mark->to[0])};
-    double y[2] = {pp_room_plan_y(plan, mark->from[1]),
-                   pp_room_plan_y(plan, mark->to[1])};
+    double x[2] = {pp_plan_frame_x(plan, mark->from[0]),
+                   pp_plan_frame_x(plan, mark->to[0])};
+    double y[2] = {pp_plan_frame_y(plan, mark->from[1]),
+                   pp_plan_frame_y(plan, mark->to[1])};
     double length = hypot(x[1] - x[0], y[1] - y[0]);
     if (!(length > 0.0))
         return;

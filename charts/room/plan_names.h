@@ -8,7 +8,7 @@
 #ifndef PP_CHARTS_ROOM_PLAN_NAMES_H
 #define PP_CHARTS_ROOM_PLAN_NAMES_H
 
-#include "charts/room/room_plan.h"
+#include "charts/room/plan_frame.h"
 #include "charts/sheet/labels.h"
 
 /* Space that the names need on a side of the plan, mm. */

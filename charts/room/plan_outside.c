@@ -3,11 +3,6 @@
 
 #include <math.h>
 
-bool pp_plan_outside_is_shade(const struct pp_surface *surface)
-{
-    return surface->is_shade && surface->owner >= 0 && surface->role == PP_FREE_SURFACE;
-}
-
 /* Draws the outer faces of the walls that have a facade at the height of the cut. */
 static void draw_facades(cairo_t *cr, const struct pp_style *style,
                          const struct pp_room_plan *plan)
@@ -19,10 +14,10 @@ static void draw_facades(cairo_t *cr, const struct pp_style *style,
         if (corners[0].z > world->working_plane_m
             || corners[3].z < world->working_plane_m)
             continue;
-        cairo_move_to(cr, pp_room_plan_x(plan, corners[0].x),
-                      pp_room_plan_y(plan, corners[0].y));
-        cairo_line_to(cr, pp_room_plan_x(plan, corners[1].x),
-                      pp_room_plan_y(plan, corners[1].y));
+        cairo_move_to(cr, pp_plan_frame_x(plan, corners[0].x),
+                      pp_plan_frame_y(plan, corners[0].y));
+        cairo_line_to(cr, pp_plan_frame_x(plan, corners[1].x),
+                      pp_plan_frame_y(plan, corners[1].y));
     }
     cairo_stroke(cr);
 }
@@ -47,14 +42,14 @@ static void trace_shade(cairo_t *cr, const struct pp_room_plan *plan,
 {
     if (is_upright(outline)) {
         double ends[2][2], out[2];
-        pp_room_plan_ends(plan, outline, ends, out);
+        pp_plan_frame_ends(plan, outline, ends, out);
         cairo_move_to(cr, ends[0][0], ends[0][1]);
         cairo_line_to(cr, ends[1][0], ends[1][1]);
         return;
     }
     for (int k = 0; k < outline->count; k++)
-        cairo_line_to(cr, pp_room_plan_x(plan, outline->vertices[k].x),
-                      pp_room_plan_y(plan, outline->vertices[k].y));
+        cairo_line_to(cr, pp_plan_frame_x(plan, outline->vertices[k].x),
+                      pp_plan_frame_y(plan, outline->vertices[k].y));
     cairo_close_path(cr);
 }
 
@@ -65,7 +60,7 @@ static bool is_on_slab(const struct pp_world *world, const struct pp_surface *up
     struct pp_vec3 middle = pp_polygon_middle(&upright->outline);
     for (int i = world->face_count; i < world->surface_count; i++) {
         const struct pp_surface *slab = &world->surfaces[i];
-        if (!pp_plan_outside_is_shade(slab) || slab->owner != upright->owner
+        if (!pp_plan_frame_is_shade(slab) || slab->owner != upright->owner
             || is_upright(&slab->outline))
             continue;
         for (int k = 0; k < slab->outline.count; k++) {
@@ -89,7 +84,7 @@ static void draw_shades(cairo_t *cr, const struct pp_style *style,
     for (int i = world->face_count; i < world->surface_count; i++) {
         const struct pp_polygon *outline = &world->surfaces[i].outline;
         double low = INFINITY;
-        if (!pp_plan_outside_is_shade(&world->surfaces[i])
+        if (!pp_plan_frame_is_shade(&world->surfaces[i])
             || (is_upright(outline) && is_on_slab(world, &world->surfaces[i])))
             continue;
         for (int k = 0; k < outline->count; k++)
@@ -111,8 +106,8 @@ static void draw_furniture(cairo_t *cr, const struct pp_style *style,
         if (!above && fitting->high_m > world->working_plane_m)
             continue;
         for (int k = 0; k < fitting->corner_count; k++)
-            cairo_line_to(cr, pp_room_plan_x(plan, fitting->xy[k][0]),
-                          pp_room_plan_y(plan, fitting->xy[k][1]));
+            cairo_line_to(cr, pp_plan_frame_x(plan, fitting->xy[k][0]),
+                          pp_plan_frame_y(plan, fitting->xy[k][1]));
         cairo_close_path(cr);
         set_pen(cr, style, above);
         cairo_stroke(cr);
@@ -122,11 +117,11 @@ static void draw_furniture(cairo_t *cr, const struct pp_style *style,
 void pp_plan_outside_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan)
 {
-    double left = pp_room_plan_walls_mm(plan, style, PP_PLAN_LEFT),
-           right = pp_room_plan_walls_mm(plan, style, PP_PLAN_RIGHT),
-           above = pp_room_plan_walls_mm(plan, style, PP_PLAN_ABOVE),
-           below = pp_room_plan_walls_mm(plan, style, PP_PLAN_BELOW);
-    double top = pp_room_plan_y(plan, plan->extent.high[1]);
+    double left = pp_plan_frame_walls_mm(plan, style, PP_PLAN_LEFT),
+           right = pp_plan_frame_walls_mm(plan, style, PP_PLAN_RIGHT),
+           above = pp_plan_frame_walls_mm(plan, style, PP_PLAN_ABOVE),
+           below = pp_plan_frame_walls_mm(plan, style, PP_PLAN_BELOW);
+    double top = pp_plan_frame_y(plan, plan->extent.high[1]);
     cairo_save(cr);
     cairo_new_path(cr);
     cairo_rectangle(

@@ -3,11 +3,7 @@
 #ifndef PP_CHARTS_ROOM_PLAN_OUTSIDE_H
 #define PP_CHARTS_ROOM_PLAN_OUTSIDE_H
 
-#include "charts/room/room_plan.h"
-
-/* True if the surface is part of a balcony, overhang, fin or shelf of one of the room's
- * windows. */
-bool pp_plan_outside_is_shade(const struct pp_surface *surface);
+#include "charts/room/plan_frame.h"
 
 /* Draws objects above the cut in dashed lines, and objects below it in thin full lines.
  * Facades are drawn where the cut meets them. */

@@ -13,57 +13,10 @@
  * users: such windows are dashed, like everything above a plan's cut. */
 #define HIGH_SILL_M 1.0
 
-double pp_room_plan_wall_mm(const struct pp_style *style)
-{
-    return 1.3 * style->thick;
-}
-
-/* Adds corners to the extent, at most `most` (m) beyond the room. */
-static void add_corners(struct pp_bounds2 *outer, const struct pp_room_plan *plan,
-                        const struct pp_vec3 *corners, int count, double most)
-{
-    const struct pp_bounds2 *room = &plan->extent;
-    for (int i = 0; i < count; i++)
-        pp_bounds2_add(
-            outer, fmin(fmax(corners[i].x, room->low[0] - most), room->high[0] + most),
-            fmin(fmax(corners[i].y, room->low[1] - most), room->high[1] + most));
-}
-
-/* Extent (m) of the room with what is drawn outside it: reveals, its windows' overhangs
- * and balconies, and facades, which continue for half a metre. */
-static struct pp_bounds2 outer_extent(const struct pp_room_plan *plan)
-{
-    static const double balcony_m = 2.5, facade_m = 0.5;
-    const struct pp_world *world = plan->world;
-    struct pp_bounds2 outer = plan->extent;
-    for (int i = 0; i < world->opening_count; i++)
-        add_corners(&outer, plan, world->openings[i].outer.vertices,
-                    world->openings[i].outer.count, balcony_m);
-    for (int i = world->face_count; i < world->surface_count; i++)
-        if (pp_plan_outside_is_shade(&world->surfaces[i]))
-            add_corners(&outer, plan, world->surfaces[i].outline.vertices,
-                        world->surfaces[i].outline.count, balcony_m);
-    for (int i = 0; i < world->facade_count; i++)
-        add_corners(&outer, plan, world->facades[i].corners, 4, facade_m);
-    return outer;
-}
-
-double pp_room_plan_walls_mm(const struct pp_room_plan *plan,
-                             const struct pp_style *style, enum pp_plan_side side)
-{
-    const struct pp_bounds2 outer = outer_extent(plan), *room = &plan->extent;
-    const double out_m[] = {[PP_PLAN_LEFT] = room->low[0] - outer.low[0],
-                            [PP_PLAN_RIGHT] = outer.high[0] - room->high[0],
-                            [PP_PLAN_ABOVE] = outer.high[1] - room->high[1],
-                            [PP_PLAN_BELOW] = room->low[1] - outer.low[1]};
-    return fmax(pp_room_plan_wall_mm(style), plan->mm_per_m * out_m[side])
-           + 0.5 * style->scale;
-}
-
 double pp_room_plan_border(const struct pp_room_plan *plan,
                            const struct pp_style *style, enum pp_plan_side side)
 {
-    double walls = pp_room_plan_walls_mm(plan, style, side);
+    double walls = pp_plan_frame_walls_mm(plan, style, side);
     return plan->named ? walls + pp_plan_names_mm(style, side) : walls;
 }
 
@@ -125,24 +78,14 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
     }
 }
 
-double pp_room_plan_x(const struct pp_room_plan *plan, double x)
-{
-    return plan->x + (x - plan->extent.low[0]) * plan->mm_per_m;
-}
-
-double pp_room_plan_y(const struct pp_room_plan *plan, double y)
-{
-    return plan->y - (y - plan->extent.low[1]) * plan->mm_per_m;
-}
-
 void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan)
 {
     const struct pp_region *plane = &plan->world->plane;
     for (int r = 0; r < plane->count; r++) {
         cairo_new_sub_path(cr);
         for (int i = 0; i < plane->rings[r].count; i++)
-            cairo_line_to(cr, pp_room_plan_x(plan, plane->rings[r].xy[i][0]),
-                          pp_room_plan_y(plan, plane->rings[r].xy[i][1]));
+            cairo_line_to(cr, pp_plan_frame_x(plan, plane->rings[r].xy[i][0]),
+                          pp_plan_frame_y(plan, plane->rings[r].xy[i][1]));
         cairo_close_path(cr);
     }
 }
@@ -151,11 +94,11 @@ void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan)
 static void draw_walls(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan)
 {
-    double weight = pp_room_plan_wall_mm(style);
+    double weight = pp_plan_frame_wall_mm(style);
     cairo_save(cr);
     cairo_rectangle(
         cr, plan->x - 2.0 * weight,
-        pp_room_plan_y(plan, plan->extent.high[1]) - 2.0 * weight,
+        pp_plan_frame_y(plan, plan->extent.high[1]) - 2.0 * weight,
         (plan->extent.high[0] - plan->extent.low[0]) * plan->mm_per_m + 4.0 * weight,
         (plan->extent.high[1] - plan->extent.low[1]) * plan->mm_per_m + 4.0 * weight);
     pp_room_plan_path(cr, plan);
@@ -165,30 +108,6 @@ static void draw_walls(cairo_t *cr, const struct pp_style *style,
     pp_room_plan_path(cr, plan);
     cairo_stroke(cr);
     cairo_restore(cr);
-}
-
-void pp_room_plan_ends(const struct pp_room_plan *plan,
-                       const struct pp_polygon *outline, double ends[2][2],
-                       double out[2])
-{
-    struct pp_vec3 right = pp_vec_cross(pp_vec(0, 0, 1), outline->normal);
-    double low = INFINITY, high = -INFINITY;
-    for (int i = 0; i < outline->count; i++) {
-        double along = pp_vec_dot(right, outline->vertices[i]);
-        if (along < low) {
-            low = along;
-            ends[0][0] = pp_room_plan_x(plan, outline->vertices[i].x);
-            ends[0][1] = pp_room_plan_y(plan, outline->vertices[i].y);
-        }
-        if (along > high) {
-            high = along;
-            ends[1][0] = pp_room_plan_x(plan, outline->vertices[i].x);
-            ends[1][1] = pp_room_plan_y(plan, outline->vertices[i].y);
-        }
-    }
-    double level = hypot(outline->normal.x, outline->normal.y);
-    out[0] = -outline->normal.x / level;
-    out[1] = outline->normal.y / level;
 }
 
 /* Traces a piece of a wall from its inner face outwards. */
@@ -219,8 +138,8 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_opening *opening)
 {
-    double ends[2][2], out[2], weight = pp_room_plan_wall_mm(style);
-    pp_room_plan_ends(plan, &opening->inner, ends, out);
+    double ends[2][2], out[2], weight = pp_plan_frame_wall_mm(style);
+    pp_plan_frame_ends(plan, &opening->inner, ends, out);
     double lowest = INFINITY;
     for (int i = 0; i < opening->inner.count; i++)
         lowest = fmin(lowest, opening->inner.vertices[i].z);
@@ -253,8 +172,8 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
 static void draw_door(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_plan *plan, const struct pp_surface *door)
 {
-    double ends[2][2], out[2], leaf = pp_room_plan_wall_mm(style), depth = leaf;
-    pp_room_plan_ends(plan, &door->outline, ends, out);
+    double ends[2][2], out[2], leaf = pp_plan_frame_wall_mm(style), depth = leaf;
+    pp_plan_frame_ends(plan, &door->outline, ends, out);
     for (int i = 0; i < plan->world->facade_count; i++)
         if (plan->world->facades[i].face == door->owner)
             depth = fmax(depth, plan->world->facades[i].depth_m * plan->mm_per_m);
@@ -282,7 +201,7 @@ static void draw_overhead(cairo_t *cr, const struct pp_style *style,
     pp_style_line(cr, style->thin, PP_GREY_LINE);
     cairo_set_dash(cr, dashes, 2, 0.0);
     if (opening->slope_rad >= 89.5 * PP_RAD) {
-        pp_room_plan_ends(plan, &opening->inner, ends, out);
+        pp_plan_frame_ends(plan, &opening->inner, ends, out);
         cairo_set_line_width(cr, style->medium);
         cairo_move_to(cr, ends[0][0], ends[0][1]);
         cairo_line_to(cr, ends[1][0], ends[1][1]);
@@ -291,8 +210,8 @@ static void draw_overhead(cairo_t *cr, const struct pp_style *style,
     }
     cairo_new_sub_path(cr);
     for (int i = 0; i < opening->inner.count; i++)
-        cairo_line_to(cr, pp_room_plan_x(plan, opening->inner.vertices[i].x),
-                      pp_room_plan_y(plan, opening->inner.vertices[i].y));
+        cairo_line_to(cr, pp_plan_frame_x(plan, opening->inner.vertices[i].x),
+                      pp_plan_frame_y(plan, opening->inner.vertices[i].y));
     cairo_close_path(cr);
     cairo_stroke(cr);
 }
@@ -314,19 +233,11 @@ static void draw_inside(cairo_t *cr, const struct pp_style *style,
         struct pp_vec3 p =
             pp_vec_along(a, (height - a.z) / (b.z - a.z), pp_vec_sub(b, a));
         if (count++ % 2 == 0)
-            cairo_move_to(cr, pp_room_plan_x(plan, p.x), pp_room_plan_y(plan, p.y));
+            cairo_move_to(cr, pp_plan_frame_x(plan, p.x), pp_plan_frame_y(plan, p.y));
         else
-            cairo_line_to(cr, pp_room_plan_x(plan, p.x), pp_room_plan_y(plan, p.y));
+            cairo_line_to(cr, pp_plan_frame_x(plan, p.x), pp_plan_frame_y(plan, p.y));
     }
     cairo_stroke(cr);
-}
-
-bool pp_room_plan_is_in_wall(const struct pp_world *world,
-                             const struct pp_opening *opening)
-{
-    struct pp_vec3 corner = opening->inner.vertices[0];
-    return opening->slope_rad >= 75.0 * PP_RAD
-           && pp_region_edge_distance(&world->plane, corner.x, corner.y) < 0.05;
 }
 
 static bool stands_inside(const struct pp_surface *surface)
@@ -345,7 +256,7 @@ static bool is_cut(const struct pp_polygon *outline, double height_m)
 bool pp_room_plan_has_overhead(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)
-        if (!pp_room_plan_is_in_wall(world, &world->openings[i]))
+        if (!pp_plan_frame_is_in_wall(world, &world->openings[i]))
             return true;
     return false;
 }
@@ -372,7 +283,7 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
         if (world->surfaces[i].is_door)
             draw_door(cr, style, plan, &world->surfaces[i]);
     for (int i = 0; i < world->opening_count; i++)
-        (pp_room_plan_is_in_wall(world, &world->openings[i])
+        (pp_plan_frame_is_in_wall(world, &world->openings[i])
              ? draw_window
              : draw_overhead)(cr, style, plan, &world->openings[i]);
 }

@@ -1,31 +1,9 @@
-/* room_plan.h - the room seen from above and cut at its working plane, to a true scale.
- *
- * True y runs up on paper. Walls have no thickness in the model: on paper they are a
- * thick line outside their inside face, in which windows are drawn as in architects'
- * plans.
- */
+/* room_plan.h - the room seen from above and cut at its working plane, to a true scale. */
 #ifndef PP_CHARTS_ROOM_ROOM_PLAN_H
 #define PP_CHARTS_ROOM_ROOM_PLAN_H
 
-#include "charts/sheet/style.h"
+#include "charts/room/plan_frame.h"
 #include "charts/sheet/lettering.h"
-#include "model/geometry/bounds.h"
-#include "model/room/world.h"
-
-/* Sides of a plan on paper. */
-enum pp_plan_side { PP_PLAN_LEFT, PP_PLAN_RIGHT, PP_PLAN_ABOVE, PP_PLAN_BELOW };
-
-struct pp_room_plan {
-    const struct pp_world *world;
-    struct pp_bounds2 extent; /* extent of the plane, m */
-    double scale;             /* 50 for 1:50 */
-    double least_scale;       /* set by the caller: scale is 1 to this or smaller; 0:
-                               * any */
-    bool named;               /* set by the caller: its borders have space for names and
-                               * dimensions (plan_names.h) */
-    double mm_per_m;
-    double x, y; /* position on paper of the extent's low x and y */
-};
 
 /* Measures the room and chooses the largest common scale at which it fits into the
  * width and height, with its walls and reveals; `style` gives their line weights. */
@@ -41,26 +19,9 @@ double pp_room_plan_usual_scale(double least);
 double pp_room_plan_border(const struct pp_room_plan *plan,
                            const struct pp_style *style, enum pp_plan_side side);
 
-/* Width of the border without names and dimensions, mm. */
-double pp_room_plan_walls_mm(const struct pp_room_plan *plan,
-                             const struct pp_style *style, enum pp_plan_side side);
-
 /* Places the plan, with its borders, in the middle of a box; `top`: at its top. */
 void pp_room_plan_place(struct pp_room_plan *plan, const struct pp_style *style,
                         struct pp_box box, bool top);
-
-/* Thickness of the line that stands for a wall, mm. */
-double pp_room_plan_wall_mm(const struct pp_style *style);
-
-/* Ends on paper of a window, door or wall, left and right as seen from inside, and the
- * unit direction out of the room. The outline must be vertical. */
-void pp_room_plan_ends(const struct pp_room_plan *plan,
-                       const struct pp_polygon *outline, double ends[2][2],
-                       double out[2]);
-
-/* Position on paper (mm) of a place in the room. */
-double pp_room_plan_x(const struct pp_room_plan *plan, double x);
-double pp_room_plan_y(const struct pp_room_plan *plan, double y);
 
 /* Adds the outline of the working plane to the path. */
 void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan);
@@ -73,11 +34,6 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
  * surfaces in the room are cut. */
 bool pp_room_plan_has_overhead(const struct pp_world *world);
 bool pp_room_plan_has_inside(const struct pp_world *world);
-
-/* True if the opening is in a wall at the plane's edge, not in a roof or in a monitor
- * over the plane's middle. */
-bool pp_room_plan_is_in_wall(const struct pp_world *world,
-                             const struct pp_opening *opening);
 
 /* Draws a scale bar of a round length, 20 to 60 mm; x, y: its upper left corner.
  * Returns its box. */

@@ -22,34 +22,6 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
     return sight.angle_rad > 0.0 || sight.overhang_rad < 0.5 * PP_PI;
 }
 
-void pp_room_section_heights(const struct pp_section_cut *cut, double *low,
-                             double *high)
-{
-    *low = INFINITY;
-    *high = -INFINITY;
-    for (int i = 0; i < cut->count; i++)
-        for (int k = 0; k < 2 && cut->list[i].kind == PP_CUT_FACE; k++) {
-            *low = fmin(*low, cut->list[i].z[k]);
-            *high = fmax(*high, cut->list[i].z[k]);
-        }
-    if (!(*high > *low)) {
-        *low = 0.0;
-        *high = cut->height_m + 1.0;
-    }
-}
-
-double pp_room_section_x(const struct pp_room_section *section, double s)
-{
-    return section->x + s * section->mm_per_m;
-}
-
-double pp_room_section_y(const struct pp_room_section *section, double z)
-{
-    double low, high;
-    pp_room_section_heights(section->cut, &low, &high);
-    return section->y + (high - z) * section->mm_per_m;
-}
-
 /* Height of names, dimensions and caption below the floor. */
 static double below_mm(const struct pp_room_section *section,
                        const struct pp_style *style)
@@ -58,22 +30,11 @@ static double below_mm(const struct pp_room_section *section,
     return names + (section->no_caption ? 0.0 : 3.2 * style->text[PP_TEXT_SMALL]);
 }
 
-double pp_room_section_above_mm(const struct pp_room_section *section)
-{
-    double low, high, top = -INFINITY;
-    pp_room_section_heights(section->cut, &low, &high);
-    for (int i = 0; i < section->cut->count; i++)
-        if (section->cut->list[i].kind == PP_CUT_GLASS)
-            top =
-                fmax(top, fmax(section->cut->list[i].z[0], section->cut->list[i].z[1]));
-    return fmax(top - high, 0.0) * section->mm_per_m;
-}
-
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm)
 {
     double low, high;
-    pp_room_section_heights(section->cut, &low, &high);
+    pp_section_frame_heights(section->cut, &low, &high);
     double free_mm = fmax(height_mm - below_mm(section, style), 5.0);
     double least = fmax(1000.0 * section->cut->length_m / length_mm,
                         1000.0 * (high - low) / free_mm);
@@ -146,21 +107,13 @@ static bool is_edge_on(const struct section_drawing *drawing,
     return widest * drawing->section->mm_per_m < drawing->style->thick;
 }
 
-bool pp_room_section_is_cut(const struct pp_section_cut *cut, int opening)
-{
-    for (int k = 0; k < cut->count; k++)
-        if (cut->list[k].kind == PP_CUT_OPENING && cut->list[k].of == opening)
-            return true;
-    return false;
-}
-
 /* Draws glass seen edge-on beside the section: a dashed gap in its face's line. */
 static void draw_edge_on(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
     double dash = 0.9 * drawing->style->scale, s[2], z[2];
     for (int i = 0; i < world->opening_count; i++) {
-        if (pp_room_section_is_cut(drawing->section->cut, i)
+        if (pp_section_frame_is_cut(drawing->section->cut, i)
             || !is_edge_on(drawing, &world->openings[i].inner, s, z))
             continue;
         pp_style_line(drawing->cr, 0.55 * drawing->style->thick, 1.0);
@@ -191,7 +144,7 @@ static int draw_openings_behind(const struct section_drawing *drawing)
     cairo_set_dash(drawing->cr, &dash, 1, 0.0);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_polygon *outline = &world->openings[i].inner;
-        if (pp_room_section_is_cut(cut, i) || is_beyond_ends(cut, outline))
+        if (pp_section_frame_is_cut(cut, i) || is_beyond_ends(cut, outline))
             continue;
         cairo_new_sub_path(drawing->cr);
         for (int k = 0; k < outline->count; k++)
@@ -420,7 +373,7 @@ void pp_room_section_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_section *section)
 {
     struct section_drawing drawing = {section, cr, style, 0.0, 0.0};
-    pp_room_section_heights(section->cut, &drawing.low, &drawing.high);
+    pp_section_frame_heights(section->cut, &drawing.low, &drawing.high);
     /* Ground and obstructions outside may be far wider than the sheet. */
     cairo_save(cr);
     double left = section->x - section->left_mm;

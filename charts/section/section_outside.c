@@ -93,9 +93,10 @@ static void draw_building(const struct outside_drawing *drawing)
     const struct pp_room_section *section = drawing->section;
     double head = drawing->y - drawing->run * tan(drawing->sight.angle_rad);
     double low, high;
-    pp_room_section_heights(section->cut, &low, &high);
-    double ground = fmin(pp_room_section_y(section, section->world->ground_level_m),
-                         pp_room_section_y(section, low) + 3.0 * drawing->style->scale);
+    pp_section_frame_heights(section->cut, &low, &high);
+    double ground =
+        fmin(pp_section_frame_y(section, section->world->ground_level_m),
+             pp_section_frame_y(section, low) + 3.0 * drawing->style->scale);
     double face = drawing->x + drawing->out * drawing->run;
     cairo_new_path(cr);
     cairo_rectangle(cr, fmin(face, face + drawing->out * building_mm(drawing)), head,
@@ -218,8 +219,8 @@ void pp_section_outside_draw(cairo_t *cr, const struct pp_style *style,
         .out = near ? -1.0 : 1.0,
         .reach = (near ? section->left_mm : section->right_mm) - 1.0};
     const struct pp_section_sight *sight = &drawing.sight;
-    drawing.x = pp_room_section_x(section, sight->s);
-    drawing.y = pp_room_section_y(section, sight->z);
+    drawing.x = pp_section_frame_x(section, sight->s);
+    drawing.y = pp_section_frame_y(section, sight->z);
     if (sight->overhang_rad < 0.5 * PP_PI && !section->no_angles)
         draw_overhang(&drawing);
     if (!(sight->angle_rad > 0.0))

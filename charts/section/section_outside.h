@@ -3,7 +3,7 @@
 #ifndef PP_CHARTS_SECTION_SECTION_OUTSIDE_H
 #define PP_CHARTS_SECTION_SECTION_OUTSIDE_H
 
-#include "charts/section/room_section.h"
+#include "charts/section/section_frame.h"
 
 /* Draws the line of sight out of the window at the near or far end, with the horizontal
  * and the angle between them. An obstruction too far for the drawing is put where the

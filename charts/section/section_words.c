@@ -51,10 +51,10 @@ static double draw_height(cairo_t *cr, const struct pp_style *style,
             best_high = high;
         }
     }
-    double x = pp_room_section_x(section, best_s);
+    double x = pp_section_frame_x(section, best_s);
     if (best_s >= 0.0)
-        pp_plan_names_dimension(cr, style, x, pp_room_section_y(section, best_low), x,
-                                pp_room_section_y(section, best_high),
+        pp_plan_names_dimension(cr, style, x, pp_section_frame_y(section, best_low), x,
+                                pp_section_frame_y(section, best_high),
                                 best_high - best_low, true);
     return x;
 }
@@ -66,10 +66,10 @@ static void name_room(cairo_t *cr, const struct pp_style *style,
 {
     const struct pp_world *world = section->world;
     double low, high, length = section->cut->length_m * section->mm_per_m;
-    pp_room_section_heights(section->cut, &low, &high);
+    pp_section_frame_heights(section->cut, &low, &high);
     const struct pp_lettering set = {.size = PP_TEXT_BODY, .across = 0.5, .down = 0.5};
     double x = section->x + 0.5 * length,
-           y = pp_room_section_y(section, low + 0.68 * (high - low));
+           y = pp_section_frame_y(section, low + 0.68 * (high - low));
     if (!world->name)
         return;
     double wide = pp_lettering_measure(cr, style, &set, x, y, world->name).width,
@@ -96,8 +96,8 @@ static void name_cut(cairo_t *cr, const struct pp_style *style,
     double off =
         1.2 * style->scale
         + 0.5 * (fabs(in[0]) * size.width + fabs(in[1]) * size.height) / length;
-    double x = pp_room_section_x(section, 0.5 * (cut->s[0] + cut->s[1]));
-    double y = pp_room_section_y(section, 0.5 * (cut->z[0] + cut->z[1]));
+    double x = pp_section_frame_x(section, 0.5 * (cut->s[0] + cut->s[1]));
+    double y = pp_section_frame_y(section, 0.5 * (cut->z[0] + cut->z[1]));
     pp_lettering_draw_on_white(cr, style, &set, x + off * in[0] / length,
                                y + off * in[1] / length, opening->label);
 }
@@ -112,9 +112,9 @@ static void name_behind(cairo_t *cr, const struct pp_style *style,
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < opening->inner.count; i++) {
         double xy[2] = {
-            pp_room_section_x(
+            pp_section_frame_x(
                 section, pp_section_cut_s(section->cut, opening->inner.vertices[i])),
-            pp_room_section_y(section, opening->inner.vertices[i].z)};
+            pp_section_frame_y(section, opening->inner.vertices[i].z)};
         for (int k = 0; k < 2; k++) {
             low[k] = fmin(low[k], xy[k]);
             high[k] = fmax(high[k], xy[k]);
@@ -123,7 +123,7 @@ static void name_behind(cairo_t *cr, const struct pp_style *style,
     double x = 0.5 * (low[0] + high[0]), y = 0.5 * (low[1] + high[1]);
     struct pp_box size = pp_lettering_measure(cr, style, &set, x, y, opening->label);
     bool inside =
-        x > section->x && x < pp_room_section_x(section, section->cut->length_m);
+        x > section->x && x < pp_section_frame_x(section, section->cut->length_m);
     if (inside && size.width < high[0] - low[0] && size.height < high[1] - low[1])
         pp_lettering_draw(cr, style, &set, x, y, opening->label);
 }
@@ -139,7 +139,7 @@ static void name_wall(cairo_t *cr, const struct pp_style *style,
         return;
     bool number = strspn(name, "0123456789") == strlen(name);
     snprintf(words, sizeof words, "%s%.30s", number ? "wall " : "", name);
-    double x = pp_room_section_x(section, near ? 0.0 : section->cut->length_m);
+    double x = pp_section_frame_x(section, near ? 0.0 : section->cut->length_m);
     double gap = 2.0 * style->scale;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL,
                                      .grey = PP_GREY_TEXT,
@@ -153,10 +153,10 @@ void pp_section_words_draw(cairo_t *cr, const struct pp_style *style,
 {
     const struct pp_section_cut *cut = section->cut;
     double low, high;
-    pp_room_section_heights(cut, &low, &high);
-    double y = pp_room_section_y(section, low) + 0.65 * pp_section_words_mm(style);
+    pp_section_frame_heights(cut, &low, &high);
+    double y = pp_section_frame_y(section, low) + 0.65 * pp_section_words_mm(style);
     for (int i = 0; i < section->world->opening_count; i++)
-        if (!pp_room_section_is_cut(cut, i))
+        if (!pp_section_frame_is_cut(cut, i))
             name_behind(cr, style, section, &section->world->openings[i]);
     double height_x = draw_height(cr, style, section);
     name_room(cr, style, section, height_x);
@@ -164,8 +164,8 @@ void pp_section_words_draw(cairo_t *cr, const struct pp_style *style,
         if (cut->list[i].kind == PP_CUT_OPENING)
             name_cut(cr, style, section, &cut->list[i]);
     pp_plan_names_dimension(cr, style, section->x, y,
-                            pp_room_section_x(section, cut->length_m), y, cut->length_m,
-                            true);
+                            pp_section_frame_x(section, cut->length_m), y,
+                            cut->length_m, true);
     name_wall(cr, style, section, true, y);
     name_wall(cr, style, section, false, y);
 }

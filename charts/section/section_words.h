@@ -3,7 +3,7 @@
 #ifndef PP_CHARTS_SECTION_SECTION_WORDS_H
 #define PP_CHARTS_SECTION_SECTION_WORDS_H
 
-#include "charts/section/room_section.h"
+#include "charts/section/section_frame.h"
 
 /* Height of the strip of dimensions below the floor, mm. */
 double pp_section_words_mm(const struct pp_style *style);

@@ -55,8 +55,8 @@ static void trace_region(cairo_t *cr, const struct pp_room_plan *frame,
     for (int r = 0; r < region->count; r++) {
         cairo_new_sub_path(cr);
         for (int i = 0; i < region->rings[r].count; i++)
-            cairo_line_to(cr, pp_room_plan_x(frame, region->rings[r].xy[i][0]),
-                          pp_room_plan_y(frame, region->rings[r].xy[i][1]));
+            cairo_line_to(cr, pp_plan_frame_x(frame, region->rings[r].xy[i][0]),
+                          pp_plan_frame_y(frame, region->rings[r].xy[i][1]));
         cairo_close_path(cr);
     }
 }
@@ -107,11 +107,11 @@ static void draw_doors(struct elevation_drawing *drawing,
     cairo_t *cr = drawing->cr;
     for (int i = 0; i < wall->door_count; i++) {
         const struct pp_bounds2 *door = &wall->doors[i];
-        double x = pp_room_plan_x(frame, door->low[0]);
-        double y = pp_room_plan_y(frame, door->high[1]);
+        double x = pp_plan_frame_x(frame, door->low[0]);
+        double y = pp_plan_frame_y(frame, door->high[1]);
         cairo_new_path(cr);
-        cairo_rectangle(cr, x, y, pp_room_plan_x(frame, door->high[0]) - x,
-                        pp_room_plan_y(frame, door->low[1]) - y);
+        cairo_rectangle(cr, x, y, pp_plan_frame_x(frame, door->high[0]) - x,
+                        pp_plan_frame_y(frame, door->low[1]) - y);
         pp_style_grey(cr, 1.0);
         cairo_fill_preserve(cr);
         pp_style_line(cr, drawing->style.thin, PP_INK);
@@ -123,11 +123,11 @@ static struct pp_box window_box(const struct pp_room_plan *frame,
                                 const struct pp_site_elevation *elevation,
                                 const struct pp_site_window *window)
 {
-    double from = pp_room_plan_x(frame, pp_vec_dot(window->from, elevation->right));
-    double to = pp_room_plan_x(frame, pp_vec_dot(window->to, elevation->right));
-    double top = pp_room_plan_y(frame, window->from.z + window->height_m);
+    double from = pp_plan_frame_x(frame, pp_vec_dot(window->from, elevation->right));
+    double to = pp_plan_frame_x(frame, pp_vec_dot(window->to, elevation->right));
+    double top = pp_plan_frame_y(frame, window->from.z + window->height_m);
     return (struct pp_box){from, top, to - from,
-                           pp_room_plan_y(frame, window->from.z) - top};
+                           pp_plan_frame_y(frame, window->from.z) - top};
 }
 
 /* Writes the figure on white over the middle of a window too small for it. */
@@ -205,10 +205,10 @@ static void draw_window(struct elevation_drawing *drawing,
 static void trace_box(cairo_t *cr, const struct pp_room_plan *frame,
                       const struct pp_bounds2 *box)
 {
-    double x = pp_room_plan_x(frame, box->low[0]);
-    double y = pp_room_plan_y(frame, box->high[1]);
-    cairo_rectangle(cr, x, y, pp_room_plan_x(frame, box->high[0]) - x,
-                    pp_room_plan_y(frame, box->low[1]) - y);
+    double x = pp_plan_frame_x(frame, box->low[0]);
+    double y = pp_plan_frame_y(frame, box->high[1]);
+    cairo_rectangle(cr, x, y, pp_plan_frame_x(frame, box->high[0]) - x,
+                    pp_plan_frame_y(frame, box->low[1]) - y);
 }
 
 /* Draws facades pale behind the walls, cut off at the edges of the drawing. */
@@ -252,14 +252,14 @@ static void name_elevation_room(struct elevation_drawing *drawing,
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0};
     struct pp_bounds2 box = pp_region_bounds(&wall->outline);
     double gap = 0.8 * drawing->style.scale;
-    double x = pp_room_plan_x(frame, box.low[0]) + gap;
-    double y = pp_room_plan_y(frame, box.low[1]) - 0.5 * gap;
+    double x = pp_plan_frame_x(frame, box.low[0]) + gap;
+    double y = pp_plan_frame_y(frame, box.low[1]) - 0.5 * gap;
     if (wall->room
         && x + gap
                    + pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y,
                                           wall->room)
                          .width
-               < pp_room_plan_x(frame, box.high[0]))
+               < pp_plan_frame_x(frame, box.high[0]))
         pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, wall->room);
 }
 
@@ -298,7 +298,7 @@ static void draw_elevation(struct elevation_drawing *drawing,
     draw_elevation_shades(drawing, &frame, elevation);
     for (int i = 0; i < elevation->wall_count; i++)
         name_elevation_room(drawing, &frame, &elevation->walls[i]);
-    double ground = pp_room_plan_y(&frame, drawing->sheet->site.ground_m);
+    double ground = pp_plan_frame_y(&frame, drawing->sheet->site.ground_m);
     pp_style_line(cr, style->thick, PP_INK);
     cairo_move_to(cr, x - 2.0 * style->scale, ground);
     cairo_line_to(cr, x + width_mm(drawing, elevation) + 2.0 * style->scale, ground);

@@ -100,8 +100,8 @@ static void draw_garden(struct pp_site_drawing *drawing,
     double dashes[] = {0.3 * style->scale, 0.9 * style->scale};
     cairo_new_path(cr);
     for (int i = 0; i < garden->count; i++)
-        cairo_line_to(cr, pp_room_plan_x(&drawing->frame, garden->corners[i][0]),
-                      pp_room_plan_y(&drawing->frame, garden->corners[i][1]));
+        cairo_line_to(cr, pp_plan_frame_x(&drawing->frame, garden->corners[i][0]),
+                      pp_plan_frame_y(&drawing->frame, garden->corners[i][1]));
     cairo_close_path(cr);
     pp_style_line(cr, style->medium, PP_INK);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
@@ -143,8 +143,8 @@ static void draw_cells(struct pp_site_drawing *drawing)
         double middle[2] = {0.0, 0.0}, x[4], y[4];
         cairo_new_path(cr);
         for (int k = 0; k < 4; k++) {
-            x[k] = pp_room_plan_x(&drawing->frame, cell->corners[k][0]);
-            y[k] = pp_room_plan_y(&drawing->frame, cell->corners[k][1]);
+            x[k] = pp_plan_frame_x(&drawing->frame, cell->corners[k][0]);
+            y[k] = pp_plan_frame_y(&drawing->frame, cell->corners[k][1]);
             middle[0] += 0.25 * x[k];
             middle[1] += 0.25 * y[k];
             cairo_line_to(cr, x[k], y[k]);
@@ -229,10 +229,10 @@ static void draw_window(struct pp_site_drawing *drawing,
     cairo_t *cr = drawing->cr;
     const struct pp_style *style = &drawing->style;
     double deep = pp_site_names_deep(style);
-    double fx = pp_room_plan_x(&drawing->frame, window->from.x);
-    double fy = pp_room_plan_y(&drawing->frame, window->from.y);
-    double tx = pp_room_plan_x(&drawing->frame, window->to.x);
-    double ty = pp_room_plan_y(&drawing->frame, window->to.y);
+    double fx = pp_plan_frame_x(&drawing->frame, window->from.x);
+    double fy = pp_plan_frame_y(&drawing->frame, window->from.y);
+    double tx = pp_plan_frame_x(&drawing->frame, window->to.x);
+    double ty = pp_plan_frame_y(&drawing->frame, window->to.y);
     double ox = window->out.x, oy = -window->out.y;
     double near = pp_site_names_near(style, window->storey);
     cairo_new_path(cr);

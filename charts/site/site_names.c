@@ -64,8 +64,8 @@ static struct pp_box shape_box(const struct pp_site_drawing *drawing,
     struct pp_box frame = pp_site_names_frame(&drawing->frame);
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     for (int i = 0; i < shape->count; i++) {
-        double x = pp_room_plan_x(&drawing->frame, shape->corners[i].x);
-        double y = pp_room_plan_y(&drawing->frame, shape->corners[i].y);
+        double x = pp_plan_frame_x(&drawing->frame, shape->corners[i].x);
+        double y = pp_plan_frame_y(&drawing->frame, shape->corners[i].y);
         x = fmin(fmax(x, frame.x), frame.x + frame.width);
         y = fmin(fmax(y, frame.y), frame.y + frame.height);
         low[0] = fmin(low[0], x), low[1] = fmin(low[1], y);
@@ -152,8 +152,8 @@ static void name_shape(struct pp_site_drawing *drawing, int index)
     pp_style_metres(height, sizeof height, thing.top_m - drawing->sheet->ground_m);
     snprintf(words, sizeof words, "%.40s%s%s, %s", shape->name, state ? ", " : "",
              state ? state : "", height);
-    double x = pp_room_plan_x(&drawing->frame, thing.middle[0]);
-    double y = pp_room_plan_y(&drawing->frame, thing.middle[1]);
+    double x = pp_plan_frame_x(&drawing->frame, thing.middle[0]);
+    double y = pp_plan_frame_y(&drawing->frame, thing.middle[1]);
     bool is_off = x < frame.x || x > frame.x + frame.width || y < frame.y
                   || y > frame.y + frame.height;
     if (is_off && drawing->sheet->cell_count > 0)
@@ -205,8 +205,8 @@ static void name_garden(struct pp_site_drawing *drawing,
     char words[96] = "";
     struct pp_bounds2 box = pp_bounds2_empty();
     for (int i = 0; i < garden->count; i++)
-        pp_bounds2_add(&box, pp_room_plan_x(&drawing->frame, garden->corners[i][0]),
-                       pp_room_plan_y(&drawing->frame, garden->corners[i][1]));
+        pp_bounds2_add(&box, pp_plan_frame_x(&drawing->frame, garden->corners[i][0]),
+                       pp_plan_frame_y(&drawing->frame, garden->corners[i][1]));
     if (garden->name)
         pp_text_append(words, sizeof words, "%.40s", garden->name);
     if (isfinite(garden->share))
@@ -265,11 +265,11 @@ void pp_site_names_windows(struct pp_site_drawing *drawing)
             continue;
         int highest = stack_names(sheet, window, words, sizeof words);
         double x = 0.5
-                   * (pp_room_plan_x(&drawing->frame, window->from.x)
-                      + pp_room_plan_x(&drawing->frame, window->to.x));
+                   * (pp_plan_frame_x(&drawing->frame, window->from.x)
+                      + pp_plan_frame_x(&drawing->frame, window->to.x));
         double y = 0.5
-                   * (pp_room_plan_y(&drawing->frame, window->from.y)
-                      + pp_room_plan_y(&drawing->frame, window->to.y));
+                   * (pp_plan_frame_y(&drawing->frame, window->from.y)
+                      + pp_plan_frame_y(&drawing->frame, window->to.y));
         double out[2] = {window->out.x, -window->out.y};
         double from = pp_site_names_near(style, highest + 1) + 0.6 * style->scale;
         bool left = out[0] < -1e-6 || (fabs(out[0]) <= 1e-6 && out[1] > 0.0);

@@ -7,8 +7,8 @@ static void trace_shape(cairo_t *cr, const struct pp_room_plan *frame,
                         const struct pp_site_shape *shape)
 {
     for (int i = 0, ring = 0; i < shape->count; i++) {
-        cairo_line_to(cr, pp_room_plan_x(frame, shape->corners[i].x),
-                      pp_room_plan_y(frame, shape->corners[i].y));
+        cairo_line_to(cr, pp_plan_frame_x(frame, shape->corners[i].x),
+                      pp_plan_frame_y(frame, shape->corners[i].y));
         if (shape->ends && i + 1 == shape->ends[ring]) {
             cairo_close_path(cr);
             cairo_new_sub_path(cr);
@@ -33,9 +33,10 @@ static void trace_edges(cairo_t *cr, const struct pp_room_plan *frame,
             if (shape->unseen[i] != unseen)
                 continue;
             if (i == from || shape->unseen[i - 1] != unseen)
-                cairo_move_to(cr, pp_room_plan_x(frame, a->x),
-                              pp_room_plan_y(frame, a->y));
-            cairo_line_to(cr, pp_room_plan_x(frame, b->x), pp_room_plan_y(frame, b->y));
+                cairo_move_to(cr, pp_plan_frame_x(frame, a->x),
+                              pp_plan_frame_y(frame, a->y));
+            cairo_line_to(cr, pp_plan_frame_x(frame, b->x),
+                          pp_plan_frame_y(frame, b->y));
         }
         from = end;
     }

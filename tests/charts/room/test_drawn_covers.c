@@ -39,8 +39,8 @@ static struct strokes drawn(enum what what, const char *parts, double *mm_per_m,
         pp_room_plan_fit(&plan, world, &style, 120.0, 150.0);
         pp_room_plan_draw(cr, &style, &plan);
         *mm_per_m = plan.mm_per_m;
-        *x0 = pp_room_plan_x(&plan, 0.0);
-        *y0 = pp_room_plan_y(&plan, 0.0);
+        *x0 = pp_plan_frame_x(&plan, 0.0);
+        *y0 = pp_plan_frame_y(&plan, 0.0);
     } else {
         struct pp_section_cut cut;
         struct pp_report report = {
@@ -57,8 +57,8 @@ static struct strokes drawn(enum what what, const char *parts, double *mm_per_m,
         pp_room_section_fit(&section, &style, 120.0, 90.0);
         pp_room_section_draw(cr, &style, &section);
         *mm_per_m = section.mm_per_m;
-        *x0 = pp_room_section_x(&section, 0.0);
-        *y0 = pp_room_section_y(&section, 0.0);
+        *x0 = pp_section_frame_x(&section, 0.0);
+        *y0 = pp_section_frame_y(&section, 0.0);
         pp_section_cut_clear(&cut);
     }
     assert_int_equal(pp_canvas_finish(canvas, &bytes, &length, NULL), PP_OK);
