@@ -63,11 +63,11 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
     if (*window == world->opening_count)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the room has no vertical window; the vertical sky component needs one");
+            "the room has no vertical window, which the vertical sky component needs");
     if (upright && !opening_is_upright(&world->openings[*window]))
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "%s is not vertical; the vertical sky component is for windows in walls",
-            world->openings[*window].label);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is not vertical, but the vertical sky component is for "
+                       "windows in walls",
+                       world->openings[*window].label);
     return PP_OK;
 }

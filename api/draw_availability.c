@@ -38,7 +38,8 @@ static enum pp_status draw_availability(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_availability = {
     .name = "availability",
-    .summary = "share of working hours with given light outside and inside",
+    .summary =
+        "share of working hours in which a given light outside and inside is reached",
     .outside = true,
     .landscape = true,
     .draw = draw_availability,

@@ -191,9 +191,9 @@ static enum pp_status draw_brs_table(struct pp_canvas *canvas,
     struct pp_brs_sheet sheet = {0};
     enum pp_status status = PP_OK;
     if (!room && options->sky.kind != PP_SKY_OVERCAST)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the BRS table applies to the CIE overcast sky only; expected "
-                       "no other --sky");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the BRS table is for the CIE overcast sky only; expected no other --sky");
     if (room)
         status = pp_brs_sheet_fill_room(&sheet, room->world, &room->light,
                                         room->receivers, err);
@@ -256,7 +256,7 @@ static enum pp_status draw_position_nomogram(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_waldram = {
     .name = "waldram",
-    .summary = "Waldram diagram, blank or with a room's windows",
+    .summary = "Waldram diagram, blank or with the windows of a room",
     .board = true,
     .from_point = true,
     .landscape = true,
@@ -265,7 +265,7 @@ const struct pp_chart_kind pp_draw_waldram = {
 
 const struct pp_chart_kind pp_draw_pepper_pot = {
     .name = "pepper-pot",
-    .summary = "pepper-pot diagram, blank or with a room's windows",
+    .summary = "pepper-pot diagram, blank or with the windows of a room",
     .board = true,
     .from_point = true,
     .landscape = true,
@@ -274,7 +274,7 @@ const struct pp_chart_kind pp_draw_pepper_pot = {
 
 const struct pp_chart_kind pp_draw_protractor = {
     .name = "protractor",
-    .summary = "BRS daylight protractor, blank or laid on a room's section and plan",
+    .summary = "BRS daylight protractor, blank or laid on section and plan of a room",
     .board = true,
     .from_point = true,
     .draw = draw_protractor,
@@ -282,8 +282,8 @@ const struct pp_chart_kind pp_draw_protractor = {
 
 const struct pp_chart_kind pp_draw_nomogram = {
     .name = "nomogram",
-    .summary =
-        "nomogram of the internally reflected component, blank or with a room's lines",
+    .summary = "nomogram of the internally reflected component, blank or with the "
+               "lines of a room",
     .board = true,
     .draw = draw_nomogram,
 };
@@ -300,7 +300,7 @@ const struct pp_chart_kind pp_draw_position_nomogram = {
 
 const struct pp_chart_kind pp_draw_brs_table = {
     .name = "brs-table",
-    .summary = "BRS simplified daylight table, blank or with a room's readings",
+    .summary = "BRS simplified daylight table, blank or with the readings of a room",
     .board = true,
     .from_point = true,
     .draw = draw_brs_table,

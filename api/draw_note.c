@@ -142,12 +142,12 @@ static enum pp_status draw_note(struct pp_canvas *canvas, struct pp_study_room *
     if (room->receiver_count < 1 || room->receiver_count > POINTS_MOST)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s: a note covers 1 to %d points, and there are %d; expected --points X,Y",
+            "%s: a note covers 1 to %d points, but there are %d; expected --points X,Y",
             room->world->name, POINTS_MOST, room->receiver_count);
     if (room->receiver_count > 1 && !pp_canvas_has_sheets(canvas))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: there are %d points, and only PDF holds a sheet for each; "
-                       "expected -o FILE.pdf, or one point",
+                       "%s: there are %d points, but only a PDF holds a sheet for "
+                       "each; expected -o FILE.pdf, or one point",
                        room->world->name, room->receiver_count);
     enum pp_status status = PP_OK;
     for (int i = 0; i < room->receiver_count && status == PP_OK; i++) {
@@ -164,8 +164,8 @@ static enum pp_status check_note_choice(const char *methods, bool simulate,
 {
     (void)methods;
     return simulate ? pp_fail(err, PP_BAD_INPUT,
-                              "a note shows calculations by hand, and --simulate has "
-                              "none; expected hand methods")
+                              "a note shows calculations by hand, but a simulation has "
+                              "none; expected hand methods without --simulate")
                     : PP_OK;
 }
 

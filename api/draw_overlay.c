@@ -24,7 +24,7 @@ static enum pp_status draw_overlay(struct pp_canvas *canvas, struct pp_study_roo
             "an overlay is for a photograph and needs no room; expected no room file");
     if (sun && isnan(latitude_deg))
         return pp_fail(err, PP_BAD_INPUT,
-                       "sun paths need a place; expected --latitude DEG");
+                       "sun paths need a location; expected --latitude DEG");
     enum pp_status status = PP_OK;
     if (options->dots || !options->said)
         status = pp_sky_cells(&dots, &choice->board.sky, DOTS, err);
@@ -48,7 +48,7 @@ static enum pp_status draw_overlay(struct pp_canvas *canvas, struct pp_study_roo
 
 const struct pp_chart_kind pp_draw_overlay = {
     .name = "overlay",
-    .summary = "equal parts of the sky, and sun paths, for a fisheye photograph",
+    .summary = "equal parts of the sky and sun paths, for a fisheye photograph",
     .board = true,
     .of_sun = true,
     .transparent = true,

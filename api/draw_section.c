@@ -53,8 +53,8 @@ static enum pp_status say_obstructions(char note[NOTE_BYTES],
             continue;
         pp_text_append(note, NOTE_BYTES, "%s%s %.1f\u00b0",
                        said++ ? ", "
-                              : "Obstruction angle in the formulae (of an endless "
-                                "skyline that leaves the same sky): ",
+                              : "Obstruction angle in the formulae (that of an endless "
+                                "skyline which leaves the same sky): ",
                        world->openings[i].label, angle_rad / PP_RAD);
     }
     if (said)

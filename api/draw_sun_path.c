@@ -50,8 +50,8 @@ static void say_sun(char *foot, size_t room, const char *when,
                     const struct window_sun *sun, const struct pp_sunlit_year *open)
 {
     pp_page_say(foot, room,
-                "%s%.1f\u00a0%% of the annual sun hours on open ground reach it, "
-                "%.1f\u00a0%% in winter, and %.1f\u00a0h on 21 March.",
+                "%s%.1f\u00a0%% of the annual hours of sun on open ground reach the "
+                "window, %.1f\u00a0%% in winter, and %.1f\u00a0h on 21 March.",
                 when, 100.0 * sun->hours.all / open->all,
                 100.0 * sun->hours.winter / open->all,
                 pp_sunlit_hours_sum(&sun->march));
@@ -70,16 +70,16 @@ static enum pp_status say_sun_path_foot(char *foot, size_t room,
     if (status != PP_OK)
         return status;
     pp_page_say(foot, room,
-                "Grey: hidden from the centre of the window, outer face, by its own "
-                "wall and by obstructions%s.",
-                before ? "; hatched: hidden now, not before" : "");
+                "Grey areas are hidden from the centre of the window, outer face, by "
+                "its own wall and by obstructions%s.",
+                before ? "; hatched areas are hidden now but were not before" : "");
     if (before)
         say_sun(foot, room, "Existing: ", before, &open);
     say_sun(foot, room, before ? "Proposed: " : "", now, &open);
     pp_page_say(foot, room,
-                "Possible hours: all hours with the sun above the horizon count alike. "
-                "Stereographic, seen from above; paths of the 21st of the months, "
-                "hours in solar time.");
+                "Possible hours are all hours with the sun above the horizon. The "
+                "projection is stereographic, seen from above. Paths are for the 21st "
+                "of each month, hours in solar time.");
     return PP_OK;
 }
 
@@ -95,11 +95,11 @@ static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
     if (status != PP_OK)
         return status;
     pp_opening_words(words, world, &world->openings[window]);
-    snprintf(
-        subtitle, sizeof subtitle,
-        "Sun paths at %.4g\u00b0 %s, with obstructions to the sky seen from window %s",
-        fabs(world->latitude_rad) / PP_RAD, world->latitude_rad < 0.0 ? "S" : "N",
-        words);
+    snprintf(subtitle, sizeof subtitle,
+             "Sun paths at %.4g\u00b0 %s, with the obstructions to the sky seen from "
+             "window %s",
+             fabs(world->latitude_rad) / PP_RAD, world->latitude_rad < 0.0 ? "S" : "N",
+             words);
     const struct pp_overlay overlay = {.lens = PP_LENS_STEREOGRAPHIC,
                                        .sun = true,
                                        .latitude_rad = world->latitude_rad,
@@ -140,9 +140,9 @@ static enum pp_status draw_sun_path(struct pp_canvas *canvas,
     enum pp_status status =
         pp_choose_window(&window, world, choice->board.window, false, err);
     if (status == PP_OK && isnan(world->latitude_rad))
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "sun paths need a place; expected a site with a latitude in the room file");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "sun paths need a location; expected a site with a latitude in "
+                       "the room file");
     if (status == PP_OK)
         status = find_sun(&now, world, window, err);
     if (status == PP_OK && former)
@@ -157,7 +157,7 @@ static enum pp_status draw_sun_path(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_sun_path = {
     .name = "sun-path",
-    .summary = "sun paths over the obstructions seen from a window",
+    .summary = "sun paths and obstructions seen from a window",
     .of_window = true,
     .compares = true,
     .draw = draw_sun_path,

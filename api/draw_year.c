@@ -16,8 +16,9 @@ static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *
     struct pp_weather_year year;
     struct pp_annual_sheet sheet = {.points = NULL};
     if (!year_options->epw)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a chart of the year needs --weather FILE.epw");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "a chart of the year needs a weather file; expected --weather FILE.epw");
     const struct pp_weather_options weather = {.sun_shift_h = NAN};
     struct pp_annual_options options = {
         .hours = year_options->hours.list[0],

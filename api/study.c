@@ -187,7 +187,7 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
 {
     if (explain && study->room.receiver_count != 1)
         return pp_fail(err, PP_BAD_INPUT,
-                       "explanations are for one point, and there are %d",
+                       "explanations are for one point, but there are %d",
                        study->room.receiver_count);
     study->report.explain = study->options.explain = explain;
     return pp_methods_evaluate(&study->report, methods, err);
@@ -216,11 +216,10 @@ enum pp_status pp_study_simulate(struct pp_study *study,
         return pp_fail(err, PP_BAD_INPUT, "there is no engine \"%.100s\"", name);
     if (!(wanted->error >= 0.0 && wanted->error <= 1.0) || wanted->samples < 0
         || wanted->threads < 0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "error is %g, samples %ld, threads %d; expected an error of 0 to "
-            "1, and no negative counts",
-            wanted->error, wanted->samples, wanted->threads);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "error is %g, samples %ld, threads %d; expected an error of 0 "
+                       "to 1, and no negative numbers",
+                       wanted->error, wanted->samples, wanted->threads);
     double error =
         wanted->error == 0.0 && wanted->samples == 0 ? usual.error : wanted->error;
     const struct pp_engine_options options = {.error = error,
@@ -307,5 +306,5 @@ struct pp_reading pp_study_reading(const struct pp_study *study, int column, int
     if (point >= study->report.receiver_count)
         return pp_reading_none("there is no such point");
     return found->points ? found->points[point]
-                         : pp_reading_none("it applies to the whole room");
+                         : pp_reading_none("the value is for the whole room");
 }

@@ -59,10 +59,11 @@ static enum pp_status check_kind(const struct pp_chart_kind *kind, const char *n
         return pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"", name);
     if (!study && !kind->board)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the chart \"%s\" shows a room; expected a study", name);
+                       "the chart \"%s\" shows a room; expected a study with one",
+                       name);
     if (study && kind->from_point && study->room.receiver_count != 1)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the chart \"%s\" shows one point, and there are %d", name,
+                       "the chart \"%s\" shows one point, but there are %d", name,
                        study->room.receiver_count);
     return PP_OK;
 }

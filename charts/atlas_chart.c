@@ -171,12 +171,13 @@ static bool has_own(const struct pp_atlas_map *map)
 static void draw_keys(struct atlas_plot *plot)
 {
     const struct pp_style *style = &plot->style;
-    struct pp_key keys[2] = {{.kind = PP_KEY_SAMPLED,
-                              .curve.marker = PP_DISC,
-                              .words = "room as it is: assumption and formula"},
-                             {.kind = PP_KEY_SAMPLED,
-                              .curve.marker = PP_CIRCLE,
-                              .words = "world that the method assumes: formula"}};
+    struct pp_key keys[2] = {
+        {.kind = PP_KEY_SAMPLED,
+         .curve.marker = PP_DISC,
+         .words = "difference in the room: assumption and formula"},
+        {.kind = PP_KEY_SAMPLED,
+         .curve.marker = PP_CIRCLE,
+         .words = "difference in the room that the method assumes: formula"}};
     int count = has_own(plot->map) ? 2 : 1;
     double width = 0.7 * plot->field.width;
     struct pp_box size =
@@ -313,25 +314,26 @@ static bool is_beyond(const struct pp_atlas_map *map)
 
 static void say_notes(char *foot, size_t room, const struct pp_atlas_map *map)
 {
-    pp_page_say(foot, room, "%s of %d rooms of the atlas; 1 is exact.",
+    pp_page_say(foot, room, "%s of %d rooms of the atlas; a ratio of 1 is exact.",
                 map->averages ? "Averages" : "At the points", map->rooms);
     pp_page_say(
         foot, room,
         map->up.count > 1
-            ? "Each field: the median, with the number of rooms below the figure. "
-              "No median for fewer than %d rooms."
-            : "Median, with whiskers from 5 to 95 %%; the number of rooms is "
-              "above. Nothing is drawn for fewer than %d rooms.",
+            ? "Each field shows the median, with the number of rooms below it. There "
+              "is no median for fewer than %d rooms."
+            : "Bars show medians, whiskers the range from 5 to 95 %%, and the number "
+              "of rooms is above. Nothing is drawn for fewer than %d rooms.",
         PP_ATLAS_ENOUGH);
     if (map->up.count == 1 && is_beyond(map))
         pp_page_say(foot, room, "Values outside %g to %g are drawn at the edge.",
                     least_ratio, most_ratio);
     if (!map->averages)
-        pp_page_say(foot, room, "Points of one room in one class count as one.");
+        pp_page_say(foot, room,
+                    "Several points of one room in one class count as one.");
     if (map->blind)
         pp_page_say(foot, room,
-                    "%d values are left out: the simulated value is 0 or uncertain by "
-                    "more than 10 %%.",
+                    "%d values are ignored, because the simulated value is 0 or "
+                    "uncertain by more than 10 %%.",
                     map->blind);
 }
 
@@ -344,8 +346,8 @@ enum pp_status pp_atlas_chart_draw(struct pp_canvas *canvas,
     char title[96], foot[1024] = "";
     snprintf(title, sizeof title, "Error of %.80s", map->column);
     say_notes(foot, sizeof foot, map);
-    const struct pp_page page = {title, "Value by the method over simulated value",
-                                 foot};
+    const struct pp_page page = {
+        title, "Ratio of the method's value to the simulated value", foot};
     struct pp_box body = pp_page_draw(canvas, &plot.style, &page);
     bool by_two = map->up.count > 1;
     double unit = plot.style.scale, left = 12.0 * unit, right = 5.0 * unit;

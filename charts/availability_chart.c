@@ -79,7 +79,7 @@ static void say_rows(struct availability_plot *plot)
     char percent[32];
     if (sheet->report && plot->row_count == 0)
         pp_page_say(
-            plot->foot, sizeof plot->foot, "There is no daylight factor %s%s%s.",
+            plot->foot, sizeof plot->foot, "No daylight factor is available %s%s%s.",
             plot->place, sheet->row_count && sheet->rows[0].df.why ? ": " : "",
             sheet->row_count && sheet->rows[0].df.why ? sheet->rows[0].df.why : "");
     for (int i = 0; i < plot->row_count; i++) {
@@ -87,13 +87,14 @@ static void say_rows(struct availability_plot *plot)
         pp_style_percent(percent, sizeof percent, row->df.value);
         if (!isfinite(row->needs_lx)) {
             pp_page_say(plot->foot, sizeof plot->foot,
-                        "The daylight factor is 0: %g lx are never reached %s.",
+                        "The daylight factor is 0, so %g lx are never reached %s.",
                         row->lx, plot->place);
             continue;
         }
-        pp_page_say(plot->foot, sizeof plot->foot,
-                    "%g lx %s (daylight factor %s, %s) need %.0f lx outside:", row->lx,
-                    plot->place, percent, row->method, three_figures(row->needs_lx));
+        pp_page_say(
+            plot->foot, sizeof plot->foot,
+            "%g lx %s (daylight factor %s, %s) require %.0f lx outside:", row->lx,
+            plot->place, percent, row->method, three_figures(row->needs_lx));
         for (int k = 0; k < sheet->period_count; k++)
             pp_page_say(plot->foot, sizeof plot->foot, "%.0f %% of %s%s",
                         100.0 * row->share[k], sheet->periods[k].words,
@@ -114,7 +115,7 @@ static void say_notes(struct availability_plot *plot)
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0)
             pp_page_say(plot->foot, sizeof plot->foot,
-                        "%.0f hours of %s without data are left out.",
+                        "%.0f hours of %s have no data and are ignored.",
                         sheet->periods[i].missing_h, sheet->periods[i].words);
     pp_page_say(plot->foot, sizeof plot->foot, "Sunlight is not included.");
     if (sheet->report && !sheet->report->finished)

@@ -12,12 +12,12 @@ static const char sample[] =
     "1 l I | 0 O 5 S 8 B";
 
 static const struct pp_page page = {
-    "Test page", "Print it at 100 % (\"actual size\"), and measure the rulers",
+    "Test page", "Print this page at 100 % (\"actual size\"), and measure the rulers",
     "The rulers are 100 mm long; the circle and its square are 50 mm wide. If a "
-    "printed "
-    "length differs, the printer scales the page, and no drawing is at its true scale. "
-    "Corner marks are 10 mm from the edges of an A4 sheet. Neighbouring greys should "
-    "differ, the thinnest line should be unbroken, and no hatch should fill in."};
+    "printed length differs, the printer scales the page, and no drawing is at its "
+    "true scale. Corner marks are 10 mm from the edges of an A4 sheet. Neighbouring "
+    "greys should differ, the thinnest line should be unbroken, and hatches should not "
+    "fill in."};
 
 struct test_page {
     cairo_t *cr;

@@ -77,8 +77,8 @@ static enum pp_status read_ambient(const char *text, void *place, struct pp_erro
                && channels[count] >= 0.0 && channels[count] <= 1e6;
     if (!good || (count != 1 && count != 3))
         return pp_fail(err, PP_BAD_INPUT,
-                       "a radiance of 0 or more, or three for red, green and blue, "
-                       "separated by commas");
+                       "a radiance of 0 or more, or three of them for red, green and "
+                       "blue, separated by commas");
     *(struct pp_rgb *)place = count == 1
                                   ? pp_rgb_grey(channels[0])
                                   : pp_rgb(channels[0], channels[1], channels[2]);
@@ -89,11 +89,11 @@ static enum pp_status read_ambient(const char *text, void *place, struct pp_erro
 
 const struct pp_option pp_cache_choice_options[] = {
     {"accuracy -aa", 0, "A",
-     "Allowed error of the cache. A smaller value puts its records closer together "
+     "Permitted error of the cache. A smaller value places its records closer together "
      "(default 0.1).",
      read_accuracy, PLACE(options.accuracy)},
     {"resolution -ar", 0, "N",
-     "Records are no closer than the room's size times the accuracy over N (default "
+     "Place records no closer than the room's size times the accuracy over N (default "
      "128; 0: no limit).",
      read_resolution, PLACE(options.resolution)},
     {"divisions -ad", 0, "N", "Rays per record (default 1024).", read_divisions,
@@ -107,18 +107,18 @@ const struct pp_option pp_cache_choice_options[] = {
      "(default).",
      read_bounces, PLACE(options.bounces)},
     {"ambient -av", 0, "L",
-     "Radiance that replaces all light beyond the last bounce, over the horizontal "
+     "Radiance that replaces all light beyond the last reflection, over the horizontal "
      "illuminance outside (default 0).",
      read_ambient, PLACE(options.constant)},
     {"include -ai", 0, "NAMES",
-     "Only surfaces of these materials (floor, ceiling, south ..., separated by "
-     "commas) get reflected light; the others get --ambient.",
+     "Calculate reflected light only for surfaces of these materials (floor, ceiling, "
+     "south ..., separated by commas); the others get --ambient.",
      pp_options_read_text, PLACE(include)},
     {"exclude -ae", 0, "NAMES",
-     "Surfaces of these materials get --ambient instead of reflected light.",
+     "Use --ambient instead of reflected light for surfaces of these materials.",
      pp_options_read_text, PLACE(exclude)},
     {"cache", 0, "FILE",
-     "Read the cache's records from FILE if it exists, and write them to it.",
+     "Read the records of the cache from FILE if it exists, and write them to it.",
      pp_options_read_updated, PLACE(file)},
     {0},
 };

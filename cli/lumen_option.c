@@ -11,9 +11,9 @@ static enum pp_status read_file_name(const char *text, void *place,
     if (*text == '\0')
         return pp_fail(err, PP_BAD_INPUT, "the name of a file");
     if (files->count == PP_LUMEN_FILES_MOST)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "at most two such files, for light from the side and from above");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "at most two files, one for light from the side and one for "
+                       "light from above");
     files->list[files->count++] = text;
     return PP_OK;
 }
@@ -21,7 +21,8 @@ static enum pp_status read_file_name(const char *text, void *place,
 const struct pp_option pp_lumen_option[] = {
     {"lumen-table", 0, "FILE",
      "CSV file with coefficients of utilization for the lumen method, for light from "
-     "the side or from above, instead of the program's own. Repeat it for both.",
+     "the side or from above, instead of the built-in table. Repeat the option to give "
+     "both.",
      read_file_name, 0},
     {0},
 };

@@ -52,11 +52,11 @@ static enum pp_status read_when(const char *text, void *place, struct pp_error *
 
 const struct pp_option pp_moment_options[] = {
     {"when", 0, "'YYYY-MM-DD HH:MM'",
-     "Show illuminances in lux at that standard time, with direct sunlight, instead of "
-     "daylight factors. The light is that of --weather or of --sky perez,DNI,DHI "
-     "(+HH:MM behind it: hours ahead of universal time).",
+     "Show illuminances in lux, with direct sunlight, at that standard time instead of "
+     "daylight factors. The light is that of --weather or of --sky perez,DNI,DHI. "
+     "+HH:MM after the time gives the hours ahead of universal time.",
      read_when, 0},
-    {"weather", 'w', "FILE.epw", "Weather file of --when.", pp_options_read_input,
+    {"weather", 'w', "FILE.epw", "Weather file for --when.", pp_options_read_input,
      offsetof(struct pp_moment_choice, weather)},
     {0},
 };
@@ -84,35 +84,33 @@ static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_erro
         || !(v[1] >= 0.0 && v[1] <= MOST_W_M2)
         || (count == 4
             && !(v[2] >= 0.0 && v[2] <= 90.0 && v[3] >= -360.0 && v[3] <= 360.0)))
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--sky \"%.100s\": expected perez,DNI,DHI, the direct normal and "
-            "diffuse horizontal irradiance from 0 to 1500 W/m2, or "
-            "perez,DNI,DHI,ALTITUDE,BEARING with the sun at 0 to 90 and -360 "
-            "to 360 degrees",
-            choice->perez);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--sky is \"%.100s\"; expected perez,DNI,DHI (direct normal and "
+                       "diffuse horizontal irradiance from 0 to 1500 W/m2), or "
+                       "perez,DNI,DHI,ALTITUDE,BEARING with the sun at 0 to 90 and "
+                       "-360 to 360 degrees",
+                       choice->perez);
     choice->of.direct_w_m2 = v[0];
     choice->of.diffuse_w_m2 = v[1];
     choice->of.sun_altitude_rad = v[2] * PP_RAD;
     choice->of.sun_bearing_rad = v[3] * PP_RAD;
     if (choice->weather)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--weather and --sky perez both give the sky; expected one of "
-                       "them");
-    if (count == 4 && choice->when)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--when and --sky perez,DNI,DHI,ALTITUDE,BEARING both give the "
-                       "sun; expected one of them");
-    if (choice->when && !is_in_calendar(&choice->of))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--when %s: expected a day of the years 1800 to 2200",
-                       choice->when);
-    if (count == 2 && !choice->when)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "--sky %s has no sun; expected perez,DNI,DHI,ALTITUDE,BEARING, or "
-            "--when 'YYYY-MM-DD HH:MM'",
-            choice->perez);
+            "--weather and --sky perez both determine the sky; expected one of them");
+    if (count == 4 && choice->when)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--when and --sky perez,DNI,DHI,ALTITUDE,BEARING both determine "
+                       "the sun; expected one of them");
+    if (choice->when && !is_in_calendar(&choice->of))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--when is %s; expected a day of the years 1800 to 2200",
+                       choice->when);
+    if (count == 2 && !choice->when)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--sky %s gives no sun; expected "
+                       "perez,DNI,DHI,ALTITUDE,BEARING, or --when 'YYYY-MM-DD HH:MM'",
+                       choice->perez);
     return PP_OK;
 }
 
@@ -143,8 +141,8 @@ enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                     : "--when 'YYYY-MM-DD HH:MM'");
     } else if (!isnan(choice->of.zone_h)) {
         return pp_fail(err, PP_BAD_INPUT,
-                       "--when %s: the time is the weather file's standard time; "
-                       "expected it without hours ahead of universal time",
+                       "--when %s: the time is in the weather file's standard time; "
+                       "expected no hours ahead of universal time",
                        choice->when);
     }
     const char *of_factors = study->methods              ? "--methods"
@@ -154,8 +152,7 @@ enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                                          : NULL;
     if (of_factors)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: the moment has its own sky and is simulated; expected it "
-                       "without %s",
+                       "%s: a moment has its own sky and is simulated; expected no %s",
                        choice->perez ? "--sky perez" : "--when", of_factors);
     return PP_OK;
 }

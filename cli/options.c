@@ -142,9 +142,10 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
     const char *short_word = nearest_short(line, word);
     char question[128];
     if (!found.option && short_word)
-        return pp_fail(err, PP_BAD_INPUT, "there is no option %.40s; %s", word,
-                       pp_text_did_you_mean(question, sizeof question, "", short_word,
-                                            ", with its value as the next word"));
+        return pp_fail(
+            err, PP_BAD_INPUT, "there is no option %.40s; %s", word,
+            pp_text_did_you_mean(question, sizeof question, "", short_word,
+                                 ", followed by its value as a separate word"));
     if (!found.option)
         return pp_fail(err, PP_BAD_INPUT, "there is no option %.*s",
                        1 + pp_format_utf8_length(word + 1), word);
@@ -155,7 +156,7 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
     else
         snprintf(shown, sizeof shown, "-%.1s", &found.option->letter);
     if (!found.option->value && value)
-        return pp_fail(err, PP_BAD_INPUT, "%s takes no value, but got \"%.200s\"",
+        return pp_fail(err, PP_BAD_INPUT, "%s takes no value, but has \"%.200s\"",
                        shown, value);
     if (found.option == &help_option) {
         *help = true;

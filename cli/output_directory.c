@@ -59,10 +59,10 @@ static enum pp_status check_replaceable(const struct pp_output_directory *direct
         else if (S_ISDIR(what.st_mode) && depth == 0)
             status = check_replaceable(directory, inner, 1, entries, err);
         else if (!S_ISREG(what.st_mode) || !is_known(directory, name))
-            status = pp_fail(
-                err, PP_SYSTEM,
-                "%s cannot be replaced: it contains %s, which is not part of an export",
-                directory->path, inner);
+            status = pp_fail(err, PP_SYSTEM,
+                             "%s cannot be replaced, because it contains %s, which is "
+                             "not part of an export",
+                             directory->path, inner);
         free(inner);
     }
     closedir(list);
@@ -78,8 +78,8 @@ static enum pp_status check_output_directory(
         int entries = 0;
         if (!S_ISDIR(there.st_mode))
             return pp_fail(err, PP_SYSTEM,
-                           "%s cannot be written: it is not a directory; expected a "
-                           "new or an empty one",
+                           "%s cannot be written, because it is not a directory; "
+                           "expected a new or an empty one",
                            path);
         enum pp_status status = check_replaceable(directory, path, 0, &entries, err);
         if (status != PP_OK)

@@ -83,22 +83,23 @@ const struct pp_option pp_room_methods_option[] = {
 
 const struct pp_option pp_room_points_option[] = {
     {"points", 'p', "X,Y[,Z]",
-     "Reference points in metres instead of the file's; separate several by spaces or "
-     "repeat the option. Without Z they lie on the working plane.",
+     "Reference points in metres instead of those in the file; separate several by "
+     "spaces or repeat the option. Without Z they are on the working plane.",
      read_points, PLACE(study.points)},
     {0},
 };
 
 const struct pp_option pp_room_sky_options[] = {
     {"sky", 0, "TYPE",
-     "Another sky than the file's: overcast, uniform, or iso-1 to iso-15. Types with a "
-     "sun need \",ALTITUDE,BEARING\" in degrees behind them. A photograph is "
-     "\"picture,FILE\", with \",KEY=VALUE\" for each attribute of <sky> behind it.",
+     "Use a sky other than the file's: overcast, uniform, or iso-1 to iso-15. For "
+     "types with a sun, add \",ALTITUDE,BEARING\" in degrees. A photograph is "
+     "\"picture,FILE\"; add \",KEY=VALUE\" for each attribute of <sky>.",
      pp_options_read_text, PLACE(study.sky)},
-    {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
+    {"room", 0, "NAME", "Use only the room of that name.", pp_options_read_text,
      PLACE(room)},
     {"state", 0, "STATE",
-     "The site as existing, as proposed (default), or cumulative: with other permitted "
+     "Use the site as existing, as proposed (default), or cumulative: with other "
+     "permitted "
      "buildings, too.",
      pp_room_options_read_state, PLACE(state)},
     {0},
@@ -151,8 +152,8 @@ static enum pp_status read_spacing(const char *text, void *place, struct pp_erro
         || !(v[1] >= 0.0 && v[1] <= 10.0))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "a spacing from 0.01 to 10 m, with a margin from 0 to 10 m behind "
-            "a comma if it is not 0.5, such as 0.25 or 0.25,0.5; or largest");
+            "a spacing from 0.01 to 10 m, then a comma and a margin from 0 to 10 m if "
+            "it is not 0.5, such as 0.25 or 0.25,0.5; or largest");
     choice->spacing_m = v[0];
     choice->margin_m = v[1];
     return PP_OK;
@@ -160,7 +161,7 @@ static enum pp_status read_spacing(const char *text, void *place, struct pp_erro
 
 const struct pp_option pp_room_spacing_option[] = {
     {"spacing", 0, "S[,MARGIN]",
-     "Judge the working plane on a grid of this spacing and distance from the walls "
+     "Assess the working plane on a grid of this spacing and distance from the walls "
      "(default 0.5 m). Without the option: the spacing of the file's grid, or 0.3 m, "
      "halved until the verdicts no longer depend on it. \"largest\" is the coarsest "
      "grid that EN 17037 permits.",
@@ -170,7 +171,7 @@ const struct pp_option pp_room_spacing_option[] = {
 
 const struct pp_option pp_room_external_option[] = {
     {"external", 0, "LUX",
-     "Also show illuminances in lux for this illuminance outside (5000 is usual).",
+     "Also show illuminances in lux for this illuminance outside (5000 is common).",
      pp_options_read_lux, PLACE(study.external_lux)},
     {0},
 };
@@ -190,15 +191,16 @@ const struct pp_option pp_room_by_hand_options[] = {
 const struct pp_option pp_room_stop_options[] = {
     {"error", 0, "E%",
      "Stop when the standard error at every point is below that share of the daylight "
-     "factor, or below 0.002 % daylight factor. Default 1%, at most 100%; above 5 to "
-     "10% the minimum number of paths is more accurate.",
+     "factor, or below 0.002 % daylight factor. Default 1%, at most 100%. Above 5 to "
+     "10% the result is more accurate than requested, because a minimum number of "
+     "paths is used.",
      pp_options_read_per_cent, PLACE(study.error)},
     {"samples", 0, "N",
-     "Stop after N paths per point in each randomisation, instead of --error.",
+     "Stop after N paths per point in each randomisation, instead of at an error.",
      pp_options_read_count, PLACE(study.samples)},
     {"time", 0, "TIME",
      "Stop after this time per room: 10s, 500ms, 2m, 1h. The result then depends on "
-     "the machine.",
+     "the computer.",
      pp_options_read_seconds, PLACE(study.seconds)},
     {0},
 };
@@ -206,17 +208,17 @@ const struct pp_option pp_room_stop_options[] = {
 const struct pp_option pp_room_plain_option[] = {
     {"plain", 0, NULL,
      "Use only the plain code, without the fast alternatives. It gives the same "
-     "figures, slower, as a check.",
+     "figures more slowly, as a check.",
      NULL, PLACE(study.method_options.plain)},
     {0},
 };
 
 const struct pp_option pp_room_seed_options[] = {
     {"seed", 0, "N",
-     "Seed of the random numbers (default 1); the same seed gives the same result.",
+     "Seed of the random numbers (default 1). The same seed gives the same result.",
      pp_options_read_seed, PLACE(study.seed)},
     {"threads", 'j', "N",
-     "Number of threads (default: one per processor); the result does not depend on "
+     "Number of threads (default: one per processor). The result does not depend on "
      "it.",
      pp_options_read_threads, PLACE(study.threads)},
     {0},
@@ -227,9 +229,8 @@ const struct pp_option pp_room_output_options[] = {
      "Write to FILE instead of standard output, complete or not at all; - is standard "
      "output.",
      pp_options_read_output, PLACE(output)},
-    {"quiet", 'q', NULL, "No progress bar.", NULL, PLACE(quiet)},
-    {"strict", 0, NULL,
-     "Doubtful input, of which there is otherwise a warning, is an error.", NULL,
+    {"quiet", 'q', NULL, "Show no progress bar.", NULL, PLACE(quiet)},
+    {"strict", 0, NULL, "Treat doubtful input as an error instead of a warning.", NULL,
      PLACE(strict)},
     {0},
 };
@@ -250,7 +251,7 @@ enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
         options->study.simulate ? "--simulate" : stop_option(&options->study);
     if (options->by_hand && of_simulation)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--by-hand leaves out the simulation, and %s controls it; "
+                       "--by-hand leaves out the simulation, but %s controls it; "
                        "expected one of them",
                        of_simulation);
     options->study.simulate = !options->by_hand;
@@ -269,12 +270,12 @@ enum pp_status pp_room_options_settle(struct pp_room_options *options,
     if (needs_simulate && !options->study.simulate)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s controls when the simulation stops; expected --simulate with it",
+            "%s controls when the simulation stops; expected --simulate, too",
             needs_simulate);
     if (options->study.error > 0.0 && options->study.samples > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--error and --samples both set when the simulation stops; "
-                       "expected one of them");
+                       "--error and --samples both determine when the simulation "
+                       "stops; expected one of them");
     bool has_end = options->study.error > 0.0 || options->study.samples > 0
                    || options->study.seconds > 0.0;
     if (options->study.simulate && !has_end)

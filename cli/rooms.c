@@ -90,13 +90,14 @@ static enum pp_status choose_state(struct pp_building *building, const char *fil
 {
     if (state != PP_STATE_BOTH && !pp_building_has_states(building))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: --state: nothing in it has a state; expected a file with "
-                       "existing and proposed states",
+                       "%s: --state: nothing in the file has a state; expected a file "
+                       "with existing and proposed states",
                        file);
     if (state != PP_STATE_BOTH && pp_building_set_state(building, state, err) != PP_OK)
         return PP_SYSTEM;
     if (pp_building_room_count(building) == 0)
-        return pp_fail(err, PP_BAD_INPUT, "%s: no room in it is %s; expected one", file,
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s: no room in the file is %s; expected at least one", file,
                        state == PP_STATE_EXISTING     ? "existing"
                        : state == PP_STATE_CUMULATIVE ? "cumulative"
                                                       : "proposed");
@@ -374,8 +375,8 @@ enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
         if (pp_building_has_states(proposed->list[i].building))
             continue;
         pp_fail(&err, PP_BAD_INPUT,
-                "%s: --mirror-image: nothing in it has a state; expected a file with "
-                "existing and proposed states",
+                "%s: --mirror-image: nothing in the file has a state; expected a file "
+                "with existing and proposed states",
                 proposed->list[i].file);
         return pp_message_error(&err);
     }

@@ -91,17 +91,17 @@ static void print_light(const struct pp_availability_sheet *sheet, int width, FI
     print_availability_fact("days and clock", sheet->calendar, width, out);
     if (isfinite(sheet->median_lx))
         snprintf(median, sizeof median,
-                 "%.0f lx, median of the diffuse illuminance over the brightest 4380 "
-                 "hours of the year",
+                 "%.0f lx, the median diffuse illuminance of the brightest 4380 hours "
+                 "of the year",
                  sheet->median_lx);
     else
         snprintf(median, sizeof median,
-                 "none: the weather file covers less than a year");
+                 "none, because the weather file covers less than a year");
     print_availability_fact("median", median, width, out);
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0) {
             snprintf(median, sizeof median,
-                     "%.0f hours of %s without data are left out",
+                     "%.0f hours of %s have no data and are ignored",
                      sheet->periods[i].missing_h, sheet->periods[i].words);
             print_availability_fact("gaps", median, width, out);
         }
@@ -240,8 +240,8 @@ static enum pp_status print_available_room(const struct pp_availability_result *
     fputc('\n', out);
     bool good = print_periods(sheet, width, out);
     fputs("\n  ", out);
-    pp_print_wrapped("For each illuminance: the illuminance needed outside (lx) and "
-                     "its share of the working hours (per cent).",
+    pp_print_wrapped("The table shows, for each illuminance, the illuminance needed "
+                     "outside (lx) and its share of the working hours (per cent).",
                      2, 2, width, out);
     for (int i = 0; i < result->report.column_count && good; i++) {
         const struct pp_column *column = &result->report.columns[i];
@@ -257,7 +257,8 @@ static enum pp_status print_available_room(const struct pp_availability_result *
     if (!result->report.finished)
         fputs("  traced: NOT FINISHED, interrupted\n", out);
     else if (result->by_clock)
-        fputs("  traced: stopped by --time, so another run will differ\n", out);
+        fputs("  traced: stopped at the --time limit, so another run may differ\n",
+              out);
     return PP_OK;
 }
 

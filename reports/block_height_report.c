@@ -22,18 +22,18 @@ static void say_verdict(char *text, size_t size, const struct pp_block_height *f
     switch (found->verdict) {
     case PP_BLOCK_HEIGHT_FOUND:
         pp_text_append(text, size,
-                       "with up to %.2f m, every %s keeps %s; if it is higher, the "
-                       "marked one keeps less.",
+                       "at a height of up to %.2f m, every %s keeps %s; above that "
+                       "height, the marked one keeps less.",
                        found->height_m, who, due);
         break;
     case PP_BLOCK_HEIGHT_ANY:
-        pp_text_append(text, size, "even with %g m, every %s keeps %s.", task->most_m,
-                       who, due);
+        pp_text_append(text, size, "even at a height of %g m, every %s keeps %s.",
+                       task->most_m, who, due);
         break;
     case PP_BLOCK_HEIGHT_NONE:
         pp_text_append(text, size,
-                       "even without it, a %s keeps less than %s, so no height meets "
-                       "the criterion.",
+                       "even without the block, a %s keeps less than %s, so no height "
+                       "meets the criterion.",
                        who, due);
     }
 }
@@ -57,9 +57,9 @@ enum pp_status pp_block_height_report(const struct pp_block_height *found,
     fputs("\n  ", out);
     pp_print_wrapped(pp_building_has_states(task->building)
                          ? "before: existing site; now: proposal; then: with the block "
-                           "at the height found [BR209]"
-                         : "before: site without the block; now: site of the file; "
-                           "then: with the block at the height found [BR209]",
+                           "at the calculated height [BR209]"
+                         : "before: site without the block; now: site as in the file; "
+                           "then: with the block at the calculated height [BR209]",
                      2, 2, width, out);
     pp_retained_sky_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);

@@ -260,7 +260,8 @@ static void say_engine(char *text, size_t size, const struct pp_report *report,
     const bool interpolated = is_interpolated(report, column);
     pp_text_append(text, size, "%s%s: %s, %s%s %s", text[0] ? "; " : "", column->name,
                    engine->said,
-                   interpolated ? "interpolated at the points, error unknown; " : "",
+                   interpolated ? "interpolated at the points, with unknown error; "
+                                : "",
                    utf8 ? "\xc2\xb1" : "+-", engine->deviation);
     if (engine->is_sampled)
         pp_text_append(text, size, ", seed %llu", (unsigned long long)options->seed);
@@ -282,21 +283,21 @@ static void print_simulation(const struct pp_result *result,
         engines++;
         say_engine(text, sizeof text, report, column, options, utf8);
         if (column == truth)
-            pp_text_append(text, sizeof text, "; off: deviation of a method from %s",
+            pp_text_append(text, sizeof text, "; off: difference of a method from %s",
                            column->name);
     }
     if (engines == 0)
         return;
     if (truth && engines > 1)
         pp_text_append(text, sizeof text,
-                       "; apart: deviation of an engine from %s, in standard errors of "
-                       "the difference",
+                       "; apart: difference of an engine from %s, in standard errors "
+                       "of the difference",
                        truth->name);
     if (!report->finished)
         pp_text_append(text, sizeof text, "; NOT FINISHED, interrupted");
     else if (result->by_clock)
         pp_text_append(text, sizeof text,
-                       "; stopped by --time, so another run will differ");
+                       "; stopped at the --time limit, so another run may differ");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }
@@ -323,7 +324,7 @@ static enum pp_status print_table(const struct pp_report *report,
     char lux_title[48];
     struct pp_lattice lattice;
     struct pp_report shown = *report;
-    snprintf(lux_title, sizeof lux_title, "lux, of %g outside", options->external_lux);
+    snprintf(lux_title, sizeof lux_title, "lux, for %g outside", options->external_lux);
     enum pp_status status =
         pp_lattice_find(&lattice, report->receivers, report->receiver_count, err);
     if (status != PP_OK)
@@ -371,7 +372,7 @@ static void print_margin(const struct pp_report *report, bool utf8, int width,
     }
     if (!asked)
         return;
-    fputs("\n  Average of the plane inside 0.5 m of its edge, per cent:\n  ", out);
+    fputs("\n  Average of the plane 0.5 m or more from the walls, per cent:\n  ", out);
     pp_print_wrapped(text[0] ? text : "none", 2, 2, width, out);
 }
 

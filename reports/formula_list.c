@@ -35,9 +35,9 @@ void pp_formula_list(FILE *out)
     const char *const *functions = pp_expression_functions();
     for (int i = 0; functions[i]; i++) {
         strcat(text, functions[i]);
-        strcat(text, functions[i + 1] ? ", " : ", of degrees; and pi.");
+        strcat(text, functions[i + 1] ? ", " : ", with angles in degrees; and pi.");
     }
-    fputs("Formulae that --formula 'METHOD: SYMBOL = ...' may replace, with their "
+    fputs("Formulae that --formula 'METHOD: SYMBOL = ...' can replace, with their "
           "symbols:\n",
           out);
     pp_print_wrapped(text, 0, 0, 80, out);

@@ -95,10 +95,10 @@ static void print_summary(const struct pp_imported *imported, FILE *out)
     fprintf(out, census.suns ? ", %ld of them concentrated\n" : "\n", census.suns);
     fprintf(out, "  materials         %d\n", scene->material_count);
     if (imported->summary.flat > 0)
-        fprintf(out, "  left out          %ld polygons of zero area\n",
+        fprintf(out, "  ignored           %ld polygons of zero area\n",
                 imported->summary.flat);
     if (imported->summary.unseen > 0)
-        fprintf(out, "  left out          %ld shapes of void\n",
+        fprintf(out, "  ignored           %ld shapes of void\n",
                 imported->summary.unseen);
     if (census.bounded)
         fprintf(
@@ -108,10 +108,12 @@ static void print_summary(const struct pp_imported *imported, FILE *out)
             census.high.z);
     double horizontal = pp_rgb_luminance(imported->horizontal);
     if (horizontal > 0.0)
-        fprintf(out, "  open level ground %.6g lx under its sky, without the sun\n",
-                lux(horizontal));
+        fprintf(
+            out,
+            "  open level ground %.6g lx under the sky of the scene, without the sun\n",
+            lux(horizontal));
     else
-        fprintf(out, "  open level ground no sky: there are no daylight factors\n");
+        fprintf(out, "  open level ground no sky, so there are no daylight factors\n");
 }
 
 /* ---- text ---- */
@@ -188,13 +190,13 @@ static enum pp_status print_text(const struct pp_imported *imported, int width,
     double horizontal = pp_rgb_luminance(imported->horizontal);
     if (horizontal > 0.0)
         snprintf(text, sizeof text,
-                 "By path tracing, with standard errors. Lux at 179 lm/W; daylight "
-                 "factors relative to the %.6g lx on open level ground.",
+                 "Simulated by path tracing, with standard errors. Lux at 179 lm/W; "
+                 "daylight factors relative to the %.6g lx on open level ground.",
                  lux(horizontal));
     else
         snprintf(text, sizeof text,
-                 "By path tracing, with standard errors. Lux at 179 lm/W. There are no "
-                 "daylight factors, because the scene has no sky.");
+                 "Simulated by path tracing, with standard errors. Lux at 179 lm/W. "
+                 "There are no daylight factors, because the scene has no sky.");
     pp_print_wrapped(text, 2, 2, width, out);
     if (imported->by_clock)
         fprintf(out, "  Stopped at the --time limit; another run may differ.\n");

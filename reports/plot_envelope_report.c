@@ -24,19 +24,19 @@ static void say_verdict(char *text, size_t size, const struct pp_plot_envelope *
     case PP_PLOT_ENVELOPE_FOUND:
         pp_text_append(text, size,
                        "up to %.1f m3 can be built while every window keeps %s; the "
-                       "marked one keeps exactly that.",
+                       "marked window keeps exactly that.",
                        found->volume_m3, due);
         break;
     case PP_PLOT_ENVELOPE_ANY:
         pp_text_append(text, size,
-                       "a height of %g m everywhere leaves every window %s.",
+                       "a height of %g m everywhere lets every window keep %s.",
                        task->most_m, due);
         break;
     case PP_PLOT_ENVELOPE_NONE:
-        pp_text_append(
-            text, size,
-            "nothing can be built: even on the empty plot a window keeps less than %s.",
-            due);
+        pp_text_append(text, size,
+                       "nothing can be built: even with an empty plot, a window keeps "
+                       "less than %s.",
+                       due);
     }
 }
 
@@ -66,7 +66,7 @@ static void say_plan(const struct pp_plot_cells *cells, int width, FILE *out)
     const struct pp_building_cell *cell = &cells->list[0];
     double rotate_deg = cell->rotate_rad / PP_RAD;
     pp_text_append(text, sizeof text,
-                   "Heights (m) of cells of %.2f m by %.2f m. Rows run along the "
+                   "Heights (m) of cells of %.2f m by %.2f m. Rows are parallel to the "
                    "longest side of the plot, %s; the first row is at the bottom.",
                    cell->width_m, cell->depth_m,
                    fabs(rotate_deg) < 0.05 ? "along +x" : "turned with the plot");
@@ -98,11 +98,11 @@ enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
     fputs("\n  ", out);
     pp_print_wrapped(pp_building_has_states(task->building)
                          ? "before: existing site; now: proposal; then: with the "
-                           "envelope [BR209]; plane: altitude in degrees of the "
-                           "limiting plane, where it limits the envelope"
-                         : "before: empty plot; now: site of the file; then: with the "
-                           "envelope [BR209]; plane: altitude in degrees of the "
-                           "limiting plane, where it limits the envelope",
+                           "envelope [BR209]; plane: altitude in degrees of the plane "
+                           "that limits the envelope, if one does"
+                         : "before: empty plot; now: site as in the file; then: with "
+                           "the envelope [BR209]; plane: altitude in degrees of the "
+                           "plane that limits the envelope, if one does",
                      2, 2, width, out);
     pp_retained_sky_table_point(&task->rule, width, out);
     return good ? PP_OK : pp_fail_memory(err);

@@ -66,7 +66,7 @@ bool pp_retained_sky_table_fill(struct pp_table *table,
 {
     static const char *const headings[] = {"before", "now", "then", "ratio", "plane"};
     const char *group = of == PP_RETAINED_SKY_VSC ? "vertical sky component, %"
-                                                  : "area that sees sky, m2";
+                                                  : "area with a view of the sky, m2";
     double unit = unit_of(of);
     bool good = fill_names(table, dues, of);
     for (int c = 0; c < (altitudes_rad ? 5 : 4) && good; c++) {
@@ -133,10 +133,9 @@ void pp_retained_sky_table_point(const struct pp_retained_sky_rule *rule, int wi
     char text[128];
     if (!(rule->french_m > 0.0))
         return;
-    snprintf(
-        text, sizeof text,
-        "vertical sky component of windows down to the floor: at %g m above the floor",
-        rule->french_m);
+    snprintf(text, sizeof text,
+             "vertical sky component of full-height windows: at %g m above the floor",
+             rule->french_m);
     fputs("  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

@@ -144,8 +144,7 @@ static void append_answer(char text[TEXT_BYTES],
         break;
     case PP_SIZE_OUT_OF_REACH:
         if (result->holds && result->edit_count == 0 && answer->is_largest) {
-            pp_text_append(text, TEXT_BYTES,
-                           "out of reach: there is no space for more");
+            pp_text_append(text, TEXT_BYTES, "out of reach: there is no room for more");
             break;
         }
         if (result->holds
@@ -212,7 +211,7 @@ static enum pp_status print_elements(const struct pp_size_room_result *result,
         int line = pp_room_opening_at(result->room->room, edit->opening).line;
         const char *label = pp_world_label(result->room->world, line);
         if (edit->kind == PP_TEXT_REMOVE) {
-            fprintf(out, "    %s, line %d: left out\n", label, line);
+            fprintf(out, "    %s, line %d: removed\n", label, line);
             continue;
         }
         char *element;
@@ -236,10 +235,10 @@ static void append_wanted(char text[TEXT_BYTES],
                                               "internally reflected component ",
                                           [PP_GIVES_WHOLE] = ""};
     if (request->criterion) {
-        pp_text_append(
-            text, TEXT_BYTES,
-            "all requirements of %s: 100 %% of the one that is hardest to reach%s",
-            request->criterion, request->traced ? ", simulated" : "");
+        pp_text_append(text, TEXT_BYTES,
+                       "all requirements of %s: 100 %% of the requirement that is "
+                       "hardest to reach%s",
+                       request->criterion, request->traced ? ", simulated" : "");
         return;
     }
     append_per_cent(text, request->target);
@@ -281,14 +280,14 @@ static enum pp_status print_sized_room(const struct pp_size_room_result *result,
         text[0] = '\0';
         append_reading(text, &result->traced, utf8);
         if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
-            pp_text_append(text, TEXT_BYTES, ", against %s with ",
+            pp_text_append(text, TEXT_BYTES, ", compared with %s with ",
                            result->method ? result->method : "the hand figure");
         if (!result->holds && answer->verdict == PP_SIZE_OUT_OF_REACH)
             append_reading(text, &answer->reading, utf8);
         else if (!result->holds)
             pp_text_append(text, TEXT_BYTES,
-                           ": the simulation does not reach the target, so this answer "
-                           "is not valid; --by traced finds one that is");
+                           ", below the target: do not use this size; add --by traced "
+                           "to find one by simulation");
         print_size_fact("simulated", text, width, out);
     }
     if (!request->traced && !request->criterion)

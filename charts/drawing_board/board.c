@@ -160,7 +160,8 @@ static void say_window(struct pp_board_sums *sums, const struct pp_board_window 
     if (!any)
         pp_page_say(text, room, "no %s.", sums->unit);
     else if (window->allowance != 1.0)
-        pp_page_say(text, room, "all \u00d7 %.3g for its glass, frame and dirt.",
+        pp_page_say(text, room,
+                    "all \u00d7 %.3g for the glass, frame and dirt of the window.",
                     window->allowance);
     else
         text[strlen(text) - 1] = '.';
@@ -188,7 +189,8 @@ double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
     char text[sizeof sums->text + 64], total[256] = "";
     snprintf(text, sizeof text, "%s", sums->text);
     if (sums->windows > SUMS_MOST)
-        pp_page_say(text, sizeof text, "Read %d further windows in the same way.",
+        pp_page_say(text, sizeof text,
+                    "%d more windows are to be read in the same way.",
                     sums->windows - SUMS_MOST);
     if (sums->upright)
         pp_page_say(total, sizeof total, "Vertical sky component %.1f\u00a0%%.",

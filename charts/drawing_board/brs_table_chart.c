@@ -268,7 +268,7 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
         const struct pp_brs_window *window = &sheet->windows[i];
         if (!(window->distance_m > 0.0)) {
             pp_page_say(text, room,
-                        "%s: the point lies behind the window or in its plane.",
+                        "%s: the point is behind the window or in its plane.",
                         window->label);
             continue;
         }
@@ -282,8 +282,8 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
         pp_page_say(text, room, "%d more windows are not listed.",
                     sheet->window_count - WINDOWS_MOST);
     pp_page_say(text, room,
-                "Together: sky component %.2f\u00a0%%, externally reflected component "
-                "%.2f\u00a0%%.",
+                "All windows together: sky component %.2f\u00a0%%, externally "
+                "reflected component %.2f\u00a0%%.",
                 100.0 * sheet->sky_component, 100.0 * sheet->external);
 }
 
@@ -327,20 +327,21 @@ static void say_how(char *foot, size_t room, const struct pp_brs_sheet *sheet)
     pp_page_say(
         foot, room,
         "h: head above the plane. d: distance from the point to the window. w: width "
-        "on one side of the normal through the point. Jambs on both sides: add both "
-        "readings. Both jambs on one side: subtract the narrower from the wider. Sill "
-        "above the plane, or obstruction: subtract the reading at its top. An "
-        "obstruction adds the sky component that it hides, times its luminance factor "
-        "(0.2), as externally reflected component.");
-    pp_page_say(foot, room,
-                "Interpolate linearly between cells. Beyond the last finite row or "
-                "column, scale by d/h or d/w. Below 0.1, scale linearly to zero.");
+        "on one side of the normal through the point. If the jambs are on both sides, "
+        "add both readings. If both are on one side, subtract the narrower from the "
+        "wider. For a sill above the plane or an obstruction, subtract the reading at "
+        "its top. An obstruction adds the sky component that it hides, times its "
+        "luminance factor (0.2), as externally reflected component.");
+    pp_page_say(
+        foot, room,
+        "Interpolate linearly between cells. Beyond the last finite row or column, "
+        "scale in proportion to d/h or d/w. Below 0.1, scale linearly to zero.");
     pp_page_say(
         foot, room,
         "Hopkinson, Longmore and Graham, Simplified daylight tables, HMSO, London, "
         "1958 [HLG58], as printed. Cells marked * are irregular in the original.");
     if (!sheet->blank)
-        pp_page_say(foot, room, "Crosses: reading positions, in the tinted cells.");
+        pp_page_say(foot, room, "Crosses mark the readings, in tinted cells.");
 }
 
 static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,

@@ -86,17 +86,18 @@ void pp_nomogram_notes_instructions(char *text, size_t room,
     *text = 0;
     if (nomogram->kind == PP_NOMOGRAM_POSITION) {
         pp_page_say(text, room,
-                    "Lay a straight-edge from A to B and read C. From C to D, read E, "
-                    "the mean over the working plane. From H through q, read F twice: "
-                    "by the depth and sideways. From E to the product of both readings "
-                    "on F, read G, the value at the point.");
+                    "Lay a straight-edge from A to B and read C. Lay it from C to D "
+                    "and read E, the mean over the working plane. Lay it from H "
+                    "through q and read F, once for the depth and once for the "
+                    "position along the wall. Lay it from E to the product of both "
+                    "readings on F and read G, the value at the point.");
         return;
     }
-    pp_page_say(
-        text, room,
-        "Lay a straight-edge from A to B and read C, %s. From C to D, read E, %s.",
-        top ? "for horizontal glass" : "without obstruction",
-        top ? "for glass at that slope" : "with the obstruction");
+    pp_page_say(text, room,
+                "Lay a straight-edge from A to B and read C, %s. Lay it from C to D "
+                "and read E, %s.",
+                top ? "for horizontal glass" : "without obstruction",
+                top ? "for glass with that slope" : "with the obstruction");
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
         pp_page_say(text, room,
                     "For the minimum, lay it from E to F and read G. Without "
@@ -113,12 +114,13 @@ static void say_position_letters(char *text, size_t room)
         "A: diffuse transmittance T of the glass (clear single 0.83) times its net "
         "area W, over the area A of all interior surfaces. B: mean reflectance R of "
         "these surfaces, openings 0.1. D: effective light L on the glass. H: position "
-        "of the point. First x, from the window wall, over the depth d of the room. "
-        "Then y, from the centre of the window along the wall, over half the width w.");
+        "of the point. It is first x, the distance from the window wall, over the "
+        "depth d of the room. Then it is y, the distance from the centre of the window "
+        "along the wall, over half the width w.");
     pp_page_say(text, room,
-                "Values off scale A: set ten times or a tenth of the value and move "
-                "the decimal point of the result back. Multiply by a factor for dirt. "
-                "Add several windows.\n");
+                "For values off scale A, set ten times or a tenth of the value and "
+                "move the decimal point of the result back. Multiply by a factor for "
+                "dirt. Add the results of several windows.\n");
 }
 
 /* The formulae to be calculated on paper, in the printed units. */
@@ -137,8 +139,8 @@ static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet
         "V, C_b, C_g: light on the glass from the sky, from obstructions and from the "
         "ground, without shading. \u03c1_l, A_l, \u03c1_u, A_u: reflectance and area "
         "of the surfaces below and above the centre of the window. d, w, h: depth, "
-        "width and height of the window with its reveal. d_r, w_r, h_r: those of the "
-        "room. Formula irc-atlas, fitted to simulated rooms: pepperpot.");
+        "width and height of the window with its reveal. d_r, w_r, h_r: the same of "
+        "the room. Formula irc-atlas, fitted to simulated rooms: pepperpot.");
 }
 
 static void say_letters(char *text, size_t room, const struct pp_nomogram *nomogram)
@@ -151,18 +153,18 @@ static void say_letters(char *text, size_t room, const struct pp_nomogram *nomog
                 top ? "horizontal glass" : "no obstruction");
     pp_page_say(
         text, room,
-        top ? "D: slope \u03b2 of the glass (horizontal: 0). E: IRC at that slope."
-            : "D: altitude \u03b1 of a long obstruction from the centre of the window. "
-              "E: IRC with it.");
+        top ? "D: slope \u03b2 of the glass (horizontal: 0). E: IRC for that slope."
+            : "D: altitude \u03b1 of a long obstruction, seen from the centre of the "
+              "window. E: IRC with this obstruction.");
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
         pp_page_say(
             text, room,
             "F: mean reflectance of the walls. G: minimum IRC, far from the window. It "
             "is E divided by 1.8, 1.4, 1.3 or 1.2 for walls of 0.2, 0.4, 0.6 or 0.8.");
     pp_page_say(text, room,
-                "Values off scale A: set ten times or a tenth of W/A and move the "
+                "For values off scale A, set ten times or a tenth of W/A and move the "
                 "decimal point of the IRC back. Multiply by factors for other glass "
-                "and for dirt. Add several windows.\n");
+                "and for dirt. Add the results of several windows.\n");
 }
 
 static void say_formula(char *text, size_t room, const struct pp_nomogram *nomogram)
@@ -176,10 +178,10 @@ static void say_formula(char *text, size_t room, const struct pp_nomogram *nomog
     else
         pp_page_say(text, room,
                     "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 Rcw) %%; C: 39 without "
-                    "obstruction, from the printed table with one;");
+                    "obstruction, else from the printed table;");
     pp_page_say(text, room,
                 "rule Rcw = k Rfw, k = %.3g, and (Rfw + Rcw)/2 = R, so Rfw = "
-                "%.3g\u00a0R and Rcw = %.3g\u00a0R. The rule is exact on average for "
+                "%.3g\u00a0R and Rcw = %.3g\u00a0R. On average the rule is exact for "
                 "floor 0.2, walls 0.5, ceiling 0.7.",
                 k, lower, k * lower);
     pp_page_say(text, room,
@@ -230,11 +232,11 @@ void pp_nomogram_notes_value(char *text, size_t room,
 static void say_places(char *text, size_t room,
                        const struct pp_nomogram_place places[2])
 {
-    pp_page_say(
-        text, room,
-        "F %.4g by the depth (H %.4g, q %.4g) and %.4g sideways (H %.4g, q %.4g);",
-        places[0].factor, places[0].share, places[0].q, places[1].factor,
-        places[1].share, places[1].q);
+    pp_page_say(text, room,
+                "F %.4g for the depth (H %.4g, q %.4g) and %.4g along the wall (H "
+                "%.4g, q %.4g);",
+                places[0].factor, places[0].share, places[0].q, places[1].factor,
+                places[1].share, places[1].q);
 }
 
 /* "A 0.0155, B 0.522: C 0.54 %" and so on, of one window. */
@@ -290,12 +292,12 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
     for (int i = 0; i < sheet->window_count && i < WINDOWS_SAID; i++)
         say_window(text, room, sheet, i);
     if (sheet->window_count > WINDOWS_SAID)
-        pp_page_say(text, room, "%d more are not listed.",
+        pp_page_say(text, room, "%d more windows are not listed.",
                     sheet->window_count - WINDOWS_SAID);
     if (sheet->decorations != 1.0)
         pp_page_say(text, room, "All \303\227 %.3g for decorations.",
                     sheet->decorations);
-    pp_page_say(text, room, "Together: average IRC %.3g\u00a0%%",
+    pp_page_say(text, room, "All windows together: average IRC %.3g\u00a0%%",
                 100.0 * sheet->component);
     if (isfinite(sheet->further))
         pp_page_say(text, room, "and %s %.3g\u00a0%%",

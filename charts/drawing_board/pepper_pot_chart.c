@@ -86,7 +86,7 @@ static void viewing_words(const struct pp_pepper_pot_drawing *drawing, char *wor
     static const int scales[] = {20, 50, 100, 200};
     *words = 0;
     pp_page_say(words, room,
-                "Viewing distance %.4g\u00a0mm: 1\u00a0m at a distance of "
+                "Viewing distance %.4g\u00a0mm: a length of 1\u00a0m at a distance of "
                 "d\u00a0metres is drawn %.4g\u00a0mm\u00a0\u00f7\u00a0d long. An "
                 "elevation fits under the sheet at these distances:",
                 drawing->viewing, drawing->viewing);
@@ -156,14 +156,15 @@ static void say_pepper_pot_foot(char *foot, size_t room,
 {
     pp_page_say(foot, room,
                 "Each dot is worth %.3g\u00a0%% daylight factor. The outermost dots "
-                "lie outside the frame.",
+                "are outside the frame.",
                 100.0 * sheet->worth);
     if (!sheet->blank)
-        pp_page_say(foot, room, "Count all dots inside a window, wherever it lies.");
-    pp_page_say(
-        foot, room,
-        "True perspective %s. No row of dots runs along an edge. After Pleijel, 1954.",
-        sheet->any ? "on each window's own plane" : "of vertical windows");
+        pp_page_say(foot, room,
+                    "Count all dots inside a window, wherever the window is.");
+    pp_page_say(foot, room,
+                "The drawing is in true perspective %s. No row of dots runs along an "
+                "edge. After Pleijel, 1954.",
+                sheet->any ? "in the plane of each window" : "of vertical windows");
 }
 
 static void pepper_pot_titles(const struct pp_pepper_pot_drawing *drawing, char *title,

@@ -37,32 +37,33 @@ static void say_protractor_foot(char *foot, size_t room,
                                 const struct pp_protractor_scale *scale, double radius)
 {
     pp_page_say(foot, room,
-                "Radius %.0f\u00a0mm. Angles have no scale: it fits drawings of any "
-                "scale, 1:50, 1:100 or other.",
+                "Radius %.0f\u00a0mm. Angles have no scale, so the protractor fits "
+                "drawings of any scale: 1:50, 1:100 or other.",
                 radius);
-    pp_page_say(
-        foot, room,
-        "Section: centre on the point, base line horizontal. Scale: sky component in "
-        "per cent of an endless opening up to the sight line, %.1f in all.",
-        100.0 * scale->whole);
+    pp_page_say(foot, room,
+                "On the section, place the centre on the point and the base line "
+                "horizontally. The scale shows the sky component in per cent of an "
+                "endless opening up to the sight line, %.1f in all.",
+                100.0 * scale->whole);
     if (scale->range_rad > PP_PI / 2.0 + 1e-6)
-        pp_page_say(foot, room, "Turn it over for an opening on the other side.");
+        pp_page_say(foot, room,
+                    "Turn the protractor over for an opening on the other side.");
     if (!scale->turned_down)
         pp_page_say(foot, room,
-                    "Plan: correction factor at both jambs, on the semicircle of the "
-                    "average altitude.");
+                    "On the plan, read the correction factor at both jambs, on the "
+                    "semicircle of the average altitude.");
     else
         pp_page_say(foot, room,
-                    "Plan turned into the average sight line (x over slant distance): "
-                    "correction factor at both jambs, on the semicircle of the average "
-                    "altitude.");
+                    "On the plan turned into the average sight line (x over slant "
+                    "distance), read the correction factor at both jambs, on the "
+                    "semicircle of the average altitude.");
     if (scale->symmetric)
         pp_page_say(
             foot, room,
             "For average altitudes over 90\u00b0, use 180\u00b0 minus the altitude.");
     pp_page_say(foot, room,
-                "Jambs on both sides of the normal: add. Both on one side: subtract. "
-                "Dirt and frame are not included.");
+                "Add the factors of jambs on both sides of the normal; subtract those "
+                "of jambs on one side. Dirt and frame are not included.");
     pp_page_say(foot, room,
                 scale->number
                     ? "Scales by integration, after BRE Digest 309, 1986."

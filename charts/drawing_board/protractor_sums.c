@@ -53,15 +53,15 @@ static void new_line(char **text, size_t *room)
 static void say_result(char *text, size_t room, const struct pp_protractor_sheet *sheet)
 {
     if (sheet->read.less_hidden)
-        pp_page_say(
-            text, room,
-            "The sky component is that of the opening minus that of the obstruction.");
+        pp_page_say(text, room,
+                    "The sky component of the obstruction is subtracted from that of "
+                    "the opening.");
     char sky[32], external[32];
     if (sheet->allowance < 0.9995 || sheet->allowance > 1.0005)
-        pp_page_say(text, room,
-                    "Frame, dirt and glass other than clear single: \u00d7 "
-                    "%.3g.",
-                    sheet->allowance);
+        pp_page_say(
+            text, room,
+            "Multiply by %.3g for frame, dirt and glass other than clear single.",
+            sheet->allowance);
     pp_protractor_sums_percent(sky, sizeof sky, sheet->allowance * sheet->read.sky);
     pp_protractor_sums_percent(external, sizeof external,
                                sheet->allowance * sheet->read.external);
@@ -81,12 +81,13 @@ void pp_protractor_sums_say(char *text, size_t room,
         new_line(&text, &room);
     }
     if (behind < sums->all)
-        pp_page_say(text, room,
-                    sums->last
-                        ? "Read %d further parts in the same way; a PDF shows them on "
-                          "further sheets."
-                        : "Read %d further parts in the same way; see the next sheets.",
-                    sums->all - behind);
+        pp_page_say(
+            text, room,
+            sums->last
+                ? "%d more parts are to be read in the same way; a PDF shows them on "
+                  "more sheets."
+                : "%d more parts are to be read in the same way; see the next sheets.",
+            sums->all - behind);
     if (sums->last)
         say_result(text, room, sheet);
 }

@@ -419,12 +419,12 @@ static enum pp_status draw_one(struct pp_canvas *canvas,
     pp_protractor_sums_say(sum, sizeof sum, sheet, sums);
     if (sheet->others)
         pp_page_say(foot, sizeof foot,
-                    "Shown for the opening that contributes most. Read the other %d in "
-                    "the same way and add.",
+                    "The opening that contributes most is shown. The other %d are to "
+                    "be read in the same way and added.",
                     sheet->others);
     pp_page_say(
         foot, sizeof foot,
-        "Beyond the rim: angles and scale readings. After BRE Digest 309, 1986.");
+        "Angles and scale readings are outside the rim. After BRE Digest 309, 1986.");
     const struct pp_page page = {
         .title = sheet->world->name, .subtitle = subtitle, .foot = foot};
     struct pp_box box = pp_page_draw(canvas, &drawing.style, &page);

@@ -22,11 +22,11 @@ static void say_waldram_foot(char *foot, size_t room,
         glazed = glazed || sheet->panels[i].glazed;
     if (glazed)
         pp_page_say(foot, room,
-                    "Glass: losses of one clear pane by altitude times losses by "
-                    "azimuth, for vertical windows.");
+                    "The diagram includes the losses of one clear pane of a vertical "
+                    "window: those by altitude times those by azimuth.");
     if (sheet->inclined)
         pp_page_say(foot, room,
-                    "Droop lines start at the altitude of the edge: in the middle for "
+                    "Droop lines begin at the altitude of the edge: in the middle for "
                     "edges parallel to the window, at %.4g\u00b0 to the %s for "
                     "inclined edges, where these are nearest.",
                     fabs(sheet->incline_rad) / PP_RAD,
@@ -34,16 +34,17 @@ static void say_waldram_foot(char *foot, size_t room,
     else
         pp_page_say(
             foot, room,
-            "Droop lines start at the altitude of the edge: in the middle for edges "
+            "Droop lines begin at the altitude of the edge: in the middle for edges "
             "parallel to the window, at 90\u00b0 for perpendicular edges.");
     if (!sheet->blank)
         pp_page_say(foot, room,
-                    "Estimate part squares to a tenth, and carry the remainder on to "
+                    "Estimate part squares to a tenth, and carry the remainder over to "
                     "the next square.");
     if (sheet->upright)
-        pp_page_say(foot, room,
-                    "Across: sine of the azimuth. Up: luminance of the sky times "
-                    "cos\u00b2 of the altitude, summed. 270 squares are 27\u00a0%%.");
+        pp_page_say(
+            foot, room,
+            "Horizontal scale: sine of the azimuth. Vertical scale: luminance of the "
+            "sky times cos\u00b2 of the altitude, summed. 270 squares are 27\u00a0%%.");
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 

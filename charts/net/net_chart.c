@@ -361,17 +361,18 @@ static void say_net_foot(char *foot, size_t room, const struct pp_model_net *mod
     pp_page_say(foot, room,
                 "Print at 100\u00a0%%. The printed side is the inside. Cut along full "
                 "lines and cut out openings (grey). Fold dashed lines towards you. "
-                "Glue each tab behind the edge with its number (*: use tape). The "
-                "paint figure is the reflectance.");
+                "Glue each tab behind the edge with the same number (*: use tape). The "
+                "number for paint is the reflectance.");
     if (has_covers(model->world))
         pp_page_say(foot, room,
-                    "Dotted lines bound doors and dados; paint them separately.");
+                    "Dotted lines bound doors and dados; paint these separately.");
     say_reveals(foot, room, model);
-    pp_page_say(foot, room,
-                "For measurements in a mirror box of reflectance %.2g, %.2g as high as "
-                "wide, multiply the sky component by a factor. By altitude of the sky "
-                "that the opening shows:",
-                model->box.rho, model->box.height);
+    pp_page_say(
+        foot, room,
+        "For measurements in a mirror box with a reflectance of %.2g and a height of "
+        "%.2g times its width, multiply the sky component by a factor. The factor "
+        "depends on the altitude of the sky seen through the opening:",
+        model->box.rho, model->box.height);
     for (int i = 0; i < 6; i++)
         pp_page_say(foot, room, "%.2f at %d\u00b0%s",
                     pp_mirror_box_correction(&model->box, altitudes[i] * PP_RAD),
@@ -422,10 +423,11 @@ static enum pp_status draw_sheets(struct net_drawing *drawing, struct pp_error *
 {
     enum pp_status status = PP_OK;
     if (drawing->net.sheet_count > 1 && !pp_canvas_has_sheets(drawing->canvas))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the net takes %d sheets, and only PDF holds several; expected "
-                       "-o FILE.pdf, a larger --paper or a smaller model by --scale",
-                       drawing->net.sheet_count);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the net needs %d sheets, but only a PDF holds several; expected -o "
+            "FILE.pdf, a larger --paper or a smaller model by --scale",
+            drawing->net.sheet_count);
     for (int i = 0; i < drawing->net.sheet_count && status == PP_OK; i++) {
         if (i > 0)
             status = pp_canvas_next_sheet(drawing->canvas, err);

@@ -67,7 +67,7 @@ static void need(struct note_drawing *drawing, double height)
     if (!pp_canvas_has_sheets(drawing->canvas)) {
         drawing->status = pp_fail(
             drawing->err, PP_BAD_INPUT,
-            "the note takes several sheets, and only PDF holds several; expected -o "
+            "the note needs several sheets, but only a PDF holds several; expected -o "
             "FILE.pdf, fewer methods by --methods, or a larger --paper");
         return;
     }

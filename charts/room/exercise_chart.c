@@ -426,7 +426,7 @@ enum pp_status pp_exercise_chart_draw(struct pp_canvas *canvas,
         .world = exercise->world, .receivers = &receiver, .receiver_count = 1};
     find_elevations(&drawing);
     if (drawing.elevation_count == 0)
-        return pp_fail(err, PP_BAD_INPUT, "the point has no opening in front of it");
+        return pp_fail(err, PP_BAD_INPUT, "the point faces no opening");
     enum pp_status status =
         pp_section_cut_init(&drawing.cut, exercise->world, &receiver, 1, err);
     if (status != PP_OK)
@@ -442,8 +442,8 @@ enum pp_status pp_exercise_chart_draw(struct pp_canvas *canvas,
     pp_page_assumptions(foot, sizeof foot, exercise->world, exercise->light);
     pp_room_words_outside(foot, sizeof foot, exercise->world);
     pp_page_say(foot, sizeof foot,
-                "On elevations the cross is opposite the point; the dashed line is at "
-                "the height of the point.");
+                "On elevations the cross is opposite the point, and the dashed line is "
+                "at the height of the point.");
     const struct pp_page page = {exercise->world->name, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, &drawing.style, &page);
     status = draw_body(&drawing, body, err);

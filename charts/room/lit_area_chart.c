@@ -144,7 +144,7 @@ static void say_area(const struct lit_drawing *drawing, char *text, size_t room,
 {
     pp_page_say(text, room, "%s: %.2f\u00a0m² %s, %.1f\u00a0%% of %.2f\u00a0m².", state,
                 area->lit_m2,
-                is_sky_factor(drawing) ? "adequately lit" : "view of the sky",
+                is_sky_factor(drawing) ? "adequately lit" : "with a view of the sky",
                 100.0 * area->lit_m2 / area->plane_m2, area->plane_m2);
 }
 
@@ -154,7 +154,7 @@ static void say_loss(const struct lit_drawing *drawing, char *text, size_t room)
                              *before = drawing->chart->before;
     double lost = before->lit_m2 - now->lit_m2;
     if (before->lit_m2 > 0.0)
-        pp_page_say(text, room, "%s: %.2f\u00a0m²; proposed over existing %.3f.",
+        pp_page_say(text, room, "%s: %.2f\u00a0m²; ratio of proposed to existing %.3f.",
                     lost < 0.0 ? "Gained" : "Lost", fabs(lost),
                     now->lit_m2 / before->lit_m2);
     if (!is_sky_factor(drawing) || lost < no_area_m2)
@@ -209,9 +209,9 @@ static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *c
         plane, chart->before ? ": existing and proposed" : "");
     const char *foot =
         is_sky_factor(drawing)
-            ? "Adequately lit: at least half of the room. Zones are quarters of the "
-              "room's area. In the equivalent first zone, front, first and second zone "
-              "and makeweight count 3/2, 1, 1/2 and 1/4."
+            ? "At least half of the room should be adequately lit. Zones are quarters "
+              "of the room's area. In the equivalent first zone, front, first and "
+              "second zone and makeweight count 3/2, 1, 1/2 and 1/4."
             : "At least 0.8 of the area that had a view of the sky should keep it "
               "[BR209].";
     struct pp_page page = {chart->world->name, subtitle, foot};

@@ -165,7 +165,8 @@ static void say_flat(struct plan_drawing *drawing)
     if (plan->highest > 0.0) {
         char percent[32];
         pp_style_percent(percent, sizeof percent, plan->highest);
-        snprintf(words, sizeof words, "No contours: the %s is about %s everywhere.",
+        snprintf(words, sizeof words,
+                 "No contours: the %s is approximately %s everywhere.",
                  drawing->quantity, percent);
     } else {
         snprintf(words, sizeof words, "No contours: there is no daylight.");
@@ -216,9 +217,10 @@ static void gather_keys(struct plan_drawing *drawing)
         add_key(drawing, PP_KEY_LINE, 0, style->thin / style->medium, PP_INK, words);
     }
     if (plan->bands.count)
-        add_key(drawing, PP_KEY_TINT, 0, 1.0, 0.84, "within one standard error of it");
+        add_key(drawing, PP_KEY_TINT, 0, 1.0, 0.84,
+                "within one standard error of the contour");
     bool tinted = drawing->chart->fill == PP_FILL_NONE;
-    snprintf(words, sizeof words, "no direct sky: %.0f\u00a0%% of the plane",
+    snprintf(words, sizeof words, "no view of the sky: %.0f\u00a0%% of the plane",
              100.0 * (1.0 - plan->sky_share));
     if (plan->no_sky.count)
         add_key(drawing, PP_KEY_LINE, NO_SKY_LINE, 1.0, PP_INK, "no-sky line");
@@ -262,15 +264,15 @@ static void say_plan_foot(const struct plan_drawing *drawing, char *foot, size_t
         say_percent(low, sizeof low, plan->lowest);
         say_percent(high, sizeof high, plan->highest);
         pp_page_say(foot, room,
-                    "Highest %s %s at x\u00a0%.2f, y\u00a0%.2f\u00a0m; lowest "
-                    "%s at x\u00a0%.2f, y\u00a0%.2f\u00a0m.",
+                    "The highest %s is %s at x\u00a0%.2f, y\u00a0%.2f\u00a0m; the "
+                    "lowest is %s at x\u00a0%.2f, y\u00a0%.2f\u00a0m.",
                     drawing->quantity, high, plan->highest_xy[0], plan->highest_xy[1],
                     low, plan->lowest_xy[0], plan->lowest_xy[1]);
     }
     for (int i = 0; i < chart->world->skyline_count; i++) {
         const struct pp_skyline *skyline = &chart->world->skylines[i];
         const char *wall = chart->world->surfaces[skyline->face].name;
-        pp_page_say(foot, room, "Skyline of %.3g\u00b0 before wall %s.",
+        pp_page_say(foot, room, "Skyline of %.3g\u00b0 in front of wall %s.",
                     skyline->angle_rad / PP_RAD, wall ? wall : "of the window");
     }
     if (is_all_diffusing(chart->world))

@@ -144,12 +144,12 @@ void pp_plan_figures_say(char *text, size_t room, const struct pp_plan_chart *ch
         return;
     if (figures->has_plane) {
         const struct pp_plane_reading *plane = &figures->plane;
-        pp_page_say(
-            text, room,
-            chart->report->grid_of_standard
-                ? "At the %d points of the EN 17037 grid, 0.5\u00a0m from the walls:"
-                : "At the %d points of the grid:",
-            chart->report->grid_points);
+        pp_page_say(text, room,
+                    chart->report->grid_of_standard
+                        ? "At the %d points of the EN 17037 grid, 0.5\u00a0m or more "
+                          "from the walls:"
+                        : "At the %d points of the grid:",
+                    chart->report->grid_points);
         say_reading(text, room, "minimum", &plane->minimum, ",");
         say_reading(text, room, "median", &plane->median, ",");
         say_reading(text, room, "mean", &plane->average, ",");
@@ -163,5 +163,5 @@ void pp_plan_figures_say(char *text, size_t room, const struct pp_plan_chart *ch
                         i == PP_PLANE_LEVELS - 1 ? "." : ",");
     }
     if (isfinite(figures->average.value))
-        say_reading(text, room, "Average of the whole plane", &figures->average, ".");
+        say_reading(text, room, "Average over the whole plane", &figures->average, ".");
 }

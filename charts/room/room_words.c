@@ -59,7 +59,7 @@ void pp_room_words_outside(char *text, size_t room, const struct pp_world *world
     for (int i = 0; i < world->skyline_count; i++) {
         const struct pp_skyline *skyline = &world->skylines[i];
         const char *wall = world->surfaces[skyline->face].name;
-        pp_page_say(text, room, "In front of wall %s: endless skyline at %.4g\u00b0",
+        pp_page_say(text, room, "Endless skyline in front of wall %s: %.4g\u00b0",
                     wall ? wall : "", skyline->angle_rad / PP_RAD);
         if (isfinite(skyline->distance_m))
             pp_page_say(text, room,

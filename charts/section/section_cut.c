@@ -62,8 +62,9 @@ static enum pp_status find_line(struct pp_section_cut *cut,
                                 struct pp_error *err)
 {
     if (count == 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "no calculation points: a section passes through them");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "there are no calculation points, which a section passes through");
     struct pp_vec3 first = receivers[0].position;
     int far = 0;
     double reach = 0.0;
@@ -98,7 +99,7 @@ static enum pp_status find_line(struct pp_section_cut *cut,
         if (off > OFF_LINE_M)
             return pp_fail(err, PP_BAD_INPUT,
                            "a section needs its calculation points on one horizontal "
-                           "straight line, but (%g, %g, %g) lies %.3g m off the line "
+                           "straight line, but (%g, %g, %g) is %.3g m off the line "
                            "through (%g, %g, %g) and (%g, %g, %g)",
                            p.x, p.y, p.z, off, first.x, first.y, first.z,
                            receivers[far].position.x, receivers[far].position.y,

@@ -178,7 +178,7 @@ enum pp_status pp_canvas_create(struct pp_canvas **canvas_out,
     double dpi = sheet->dpi == 0.0 ? 200.0 : sheet->dpi;
     if (!(dpi >= 20.0 && dpi <= 1200.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "resolution is %g dots per inch; expected 20 to 1200", dpi);
+                       "the resolution is %g dots per inch; expected 20 to 1200", dpi);
     if (!has_fonts())
         return pp_fail(err, PP_SYSTEM,
                        "no font is installed; charts need one, such as DejaVu Sans "
@@ -278,7 +278,8 @@ enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *e
 {
     if (!pp_canvas_has_sheets(canvas))
         return pp_fail(err, PP_BAD_INPUT,
-                       "an SVG or PNG file holds one sheet; several sheets need PDF");
+                       "an SVG or PNG file holds one sheet, but there are several; "
+                       "expected a PDF");
     cairo_show_page(canvas->cr);
     canvas->page++;
     return PP_OK;
@@ -332,7 +333,8 @@ enum pp_status pp_canvas_finish(struct pp_canvas *canvas, const unsigned char **
     if (canvas->lacks_memory)
         return pp_fail_memory(err);
     if (canvas->sheet.to_place)
-        return pp_fail(err, PP_BAD_INPUT, "a placed drawing is not a file of its own");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a drawing placed on a sheet cannot be a file of its own");
     if (!canvas->finished) {
         cairo_status_t status = cairo_status(canvas->cr);
         if (status == CAIRO_STATUS_SUCCESS && canvas->sheet.format == PP_CHART_PNG)

@@ -96,8 +96,7 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
     else if (world->opening_count)
         pp_page_say(
             text, room,
-            "Normal transmittance of the glass %s, frame factor %s, maintenance "
-            "%s.",
+            "Glass with a normal transmittance of %s; frame factor %s, maintenance %s.",
             range_text(glass, sizeof glass, low[GLASS], high[GLASS]), frame, dirt);
     if (low[CURTAINS] < 1.0)
         pp_page_say(text, room, "Curtains transmit %s.",
@@ -108,7 +107,8 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
 static void say_decorations(char *text, size_t room, const struct pp_world *world)
 {
     if (world->decorations != 1.0)
-        pp_page_say(text, room, "Decorations keep %.3g of their reflectance.",
+        pp_page_say(text, room,
+                    "Deterioration of decorations reduces reflected light to %.3g.",
                     world->decorations);
 }
 

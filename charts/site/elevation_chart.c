@@ -347,20 +347,21 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
     const struct pp_site_sheet *site = &drawing->sheet->site;
     pp_page_say(
         foot, room,
-        "Figures in per cent, at the centre of the outer face of each window%s.",
-        site->has_before ? "; above, in light type: existing" : "");
+        "Figures are in per cent, at the centre of the outer face of each window%s.",
+        site->has_before ? "; above them, in light type, the existing value" : "");
     if (site->french_m > 0.0)
-        pp_page_say(foot, room, "Windows down to the floor: at %g m above the floor.",
+        pp_page_say(foot, room,
+                    "Figures of full-height windows are at %g m above the floor.",
                     site->french_m);
     if (site->has_before)
-        pp_page_say(
-            foot, room,
-            "Heavy frame: under 27\u00a0%% and under 0.8 of the existing value.");
-    pp_page_say(
-        foot, room,
-        "Windows with 27\u00a0%% or more: normal design gives reasonable daylight. "
-        "With 15 to 27: larger windows or another layout are needed. With 5 to 15: "
-        "adequate daylight is very difficult. With less: often impossible [BR209].");
+        pp_page_say(foot, room,
+                    "A heavy frame marks windows under 27\u00a0%% and under 0.8 of the "
+                    "existing value.");
+    pp_page_say(foot, room,
+                "With 27\u00a0%% or more, conventional window design usually gives "
+                "reasonable daylight. With 15 to 27, larger windows or another layout "
+                "are needed. With 5 to 15, adequate daylight is very difficult. With "
+                "less, it is often impossible [BR209].");
 }
 
 static void draw_elevation_sheet(struct elevation_drawing *drawing,
@@ -371,10 +372,10 @@ static void draw_elevation_sheet(struct elevation_drawing *drawing,
     struct pp_key keys[PP_SKY_BANDS];
     char foot[1024] = "";
     say_elevation_foot(drawing, foot, sizeof foot);
-    struct pp_page page = {
-        sheet->site.title,
-        "Vertical sky component on outer walls and at their windows, CIE overcast sky",
-        foot};
+    struct pp_page page = {sheet->site.title,
+                           "Vertical sky component on external walls and at their "
+                           "windows, CIE overcast sky",
+                           foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
     pp_sky_bands_keys(keys);
     double strip = pp_plan_strip_height(style, PP_SKY_BANDS);

@@ -288,7 +288,7 @@ static int gather_keys(const struct pp_site_sheet *sheet, struct pp_key keys[8])
     if (sheet->garden_count > 0) {
         keys[count] = (struct pp_key){.kind = PP_KEY_HATCH, .curve.dashes = {0.8}};
         snprintf(keys[count++].words, sizeof keys->words,
-                 "garden: under 2 h of sun on 21 March");
+                 "garden with under 2 h of sun on 21 March");
     }
     return count;
 }
@@ -363,23 +363,23 @@ static void draw_site_sheet(struct pp_site_drawing *drawing, struct pp_canvas *c
         "storey is next to the wall. Heights are above the ground.");
     if (sheet->french_m > 0.0)
         pp_page_say(foot, sizeof foot,
-                    "Windows down to the floor: at %g m above the floor; all others at "
-                    "their centre.",
+                    "Figures of full-height windows are at %g m above the floor, all "
+                    "others at the centre of the window.",
                     sheet->french_m);
     if (sheet->cell_count > 0)
-        pp_page_say(
-            foot, sizeof foot,
-            "Plot: permitted height of each cell in metres, darker for higher; "
-            "%.0f\u00a0m³ in all. Figures at windows are those with this envelope.",
-            sheet->cells_m3);
+        pp_page_say(foot, sizeof foot,
+                    "Figures on the plot show the permitted height of each cell in "
+                    "metres, darker for higher; %.0f\u00a0m³ in all. Figures at "
+                    "windows are those with this envelope.",
+                    sheet->cells_m3);
     if (sheet->garden_count > 0)
         pp_page_say(foot, sizeof foot,
-                    "Gardens: share of the area with two hours of sun or more on 21 "
-                    "March; target: half [BR209].");
+                    "Figures in gardens show the share of the area with two hours of "
+                    "sun or more on 21 March; target: half [BR209].");
     if (sheet->has_before)
         pp_page_say(foot, sizeof foot,
-                    "Heavy frame: under 27\u00a0%% and under 0.8 of the existing value "
-                    "[BR209].");
+                    "A heavy frame marks windows under 27\u00a0%% and under 0.8 of the "
+                    "existing value [BR209].");
     struct pp_page page = {sheet->title,
                            sheet->cell_count > 0
                                ? "The largest envelope on the plot, with the vertical "

@@ -281,14 +281,14 @@ static void say_overlay_foot(char *foot, size_t room, const struct pp_overlay *o
 {
     pp_page_say(
         foot, room,
-        "For a photograph taken horizontally, pointing up. Print at 100\u00a0%%. Place "
-        "the circle on the horizon (90\u00b0 from the zenith), N to the north; east is "
-        "on the left. Lens: %s, angle \u03b8 from the zenith at %s.",
+        "For a photograph taken with the camera level and pointing up. Print at "
+        "100\u00a0%%. Place the circle on the horizon (90\u00b0 from the zenith), N to "
+        "the north; east is on the left. Lens: %s, angle \u03b8 from the zenith at %s.",
         lens_names[overlay->lens], lens_rules[overlay->lens]);
     if (overlay->dots)
         pp_page_say(foot, room,
                     "%d crosses, each worth %.3g\u00a0%% of the horizontal illuminance "
-                    "under the open sky. Count the crosses on the sky: they give the "
+                    "under the open sky. The number of crosses on the sky gives the "
                     "sky component without glass.",
                     overlay->dot_count, 100.0 / overlay->dot_count);
     if (overlay->cells)
@@ -296,9 +296,9 @@ static void say_overlay_foot(char *foot, size_t room, const struct pp_overlay *o
                     overlay->cell_count, 100.0 / overlay->cell_count);
     if (overlay->sun)
         pp_page_say(foot, room,
-                    "Sun paths of the 21st of the named months; hours are solar time. "
-                    "Where two months are named the first is drawn; the other differs "
-                    "by less than 0.6\u00b0.");
+                    "Sun paths are for the 21st of the named months; hours are solar "
+                    "time. If two months are named, the first is drawn; the other "
+                    "differs by less than 0.6\u00b0.");
 }
 
 static void overlay_titles(const struct pp_overlay *overlay, char *title,
@@ -311,12 +311,13 @@ static void overlay_titles(const struct pp_overlay *overlay, char *title,
     snprintf(title, room, "Overlay for %s fisheye photographs",
              lens_names[overlay->lens]);
     if (overlay->sun && (overlay->dots || overlay->cells))
-        snprintf(subtitle, room, "%s in equal parts; sun paths at %.4g\u00b0 %s", sky,
+        snprintf(subtitle, room,
+                 "%s divided into equal parts; sun paths at %.4g\u00b0 %s", sky,
                  latitude, side);
     else if (overlay->sun)
         snprintf(subtitle, room, "Sun paths at %.4g\u00b0 %s", latitude, side);
     else
-        snprintf(subtitle, room, "%s in equal parts", sky);
+        snprintf(subtitle, room, "%s divided into equal parts", sky);
     subtitle[0] = (char)(subtitle[0] == 'u' ? 'U' : subtitle[0]);
 }
 
@@ -339,8 +340,8 @@ static enum pp_status lay_circle(struct overlay_plot *plot, struct pp_box body,
     double wanted = plot->overlay->diameter_mm;
     if (wanted > most)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--diameter is %g mm, but the sheet holds %.0f; expected less, "
-                       "or a larger --paper",
+                       "--diameter is %g mm, but the sheet holds only %.0f; expected "
+                       "less, or a larger --paper",
                        wanted, floor(most));
     plot->radius = 0.5 * (wanted > 0.0 ? wanted : 10.0 * floor(most / 10.0));
     plot->x0 = body.x + 0.5 * body.width;

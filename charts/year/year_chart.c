@@ -226,8 +226,9 @@ static void draw_curves(const struct year_plot *plot, struct pp_box box)
     struct pp_axis across = pp_axis_log(10.0, 50000.0, box.x + 8.0 * scale,
                                         box.x + box.width - 2.0 * scale, 9.0 * scale);
     struct pp_axis up = pp_axis_linear(0.0, 100.0, low, box.y, 5.0 * scale, true);
-    put_panel_title(plot, box.x, box.y - 1.0 * scale,
-                    "Share of the occupied hours, %, with so many lx or more");
+    put_panel_title(
+        plot, box.x, box.y - 1.0 * scale,
+        "Share of the occupied hours, %, with at least this illuminance (lx)");
     pp_axis_grid_across(plot->cr, &plot->style, &up, across.from, across.to);
     pp_axis_grid_up(plot->cr, &plot->style, &across, box.y, low);
     pp_axis_draw_across(plot->cr, &plot->style, &across, low);

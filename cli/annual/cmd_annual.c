@@ -26,8 +26,8 @@
 static const char about[] =
     "Simulates the daylight of a room in every hour of a weather file. Shows daylight "
     "autonomy, useful daylight illuminance, sDA and ASE by LM-83-12 with its blinds, "
-    "and EN 17037's levels by its method 2. Results are for the reference points and "
-    "for the whole grid, with standard errors. FILE is a room file; - is standard "
+    "and the levels of EN 17037 by its method 2. Results are for the reference points "
+    "and for the whole grid, with standard errors. FILE is a room file; - is standard "
     "input.";
 
 struct annual_options {
@@ -221,14 +221,14 @@ static enum pp_exit run_annual(void *values, char **files, int file_count)
     struct pp_error err = {0};
     if (options->part.number > rooms.count) {
         pp_fail(&err, PP_BAD_INPUT,
-                "--part %d/%d: the part is empty, because there %s %d room%s",
+                "--part %d/%d: this part is empty, because there %s only %d room%s",
                 options->part.number, options->part.count,
                 rooms.count == 1 ? "is" : "are", rooms.count,
                 rooms.count == 1 ? "" : "s");
         result = pp_message_error(&err);
     } else if ((options->hourly || options->coefficients) && rooms.count != 1) {
         pp_fail(&err, PP_BAD_INPUT,
-                "%s is for one room, and there are %d; expected --room NAME",
+                "%s is for one room, but there are %d; expected --room NAME",
                 options->hourly ? "--hourly" : "--coefficients", rooms.count);
         result = pp_message_error(&err);
     } else {
@@ -298,8 +298,8 @@ static const struct pp_option weather_options[] = {
      "Weather file in EnergyPlus format, required; - is standard input.",
      pp_options_read_input, PLACE(light.weather)},
     {"sun-shift", 0, "auto|MIN",
-     "Minutes from the middle of each record to its sun position; auto (default): from "
-     "the radiation of the file's clear hours.",
+     "Minutes from the middle of each record to the sun position used for it; auto "
+     "(default): from the radiation in the clear hours of the file.",
      read_shift, PLACE(sun_shift_min)},
     {"leap-day", 0, NULL, "Keep the records of 29 February.", NULL, PLACE(leap_day)},
     {0},
@@ -314,13 +314,12 @@ static const struct pp_option result_options[] = {
      "or FILE.npy (NumPy format).",
      read_hourly, PLACE(hourly)},
     {"coefficients", 0, "FILE",
-     "Also write the coefficients of the ground and of all patches of the sky, as a "
-     "matrix "
-     "of Radiance's (dctimestep).",
+     "Also write the coefficients of the ground and of all sky patches, as a matrix "
+     "for Radiance (dctimestep).",
      pp_options_read_output, PLACE(coefficients)},
     {"part", 0, "K/N",
-     "Only rooms K, K + N, K + 2 N and so on: the parts 1/N to N/N are all rooms, for "
-     "several machines or runs.",
+     "Only rooms K, K + N, K + 2 N and so on. The parts 1/N to N/N together are all "
+     "rooms, so that several machines or runs can share them.",
      read_part, PLACE(part)},
     {0},
 };
@@ -329,8 +328,8 @@ static const struct pp_option method_options[] = {
     {"patches", 0, "N", "Number of sky patches: 145, 577 (default) or 2305.",
      read_patches, PLACE(annual.patches)},
     {"exact-sky", 0, NULL,
-     "Evaluate each hour's sky and sun at the end of every path, without patches and "
-     "cells. This reference is slow and has no blinds.",
+     "Evaluate the sky and sun of each hour at the end of every path, without patches "
+     "and cells. This reference is slow and has no blinds.",
      NULL, PLACE(annual.exact_sky)},
     {0},
 };
@@ -377,7 +376,7 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
     if (study->sky)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "--sky does not apply, because the weather file gives the skies");
+            "--sky does not apply, because the weather file determines the sky");
     if (study->seconds > 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--time does not apply; expected --error or --samples");
@@ -387,7 +386,8 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
                        "--samples is %ld; expected a power of two up to 65536",
                        study->samples);
     if (options->coefficients && options->annual.exact_sky)
-        return pp_fail(err, PP_BAD_INPUT, "--exact-sky has no --coefficients");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--exact-sky cannot be combined with --coefficients");
     study->simulate = true;
     return pp_availability_options_check(&options->light, files, file_count, err);
 }

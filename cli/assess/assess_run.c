@@ -119,8 +119,8 @@ static enum pp_status refuse_alone(const struct pp_criterion *criterion,
 {
     if (criterion->needs_mirror_image)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s compares with the building's mirror image; expected "
-                       "--mirror-image X1,Y1,X2,Y2, the boundary line",
+                       "%s compares the site with the building's mirror image; "
+                       "expected --mirror-image X1,Y1,X2,Y2, the boundary line",
                        criterion->name);
     return pp_fail(err, PP_BAD_INPUT,
                    "%s compares the room before and after; expected --before FILE, or "

@@ -43,8 +43,8 @@ static enum pp_status read_altitude(const char *text, void *place, struct pp_err
 
 const struct pp_option pp_assess_words_table[] = {
     {"table", 0, NULL,
-     "One table of all windows and rooms, existing and proposed, instead of a sheet "
-     "for each room.",
+     "Print one table of all windows and rooms, existing and proposed, instead of a "
+     "sheet for each room.",
      NULL, PLACE(table)},
     {"schedule", 0, "FILE",
      "Also write the schedule of windows, existing and proposed, to FILE.csv or "
@@ -57,40 +57,40 @@ const struct pp_option pp_assess_words_choice[] = {
     {"criteria", 'c', "LIST", "Assess only these criteria: names, separated by commas.",
      pp_options_read_text, PLACE(criteria)},
     {"for", 0, "PROFILE",
-     "Assess only the criteria that apply to this profile: a kind of report or use of "
-     "a room.",
+     "Assess only the criteria that belong to this profile: a kind of report or a use "
+     "of the room.",
      pp_options_read_text, PLACE(profile_name)},
     {"withdrawn", 0, NULL, "Also assess criteria whose standards were withdrawn.", NULL,
      PLACE(withdrawn)},
     {"before", 'b', "FILE",
-     "The room before something was built outside, to assess the loss of sky and lit "
-     "area.",
+     "Room file from before something was built outside, to assess the loss of sky and "
+     "lit area.",
      pp_options_read_input, PLACE(before)},
     {"mirror-image", 0, "X1,Y1,X2,Y2",
-     "Also assess the building's own mirror image at that boundary line: sky and lit "
-     "area.",
+     "Also compare with the building's own mirror image at that boundary line: sky and "
+     "lit area.",
      read_boundary, PLACE(mirror_image)},
     {"place", 0, "NAME",
-     "Use the median illuminance of this capital in EN 17037's table. The default is "
-     "the capital of the site's country, or the nearest one.",
+     "Use the median illuminance of this capital in the table of EN 17037. The default "
+     "is the capital of the site's country, or the nearest one.",
      pp_options_read_text, PLACE(place)},
     {"median-diffuse", 0, "LUX",
-     "Median diffuse illuminance of the place, for EN 17037.", pp_options_read_lux,
+     "Median diffuse illuminance at the site, for EN 17037.", pp_options_read_lux,
      PLACE(median_lux)},
     {"weather", 'w', "FILE.epw",
-     "Take the median illuminance from this EnergyPlus weather file, and the "
-     "probability of sunshine.",
+     "Use this EnergyPlus weather file for the median illuminance and the probability "
+     "of sunshine.",
      pp_options_read_input, PLACE(weather)},
     {"least-altitude", 0, "DEG",
-     "The sun counts above this altitude for sun-exposure. Default: the value of EN "
-     "17037 for the country (DE 11, CZ 13). Elsewhere the verdict is given if all "
-     "altitudes from 5 to 20 degrees lead to it.",
+     "Count the sun for sun-exposure when it is above this altitude. Default: the "
+     "value of EN 17037 for the country (DE 11, CZ 13). For other countries a verdict "
+     "is given if it is the same for all altitudes from 5 to 20 degrees.",
      read_altitude, PLACE(least_altitude_rad)},
-    {"room", 0, "NAME", "Only the room of that name.", pp_options_read_text,
+    {"room", 0, "NAME", "Assess only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",
-     "Assess the site as existing or as proposed. By default a file with both is "
-     "assessed as proposed, with the losses.",
+     "Assess the site as existing or as proposed. The default for a file with both is "
+     "the proposed state, with the losses.",
      pp_room_options_read_state, PLACE(room.state)},
     {0},
 };
@@ -138,7 +138,7 @@ static enum pp_status check_place(const struct pp_assess_words *options,
     for (; count < 64 && count < pp_capitals_count(); count++)
         names[count] = pp_capitals_at(count)->name;
     return pp_text_unknown(err, options->place, names, count, NULL,
-                           "--place: \"%.100s\" is not in the standard's table",
+                           "--place: \"%.100s\" is not in the table of the standard",
                            options->place);
 }
 
@@ -161,8 +161,8 @@ static enum pp_status check_schedule(const struct pp_assess_words *options,
     return options->room.sweep.axis_count == 0
                ? PP_OK
                : pp_fail(err, PP_BAD_INPUT,
-                         "--schedule is for one run, and --sweep makes many; expected "
-                         "one of them");
+                         "--schedule is for a single run, but --sweep makes many; "
+                         "expected one of them");
 }
 
 enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
@@ -196,15 +196,15 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
     if (status == PP_OK && options->mirror_image.given
         && (options->before || options->room.state != PP_STATE_BOTH))
         status = pp_fail(err, PP_BAD_INPUT,
-                         "--mirror-image compares a file's existing and proposed "
-                         "states; it cannot be combined with %s",
+                         "--mirror-image compares the existing and proposed states of "
+                         "one file; it cannot be combined with %s",
                          options->before ? "--before" : "--state");
     if (status == PP_OK && options->schedule)
         status = check_schedule(options, err);
     if (status == PP_OK && options->table && options->room.sweep.axis_count > 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "--table is for one run, and --sweep makes many; expected "
-                         "one of them");
+                         "--table is for a single run, but --sweep makes many; "
+                         "expected one of them");
     if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
         status =
             pp_fail(err, PP_BAD_INPUT,

@@ -46,10 +46,9 @@ static enum pp_status write_schedule(const struct pp_assess_run *run,
     enum pp_status status =
         pp_window_schedule_of(&schedule, run->all.list, run->all.count, err);
     if (status == PP_OK && schedule.count == 0)
-        status =
-            pp_fail(err, PP_BAD_INPUT,
-                    "--schedule: no window's sky or sunlight was assessed; expected "
-                    "--for uk-planning, or --criteria with vertical-sky");
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--schedule: no sky or sunlight of windows was assessed; "
+                         "expected --for uk-planning, or --criteria with vertical-sky");
     if (status == PP_OK)
         status = put_schedule(&schedule, run->words->schedule, err);
     pp_window_schedule_clear(&schedule);
@@ -102,7 +101,7 @@ static const struct pp_option_group groups[] = {
 
 const struct pp_command pp_command_assess = {
     .name = "assess",
-    .summary = "daylight criteria of each room, with verdicts",
+    .summary = "assess rooms against daylight criteria, with verdicts",
     .operands = "FILE...",
     .about = about,
     .groups = groups,

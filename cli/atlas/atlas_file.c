@@ -68,8 +68,8 @@ static enum pp_status take_up(struct pp_atlas_file *file, const char *head,
     int line = compare_head(file->stream, head, &empty);
     if (line > 0 && !empty)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s:%d: the file is not this atlas; expected the same version, "
-                       "sky, error and seed, or a new file",
+                       "%s:%d: the file belongs to another atlas; expected the same "
+                       "version, sky, error and seed, or a new file",
                        file->path, line);
     long end = empty ? 0 : find_end(file);
     if (ftruncate(fileno(file->stream), end) != 0
@@ -88,7 +88,7 @@ enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
         close(descriptor);
         return pp_fail(err, PP_SYSTEM,
-                       "another run writes %s now; expected one run at a time", path);
+                       "another run is writing %s; expected one run at a time", path);
     }
     file->stream = fdopen(descriptor, "r+");
     if (!file->stream) {

@@ -20,11 +20,11 @@
 #include "studies/research/atlas/atlas_mapping.h"
 
 static const char about[] =
-    "Simulates the rooms of a designed sweep and the idealised rooms that hand methods "
-    "assume. Writes each method's figures beside the simulated ones as CSV, one row "
-    "per point. Rooms already in FILE are not simulated again, so an interrupted run "
-    "continues, and you can add rooms. The same rooms give the same bytes for any "
-    "number of runs and threads.";
+    "Simulates the rooms of a designed sweep, and the idealised rooms that hand "
+    "methods assume. Writes the figures of each method next to the simulated ones as "
+    "CSV, one row per point. Rooms already in FILE are not simulated again, so an "
+    "interrupted run continues, and you can add rooms. The same rooms give the same "
+    "bytes for any number of runs and threads.";
 
 /* A map of an atlas on a sheet of paper. */
 struct map_sheet {
@@ -128,9 +128,10 @@ static enum pp_status compute_bands(void *data, struct pp_error *err)
     if (status == PP_OK)
         status = pp_atlas_bands_fit(&run->bands, &table, err);
     if (status == PP_OK && run->bands.column_count == 0)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "%s: %d rooms are too few for bands; expected %d for a method",
-                         run->path, run->bands.rooms, pp_band_tree_rules.rooms_least);
+        status = pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: %d rooms are too few for bands; expected at least %d for a method",
+            run->path, run->bands.rooms, pp_band_tree_rules.rooms_least);
     pp_atlas_table_clear(&table);
     return status;
 }
@@ -237,20 +238,19 @@ static enum pp_status read_map(const char *text, void *place, struct pp_error *e
 static const struct pp_option sweep_options[] = {
     {"rooms", 'n', "N", "Write the first N rooms of the sweep to FILE.",
      pp_options_read_count, PLACE(rooms)},
-    {"room", 0, "NUMBER",
-     "Print the room file of this room instead; rooms are counted from 0.",
+    {"room", 0, "NUMBER", "Print the room file of this room; rooms are counted from 0.",
      read_rooms_option, PLACE(number)},
     {"by-hand", 0, NULL,
-     "Calculate the hand methods of the atlas FILE again and add new methods; "
-     "simulated figures stay.",
+     "Calculate the hand methods in the atlas FILE again and add new methods; "
+     "simulated figures stay the same.",
      NULL, PLACE(by_hand)},
     {"bands", 0, NULL,
      "Write the bands of the atlas FILE, by method and regime, as the table that is "
      "compiled into the program.",
      NULL, PLACE(bands)},
     {"try", 0, NULL,
-     "Fit bands to half of the rooms of the atlas FILE and print how they fit the "
-     "others.",
+     "Fit bands to half of the rooms in the atlas FILE and print how well they fit the "
+     "other half.",
      NULL, PLACE(try_bands)},
     {"accuracy", 0, NULL, "Print the compiled-in bands as Markdown.", NULL,
      PLACE(accuracy)},
@@ -262,13 +262,13 @@ static const struct pp_option sweep_options[] = {
 
 static const struct pp_option map_options[] = {
     {"map", 0, "BY",
-     "Draw a map of the atlas FILE to -o FILE.pdf, FILE.svg or FILE.png: hand figure "
-     "over simulated figure. BY is depth (of the point, and room proportion), erc "
-     "(share of direct light), ground, reflectance or obstruction.",
+     "Draw a map of the atlas FILE to -o FILE.pdf, FILE.svg or FILE.png. It shows the "
+     "ratio of hand to simulated figures. BY is depth (of the point, and room "
+     "proportion), erc (share of direct light), ground, reflectance or obstruction.",
      read_map, 0},
     {"method", 0, "NAME",
-     "Column of the atlas for the map: exact+bre, average-df, erc.exact (default "
-     "exact+bre).",
+     "Column of the atlas for the map, such as exact+bre, average-df or erc.exact "
+     "(default exact+bre).",
      pp_options_read_text, PLACE(sheet.method)},
     {"paper", 0, "SIZE", "Paper of the map: a5, a4 (default), a3 or a2.",
      pp_sheet_options_read_paper, PLACE(sheet.paper)},
@@ -278,7 +278,7 @@ static const struct pp_option map_options[] = {
 static const struct pp_option stop_option[] = {
     {"error", 0, "E%",
      "Simulate until the standard error of every daylight factor is below this share "
-     "of it, or 0.002 % daylight factor (default 1%).",
+     "of it, or below 0.002 % daylight factor (default 1%).",
      pp_options_read_per_cent, PLACE(room.study.error)},
     {0},
 };
@@ -313,10 +313,11 @@ static enum pp_status check_use(const struct atlas_options *options, int files,
                        "FILE, --map BY FILE -o CHART, --bands FILE, --try FILE, and "
                        "--accuracy");
     if (of_file != (files == 1) || files > 1)
-        return pp_fail(err, PP_BAD_INPUT,
-                       of_file
-                           ? "expected one file, an atlas"
-                           : "the atlas has its own rooms; expected no file except -o");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            of_file
+                ? "expected one file: an atlas"
+                : "the atlas has its own rooms; expected no file except that of -o");
     return PP_OK;
 }
 
@@ -334,9 +335,10 @@ static enum pp_status check_atlas_options(void *values, char **operands, int cou
                        PP_ATLAS_MOST);
     if (options->rooms > 0 && (!output || strcmp(output, "-") == 0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the atlas is built in a file; expected -o FILE");
+                       "the atlas is written to a file; expected -o FILE");
     if (options->map && (!output || strcmp(output, "-") == 0))
-        return pp_fail(err, PP_BAD_INPUT, "--map: expected -o FILE.pdf, .svg or .png");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--map writes a chart; expected -o FILE.pdf, .svg or .png");
     if (!(options->room.study.error > 0.0))
         options->room.study.error = 0.01;
     return PP_OK;
@@ -374,7 +376,7 @@ static void clear_atlas_options(void *values)
 
 const struct pp_command pp_command_atlas = {
     .name = "atlas",
-    .summary = "errors of each hand method over thousands of rooms",
+    .summary = "errors of each hand method in thousands of rooms",
     .operands = "[FILE]",
     .about = about,
     .groups = groups,

@@ -181,14 +181,14 @@ static enum pp_status read_zone(const char *text, void *place, struct pp_error *
 
 const struct pp_option pp_light_options[] = {
     {"weather", 'w', "FILE.epw",
-     "Use the diffuse light of this EnergyPlus weather file; - is standard input. The "
-     "default is overcast skies at the room's latitude.",
+     "Use the diffuse light in this EnergyPlus weather file; - is standard input. The "
+     "default is an overcast sky all year at the latitude of the room.",
      pp_options_read_input, PLACE(weather)},
     {"latitude", 0, "DEG",
-     "Latitude for overcast skies, north positive (default: the room's site).",
+     "Latitude for the overcast sky, north positive (default: from the room's site).",
      read_latitude, PLACE(latitude_deg)},
     {"longitude", 0, "DEG",
-     "Longitude, east positive (default: the site's, or the time zone's).",
+     "Longitude, east positive (default: from the site, or from the time zone).",
      read_longitude, PLACE(longitude_deg)},
     {"time-zone", 0, "H",
      "Time zone of the clock, in hours ahead of universal time (default: nearest to "
@@ -199,14 +199,15 @@ const struct pp_option pp_light_options[] = {
 
 const struct pp_option pp_working_time_options[] = {
     {"hours", 0, "H-H,...",
-     "Working hours by the clock, one curve each: 8-18,8:30-17 (default 8-18,9-17).",
+     "Working hours by the clock, with one curve each: 8-18,8:30-17 (default "
+     "8-18,9-17).",
      read_hours, PLACE(hours)},
     {"days", 0, "DAYS",
-     "Working days: all (default), or such as mon-fri or mon,wed,sat.", read_days,
+     "Working days: all (default), or days such as mon-fri or mon,wed,sat.", read_days,
      PLACE(days)},
     {"summer-time", 0, "M/D-M/D",
      "First and last day of summer time (clock one hour ahead); file: as in the "
-     "weather file; no (default).",
+     "weather file; or no (default).",
      read_summer, PLACE(summer)},
     {0},
 };
@@ -234,13 +235,13 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
                                                           : NULL;
     if (options->weather && of_sky)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is for overcast skies; a weather file has its own "
+                       "%s is for overcast skies, but a weather file has its own "
                        "location; expected %s or --weather",
                        of_sky, of_sky);
     if (options->summer.of_file && !options->weather)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--summer-time file needs --weather FILE; expected --weather, or the days");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--summer-time file needs a weather file; expected --weather "
+                       "FILE, or the days");
     return PP_OK;
 }
 
@@ -305,10 +306,10 @@ enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
     if (status == PP_OK)
         status = pp_diffuse_light_median(median_lx, &light, &err);
     if (status == PP_OK && !(*median_lx > 0.0))
-        status = pp_fail(
-            &err, PP_BAD_INPUT,
-            "%s: its year has no median illuminance: the data are incomplete or dark",
-            pp_read_file_title(path));
+        status = pp_fail(&err, PP_BAD_INPUT,
+                         "%s: the year has no median illuminance, because the data are "
+                         "incomplete or dark",
+                         pp_read_file_title(path));
     pp_diffuse_light_clear(&light);
     pp_availability_options_clear(&options);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);

@@ -22,9 +22,9 @@
 static const char about[] =
     "Shows the share of working hours in which daylight alone reaches an illuminance: "
     "at each room's reference points, at their median, and on average. The illuminance "
-    "needed outside is the target over the daylight factor. Its frequency comes from a "
-    "weather file, or from overcast skies at the latitude. FILE is a room file; - is "
-    "standard input.";
+    "needed outside is the target over the daylight factor. A weather file, or an "
+    "overcast sky at the latitude, determines how often it occurs. FILE is a room "
+    "file; - is standard input.";
 
 struct availability_options {
     struct pp_room_options room;

@@ -59,7 +59,7 @@ enum pp_status pp_board_options_read_slope(const char *text, void *place,
     double slope;
     if (!pp_text_parse_number(text, &slope) || !(slope >= 0.0 && slope <= 90.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "a number of degrees from 0, horizontal, to 90, vertical");
+                       "a number of degrees from 0 (horizontal) to 90 (vertical)");
     board->slope_deg = slope;
     board->slope_said = true;
     return PP_OK;
@@ -72,7 +72,7 @@ enum pp_status pp_board_options_read_inclined(const char *text, void *place,
     double degrees;
     if (!pp_text_parse_number(text, &degrees) || !(degrees >= -90.0 && degrees <= 90.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "a number of degrees from -90, nearest on the left, to 90");
+                       "a number of degrees from -90 (nearest on the left) to 90");
     board->inclined_deg = degrees;
     board->inclined = true;
     return PP_OK;
@@ -119,8 +119,8 @@ static enum pp_status set_protractor(struct pp_board_options *board,
     bool other = board->glazing || board->slope_said || sky_words;
     if (board->number && other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--number selects a protractor, with its glazing, slope and "
-                       "sky; expected --number, or --glazing, --slope and --sky");
+                       "--number selects a protractor with its glazing, slope and sky; "
+                       "expected --number, or --glazing, --slope and --sky");
     board->any_protractor = !board->number && other;
     board->slope_rad = (board->slope_said ? board->slope_deg : 90.0) * PP_RAD;
     const struct pp_glazing *glazing = pp_glazings_find(name);
@@ -135,10 +135,10 @@ static enum pp_status set_protractor(struct pp_board_options *board,
             err, PP_BAD_INPUT,
             "--glazing %s is diffusing; expected clear glass for a protractor", name);
     if (pp_sky_has_azimuth(&board->sky))
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--sky is \"%.60s\"; expected a sky that is the same in all azimuths",
-            sky_words);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--sky is \"%.60s\"; expected a sky whose luminance does not "
+                       "depend on azimuth",
+                       sky_words);
     if (strcmp(name, "clear-single") == 0)
         snprintf(board->glass_words, sizeof board->glass_words, "clear single glass");
     else
@@ -186,20 +186,21 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
     if (!blank && (board->number || board->glazing || board->slope_said))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s is for a blank protractor; a room's protractor takes it from the room",
+            "%s is for a blank protractor; for a room, it is taken from the room file",
             board->number    ? "--number"
             : board->glazing ? "--glazing"
                              : "--slope");
     if (!blank && (board->glazed || board->vertical))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s is for a blank diagram; a room's diagram takes it from the room",
+            "%s is for a blank diagram; for a room, it is taken from the room file",
             board->glazed ? "--glazed" : "--receiver");
     enum pp_status status = set_sky(board, options->study.sky, err);
     if (status == PP_OK && (nomogram || position) && board->sky.kind != PP_SKY_OVERCAST)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "--sky is \"%.60s\"; expected overcast, the sky of nomograms",
-                         options->study.sky);
+        status = pp_fail(
+            err, PP_BAD_INPUT,
+            "--sky is \"%.60s\"; expected overcast, the only sky of the nomograms",
+            options->study.sky);
     if (status == PP_OK && protractor)
         status = set_protractor(board, options->study.sky, err);
     return status;

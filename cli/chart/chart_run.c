@@ -256,8 +256,8 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
     bool pages = task->format == PP_CHART_PDF || sheets <= 1;
     if (!pages && to_standard_output) {
         pp_fail(&err, PP_BAD_INPUT,
-                "there are %d %s, and only a PDF has several pages; expected -o FILE, "
-                "--format pdf or --room NAME",
+                "there are %d %s, but only a PDF can have several pages; expected -o "
+                "FILE, --format pdf or --room NAME",
                 sheets, task->kind->of_site ? "files" : "rooms");
         return pp_message_usage("chart", &err);
     }
@@ -270,7 +270,7 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
         return pp_message_error(&err);
     if (task->finished)
         return PP_EXIT_DONE;
-    pp_message("interrupted; the chart shows the results so far");
+    pp_message("interrupted; the chart shows the results obtained so far");
     return PP_EXIT_INTERRUPTED;
 }
 
@@ -283,7 +283,7 @@ static enum pp_exit check_points(const struct pp_chart_kind *kind,
             continue;
         struct pp_error err;
         pp_fail(&err, PP_BAD_INPUT,
-                "%s is drawn for one point, and there are %d; expected one, by "
+                "%s shows one point, but there are %d; expected one point, such as "
                 "--points X,Y",
                 kind->name, rooms->list[i].receiver_count);
         return pp_message_usage("chart", &err);

@@ -58,9 +58,8 @@ static enum pp_status read_mirror_line(const char *text, void *place,
 #define PLACE(member) offsetof(struct pp_chart_words, member)
 
 static const struct pp_option sheet_options[] = {
-    {"list", 'l', NULL,
-     "List the kinds of chart and stop; after KIND, also its options.", NULL,
-     PLACE(list)},
+    {"list", 'l', NULL, "List the kinds of chart, or after KIND its options, and stop.",
+     NULL, PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: from the ending of -o FILE).",
      read_format, PLACE(format)},
     {"paper", 0, "SIZE", "a5, a4 (default), a3 (default of model-net) or a2.",
@@ -70,21 +69,21 @@ static const struct pp_option sheet_options[] = {
     {"dpi", 0, "N", "Resolution of a PNG in dots per inch, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
     {"log", 0, NULL,
-     "Section: logarithmic scale of daylight factors (default if they span more than "
-     "30 to 1).",
+     "Section: logarithmic scale of daylight factors (default if they span a ratio of "
+     "more than 30).",
      NULL, PLACE(logarithmic)},
     {"linear", 0, NULL, "Section: linear scale.", NULL, PLACE(linear)},
     {"before", 'b', "FILE",
-     "Plan, site, elevation, sun path: compare with this file, before something was "
-     "built outside. With existing: compare with the file's own existing state.",
+     "Plan, site, elevation, sun path: compare with this file, from before something "
+     "was built outside. existing: compare with the existing state in the same file.",
      pp_options_read_input, PLACE(before)},
     {"line", 0, "NAME",
-     "Plan: mark the part that sees sky (no-sky), or has a sky factor over 0.2 % "
-     "(sky-factor). With --before: also the part lost.",
+     "Plan: mark the area with a view of the sky (no-sky), or with a sky factor over "
+     "0.2 % (sky-factor). With --before: also the area lost.",
      read_mirror_line, PLACE(choice)},
     {"fill", 0, "WAY",
-     "Plan: fill between the contours: none (default), colour, or grey for "
-     "black-and-white print.",
+     "Plan: fill between contours: none (default), colour, or grey for black-and-white "
+     "print.",
      read_fill, PLACE(choice.fill)},
     {0},
 };
@@ -93,40 +92,41 @@ static const struct pp_option sheet_options[] = {
 
 static const struct pp_option board_options[] = {
     {"glazed", 0, "yes|no",
-     "Blank diagram: with the losses of clear single glass (default), or without.",
+     "Blank diagram: include the losses of clear single glass (default), or none.",
      pp_board_options_read_yes_no, BOARD(glazed)},
-    {"fine", 0, NULL, "Pepper-pot: dots worth 0.01 % instead of 0.1 %.", NULL,
+    {"fine", 0, NULL, "Pepper-pot: each dot is worth 0.01 % instead of 0.1 %.", NULL,
      BOARD(fine)},
     {"receiver", 0, "WAY",
-     "Blank pepper-pot diagram: horizontal (default), or vertical, facing the window.",
+     "Blank pepper-pot diagram: for a horizontal receiver (default), or for a vertical "
+     "one that faces the window.",
      pp_board_options_read_receiver, BOARD(vertical)},
     {"viewing-distance", 0, "MM",
      "Pepper-pot: distance from eye to drawing, 5 to 200 mm (default 30, with --fine "
-     "60; less if a window would not fit the sheet).",
+     "60; less if a window would not fit on the sheet).",
      pp_board_options_read_viewing_mm, BOARD(viewing_mm)},
     {"number", 0, "N",
-     "Blank protractor: 1 to 10 (default 2, vertical glass, overcast).",
+     "Blank protractor: number 1 to 10 (default 2, vertical glass, overcast sky).",
      pp_board_options_read_protractor, BOARD(number)},
-    {"glazing", 0, "NAME",
-     "Blank protractor: any glazing by its name in the table, or none.",
+    {"glazing", 0, "NAME", "Blank protractor: a glazing from the table, or none.",
      pp_options_read_text, BOARD(glazing)},
     {"slope", 0, "DEG",
-     "Blank protractor: slope of the glass, 0 horizontal to 90 vertical (default).",
+     "Blank protractor: slope of the glass, 0 (horizontal) to 90 (vertical, default).",
      pp_board_options_read_slope, PLACE(choice.board)},
     {"which", 0, "NAME",
      "Nomogram: average (default) or minimum, for windows, or rooflight.",
      pp_board_options_read_nomogram, PLACE(choice.board)},
     {"inclined", 0, "DEG",
-     "Waldram, vertical sky: droop lines of edges at an angle to the window in plan.",
+     "Waldram diagram of the vertical sky: droop lines of edges at an angle to the "
+     "window in plan.",
      pp_board_options_read_inclined, PLACE(choice.board)},
     {"unsolved", 0, NULL,
-     "Waldram, pepper-pot, protractor, brs-table of a point: the exercise without its "
-     "solution. Shows section, plan and elevations to scale, and in a PDF the blank "
-     "diagram.",
+     "Waldram, pepper-pot, protractor, brs-table of a point: draw the exercise without "
+     "its solution. Shows section, plan and elevations to scale, and in a PDF the "
+     "blank diagram.",
      NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
      "Vertical sky, skylight indicator, sun path: the window, by its line in the file "
-     "or by its wall (default: the first vertical one).",
+     "or by its wall (default: the first vertical window).",
      pp_options_read_text, BOARD(window)},
     {0},
 };
@@ -157,8 +157,8 @@ static enum pp_status read_mirror_box(const char *text, void *place,
         || !pp_text_parse_number(comma + 1, &height)
         || !(height >= 0.01 && height <= 10.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the mirrors' reflectance, above 0 to 1, and the box's height "
-                       "over its width, 0.01 to 10: 0.85,0.5");
+                       "the reflectance of the mirrors, above 0 to 1, and the height "
+                       "of the box over its width, 0.01 to 10: 0.85,0.5");
     options->box = (struct pp_mirror_box){rho, height};
     options->has_box = true;
     options->typed = "--mirror-box";
@@ -168,8 +168,8 @@ static enum pp_status read_mirror_box(const char *text, void *place,
 static const struct pp_option model_options[] = {
     {"scale", 0, "N", "1:N, from 2 to 500 (default 20).", read_scale, 0},
     {"mirror-box", 0, "RHO,K",
-     "Artificial sky: reflectance of the mirrors, and height of the box over its width "
-     "(default 0.85,0.5).",
+     "Artificial sky for the model: reflectance of the mirrors, and height of the box "
+     "over its width (default 0.85,0.5).",
      read_mirror_box, 0},
     {0},
 };
@@ -231,11 +231,11 @@ static const struct pp_option overlay_options[] = {
     {"lens", 0, "NAME",
      "equidistant (default), equisolid, stereographic or orthographic.", read_lens, 0},
     {"diameter", 0, "MM",
-     "Diameter of the horizon's circle, 20 to 400 mm (default: as large as the paper "
+     "Diameter of the horizon circle, 20 to 400 mm (default: as large as the paper "
      "allows).",
      read_diameter, 0},
     {"show", 0, "WHAT,...",
-     "dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
+     "Marks: dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
      "sun).",
      read_show, 0},
     {0},
@@ -246,10 +246,9 @@ static const struct pp_option overlay_options[] = {
 static const char about[] =
     "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. Several rooms get "
     "one page each in a PDF, or one file each: FILE-1.png, FILE-2.png. FILE is a room "
-    "file; - is standard input. Without FILE the diagrams of the drawing board are "
-    "blank. With FILE they show one point, given by --points X,Y. A nomogram shows the "
-    "whole room. Diagrams of the vertical sky component show one window, given by "
-    "--window.";
+    "file; - is standard input. Diagrams of the drawing board are blank without FILE. "
+    "With FILE they show one point, given by --points X,Y. A nomogram shows the whole "
+    "room. Diagrams of the vertical sky component show one window, given by --window.";
 
 static void print_kinds(FILE *out)
 {
@@ -290,7 +289,8 @@ static enum pp_status check_light(const struct pp_year_options *light,
     if (kind->of_year) {
         if (!light->weather || file_count == 0)
             return pp_fail(err, PP_BAD_INPUT,
-                           "a chart of the %s needs --weather FILE.epw and a room file",
+                           "a chart of the %s needs a weather file and a room file; "
+                           "expected --weather FILE.epw",
                            kind->name);
         return pp_availability_options_check(light, files, file_count, err);
     }
@@ -357,7 +357,7 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
         return PP_OK;
     if (word_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected a kind of chart; --list shows them");
+                       "expected a kind of chart; use --list to see them");
     const struct pp_chart_kind *kind = command->kind = find_kind(words[0], err);
     if (!kind)
         return PP_BAD_INPUT;
@@ -372,13 +372,13 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
     if (chart->before && !kind->compares)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s cannot compare two states; --before is for a plan, a site, "
-                       "an elevation or sun paths",
+                       "an elevation or a sun path",
                        kind->name);
     if (chart->choice.site.french_m > 0.0 && !kind->of_site
         && kind != &pp_draw_vertical_sky)
         return pp_fail(err, PP_BAD_INPUT,
                        "--vsc-point-french is for a site, an elevation or a diagram of "
-                       "the vertical sky");
+                       "the vertical sky component");
     if (chart->choice.cut.kind != PP_SECTION_OF_ROOM && kind != &pp_draw_section
         && kind != &pp_draw_plan)
         return pp_fail(err, PP_BAD_INPUT, "--cut is for a section or a plan");

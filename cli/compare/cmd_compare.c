@@ -29,14 +29,14 @@ struct compare_options {
 #define PLACE(member) offsetof(struct compare_options, member)
 
 static const char about[] =
-    "Compares another program's daylight factors with the simulation at the same "
+    "Compares daylight factors of another program with the simulation at the same "
     "points, and finds the cause of the difference. It tests switches that imitate "
     "other programs (--as-if) and shows the probability and share of each. OTHER.csv "
     "has a header with the column names (x, y, z and df_percent, df_fraction or lux) "
-    "and one line per point. With --as-if and no OTHER.csv, the command compares the "
-    "simulation with and without the switches. ROOM is a room file; - is standard "
-    "input. Radiance scene files can replace ROOM, as in import; then OTHER.csv comes "
-    "last and has x, y and z.";
+    "and one line per point. Without OTHER.csv, --as-if compares the simulation with "
+    "and without the switches. ROOM is a room file; - is standard input. Radiance "
+    "scene files can replace ROOM, as in import; then OTHER.csv comes last and has x, "
+    "y and z.";
 
 /* ---- options ---- */
 
@@ -53,13 +53,15 @@ static enum pp_status read_unit(const char *text, void *place, struct pp_error *
 
 static const struct pp_option compare_options[] = {
     {"as-if", 0, "SWITCHES",
-     "Simulate the room as another program may: switches below, separated by commas.",
+     "Simulate the room as another program may do it: switches from the list below, "
+     "separated by commas.",
      pp_options_read_text, PLACE(variant)},
     {"as", 0, "UNIT",
-     "Unit of the other values if their column name does not give it: percent, "
+     "Unit of the other values, if their column name does not give it: percent, "
      "fraction or lux.",
      read_unit, PLACE(unit)},
-    {"external", 0, "LUX", "Horizontal illuminance outside, for other values in lux.",
+    {"external", 0, "LUX",
+     "Horizontal illuminance outside, if the other values are in lux.",
      pp_options_read_lux, PLACE(room.study.external_lux)},
     {"noise", 0, "E%",
      "Standard deviation of the other program's values between runs, as a share of "
@@ -81,23 +83,24 @@ static void help_on_switches(FILE *out)
     static const char *const switches[][2] = {
         {"bounces=N",
          "at most N reflections between surfaces; the ground is a light source"},
-        {"ab=N", "at most N-1 reflections, the ground's included, as Radiance counts a "
-                 "ground surface; ab=0: no light of the sky"},
-        {"glass=normal", "glass transmits all angles as normal incidence"},
+        {"ab=N", "at most N-1 reflections, including that of the ground, as Radiance "
+                 "counts a ground surface; ab=0: no light from the sky"},
+        {"glass=normal", "glass has its normal transmittance at all angles"},
         {"glass=transmissivity", "the transmittance was entered as a transmissivity"},
         {"glass=none", "openings without glass"},
         {"panes=1", "single panes instead of multiple"},
         {"frame=none", "no frames"},
-        {"dirt=none", "clean glass"},
-        {"plane=Z", "the points have this height in metres"},
+        {"dirt=none", "single panes instead of multiple panes"},
+        {"plane=Z", "the points are at this height in metres"},
         {"sky=TYPE",
          "another sky: a value of --sky, or gensky: overcast, blended into the "
          "ground at the horizon"},
         {"ground=R", "ground reflectance; open: the whole sky lights the ground"},
         {"outside=none", "nothing outside"},
-        {"colour=grey", "in a scene: materials have the luminance of their colours"},
-        {"colour=mean",
-         "red, green and blue have equal weight in luminance; green: green only"},
+        {"colour=grey",
+         "in a scene: materials are grey, with the luminance of their colours"},
+        {"colour=mean", "red, green and blue have equal weight in luminance; green: "
+                        "only green counts"},
         {"factor=F", "all values multiplied by F"},
     };
     fputs("\nSwitches:\n", out);
@@ -137,12 +140,13 @@ static enum pp_status check_scene(const struct compare_options *options, int fil
                         : options->room.state != PP_STATE_BOTH ? "--state"
                                                                : NULL;
     if (stray)
-        return pp_fail(err, PP_BAD_INPUT, "%s is for room files; a scene has its own",
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s is for room files; a scene has its own sky and surfaces",
                        stray);
     if (file_count < 2)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected scene files, then the other program's values with "
-                       "their points as CSV");
+                       "expected scene files, then a CSV file with the other program's "
+                       "values and points");
     return PP_OK;
 }
 
@@ -158,17 +162,18 @@ static enum pp_status check_compare_options(void *values, char **files, int file
         if (status != PP_OK)
             return status;
     } else if (file_count == 0 || file_count > 2) {
-        return pp_fail(err, PP_BAD_INPUT,
-                       "expected a room file and the other program's values as CSV");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "expected a room file, and a CSV file with the other program's values");
     }
     if (file_count == 1 && !options->variant)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected the other program's values as CSV after the room "
-                       "file, or --as-if");
+                       "expected a CSV file with the other program's values after the "
+                       "room file, or --as-if");
     if (file_count == 1 && options->noise > 0.0)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--noise describes the other program's values; expected a file of them");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--noise describes the other program's values; expected a file "
+                       "with these values");
     if (options->variant
         && pp_room_variant_add(&variant, options->variant, &own) != PP_OK)
         return pp_fail(err, PP_BAD_INPUT, "--as-if: %s", own.message);
@@ -189,7 +194,9 @@ static enum pp_status to_fractions(double *theirs, const struct pp_other_values 
     enum pp_other_unit unit = options->unit ? options->unit : values->unit;
     if (options->unit && values->unit && options->unit != values->unit)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: --as and the column name give different units", path);
+                       "%.200s: --as and the column name give different units; "
+                       "expected the same unit",
+                       path);
     if (unit == PP_OTHER_UNKNOWN)
         return pp_fail(err, PP_BAD_INPUT,
                        "%.200s: the column name does not give the unit; expected --as "
@@ -209,7 +216,7 @@ static enum pp_status to_fractions(double *theirs, const struct pp_other_values 
     }
     if (most > 2.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: a daylight factor of %.4g %%; expected 200 %% at most: "
+                       "%.200s: a daylight factor is %.4g %%; expected 200 %% at most: "
                        "check the unit",
                        path, 100.0 * most);
     return PP_OK;
@@ -397,7 +404,8 @@ static enum pp_exit run_compare(void *values, char **files, int file_count)
     if (rooms.count == 1) {
         exit_status = run_comparison(&compare);
     } else {
-        pp_fail(&err, PP_BAD_INPUT, "%.200s: %d rooms; expected one, by --room NAME",
+        pp_fail(&err, PP_BAD_INPUT,
+                "%.200s: there are %d rooms; expected one, given by --room NAME",
                 files[0], rooms.count);
         exit_status = pp_message_error(&err);
     }
@@ -412,8 +420,7 @@ static void clear_compare_options(void *values)
 
 const struct pp_command pp_command_compare = {
     .name = "compare",
-    .summary = "another program's values beside the simulated ones, and the cause of "
-               "differences",
+    .summary = "compare another program's values with the simulation and find causes",
     .operands = "ROOM|SCENE... [OTHER.csv]",
     .about = about,
     .groups = groups,

@@ -116,7 +116,8 @@ static enum pp_status take_name(struct csv_reading *reading, char *word,
             continue;
         if (column != PASSED_OVER && reading->has[column])
             return pp_fail(err, PP_BAD_INPUT,
-                           "%.200s:%d: a second column \"%s\"; expected one of %s",
+                           "%.200s:%d: there is a second column \"%s\"; expected only "
+                           "one column of %s",
                            reading->file, reading->line, word,
                            column == VALUE ? "values" : word);
         reading->has[column] = true;
@@ -126,7 +127,7 @@ static enum pp_status take_name(struct csv_reading *reading, char *word,
         return PP_OK;
     }
     return pp_text_unknown(err, word, known, NAME_COUNT, NULL,
-                           "%.200s:%d: there is no column \"%s\"", reading->file,
+                           "%.200s:%d: unknown column \"%s\"", reading->file,
                            reading->line, pp_text_excerpt(shown, sizeof shown, word));
 }
 
@@ -141,7 +142,8 @@ static enum pp_status check_header(struct csv_reading *reading, struct pp_error 
                           : has[NX] && !has[X] ? "x and y with nx, ny and nz"
                                                : NULL;
     reading->values->has_places = has[X];
-    return lacking ? pp_fail(err, PP_BAD_INPUT, "%.200s:%d: expected a column of %s",
+    return lacking ? pp_fail(err, PP_BAD_INPUT,
+                             "%.200s:%d: columns are missing; expected %s",
                              reading->file, reading->line, lacking)
                    : PP_OK;
 }
@@ -184,8 +186,8 @@ static enum pp_status take_number(struct csv_reading *reading, enum csv_column c
             reading->file, reading->line, pp_text_excerpt(shown, sizeof shown, word));
     if (column == VALUE && of[column] < 0.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s:%d: the value is %g; expected one that is not negative",
-                       reading->file, reading->line, of[column]);
+                       "%.200s:%d: the value is %g; expected 0 or more", reading->file,
+                       reading->line, of[column]);
     return PP_OK;
 }
 
@@ -198,7 +200,8 @@ static enum pp_status add_other_value(struct csv_reading *reading,
     double length = pp_vec_length(normal);
     if (!(length > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s:%d: the direction is 0 0 0; expected another one",
+                       "%.200s:%d: the direction is 0 0 0; expected at least one "
+                       "number that is not 0",
                        reading->file, reading->line);
     if (values->count == POINTS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: more than %d values",
@@ -243,7 +246,7 @@ static enum pp_status take_csv_line(struct csv_reading *reading, char *text,
 {
     if (strlen(text) > LINE_MOST)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s:%d: the line has %zu bytes; expected %d at most",
+                       "%.200s:%d: the line has %zu bytes; expected at most %d",
                        reading->file, reading->line, strlen(text), LINE_MOST);
     text += strspn(text, " \t\r");
     if (*text == '#' || *text == '\0')
@@ -295,7 +298,7 @@ enum pp_status pp_other_values_read(struct pp_other_values *values, const char *
         status = pp_fail(err, PP_BAD_INPUT, "%.200s: larger than 64 MiB", file);
     else if (strlen(text) != length)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "%.200s: there is a NUL byte; expected text", file);
+                         "%.200s: the file has a NUL byte; expected text", file);
     else
         status = read_text(values, text, file, err);
     free(text);
@@ -350,8 +353,8 @@ enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
     int count = values->count, kept = count < most ? count : most;
     if (!values->has_places && count != room->receiver_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: %d values have no x and y; expected %d, one for each "
-                       "point of the room",
+                       "%.200s: the %d values have no x and y; expected %d, one for "
+                       "each point of the room",
                        pp_read_file_title(path), count, room->receiver_count);
     struct pp_receiver *receivers = calloc((size_t)kept + 1, sizeof *receivers);
     *chosen = calloc((size_t)kept + 1, sizeof **chosen);

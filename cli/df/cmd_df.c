@@ -20,7 +20,7 @@
 
 static const struct pp_option explain_option[] = {
     {"explain", 'e', NULL,
-     "Show the calculation of each figure, step by step; for one point, in text or "
+     "Show the calculation of each figure step by step, for one point, in text or "
      "JSON.",
      NULL, PLACE(room.study.explain)},
     {0},
@@ -29,46 +29,48 @@ static const struct pp_option explain_option[] = {
 static const struct pp_option advise_option[] = {
     {"advise", 0, NULL,
      "Recommend a method for this room, for the average and for each group of points, "
-     "with reasons. Uses the bands of all methods in similar rooms; in text or JSON.",
+     "with reasons. Based on the bands of all methods in similar rooms; in text or "
+     "JSON.",
      NULL, PLACE(advise)},
     {0},
 };
 
 static const struct pp_option list_option[] = {
     {"list-formulas", 0, NULL,
-     "Print the formulae of all methods, with sources and symbols; calculate nothing.",
-     NULL, PLACE(list_formulae)},
+     "Print the formulae of all methods, with sources and symbols, and stop.", NULL,
+     PLACE(list_formulae)},
     {0},
 };
 
 static const struct pp_option margin_option[] = {
     {"margin", 0, NULL,
-     "Also the average over the working plane, leaving out 0.5 m along the walls.",
+     "Also show the average over the working plane without a margin of 0.5 m along the "
+     "walls.",
      NULL, PLACE(margin)},
     {0},
 };
 
 static const struct pp_option bands_option[] = {
     {"bands", 0, NULL,
-     "Show the bands of all methods in the text table, not only of the first, and in "
-     "CSV.",
+     "Show the bands of all methods in the text table, not only those of the first, "
+     "and in CSV.",
      NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
-     "Leave out the bands that contain 95 of 100 true values of similar rooms.", NULL,
+     "Leave out the bands, which contain 95 of 100 true values in similar rooms.", NULL,
      PLACE(no_bands)},
     {0},
 };
 
 static const struct pp_option array_option[] = {
-    {"array", 0, NULL, "JSON: an array of rooms, even for one room.", NULL,
+    {"array", 0, NULL, "JSON: print an array of rooms, even for one room.", NULL,
      PLACE(array)},
     {0},
 };
 
 static const char about[] =
     "Calculates daylight factors in per cent by hand methods: at the reference points "
-    "of each room, and on average over the working plane. With --simulate they are "
-    "simulated as well. FILE is a room file; - is standard input.";
+    "of each room, and on average over the working plane. --simulate also simulates "
+    "them. FILE is a room file; - is standard input.";
 
 static void help_on_methods(FILE *out)
 {
@@ -79,12 +81,12 @@ static void help_on_methods(FILE *out)
     pp_options_help_word("A+B", "direct component by A, internally reflected by B",
                          out);
     pp_options_help_word("default",
-                         "exact+bre, brs-table+bre and average-df; where bre does not "
+                         "exact+bre, brs-table+bre and average-df; if bre does not "
                          "apply, exact+split-flux",
                          out);
     pp_options_help_word("all",
                          "every direct method with bre, exact with every internally "
-                         "reflected one, and every method for the whole",
+                         "reflected method, and every method for the whole",
                          out);
 }
 
@@ -97,12 +99,12 @@ static enum pp_exit check_rooms(const struct pp_df_options *options,
     for (int i = 0; options->room.study.explain && i < rooms->count; i++)
         if (rooms->list[i].receiver_count != 1 && err.status == PP_OK)
             pp_fail(&err, PP_BAD_INPUT,
-                    "--explain shows the calculation for one point, and there are %d; "
+                    "--explain shows the calculation for one point, but there are %d; "
                     "expected one, by --points X,Y",
                     rooms->list[i].receiver_count);
     if (err.status == PP_OK && options->engine.cache.file && rooms->count > 1)
         pp_fail(&err, PP_BAD_INPUT,
-                "--cache stores the records of one room, and there are %d; expected "
+                "--cache stores the records of one room, but there are %d; expected "
                 "one, by --room NAME",
                 rooms->count);
     return err.status == PP_OK ? PP_EXIT_DONE : pp_message_usage("df", &err);
@@ -194,16 +196,16 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
                        "--advise cannot write CSV; expected --format text or json");
     if (options->array && options->format != PP_FORMAT_JSON)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--array is for JSON; expected --format json with it");
+                       "--array is for JSON; expected --format json, too");
     const char *alone = study->explain                            ? "explain"
                         : options->advise                         ? "advise"
                         : pp_moment_choice_said(&options->moment) ? "when"
                         : options->engine.cache.file              ? "cache"
                                                                   : NULL;
     if (options->room.sweep.axis_count > 0 && alone)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--%s is for one run, and --sweep makes many; expected --set",
-                       alone);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--%s is for a single run, but --sweep makes many; expected --set", alone);
     enum pp_status status =
         pp_moment_choice_settle(&options->moment, &options->room, err);
     if (status == PP_OK && pp_moment_choice_said(&options->moment)) {

@@ -74,7 +74,7 @@ const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
      "Engine of the simulation. path (default): unbiased paths from the points; "
      "photons: unbiased paths from the openings; radiosity: finite elements; cache: "
-     "irradiance cache; plain: textbook path tracing, slower. Several, such as "
+     "irradiance cache; plain: textbook path tracing, slower. Several engines, such as "
      "path,photons, are compared.",
      read_engines, offsetof(struct pp_engine_choice, engines)},
     {"sensor", 0, "RADIUS",
@@ -93,7 +93,7 @@ enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simu
     const bool cached = has(words, &pp_engine_cache);
     if (words->engines && !simulate)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--engine selects a simulation; expected --simulate with it");
+                       "--engine selects a simulation; expected --simulate, too");
     if (words->sensor_m > 0.0 && !has(words, &pp_engine_photons))
         return pp_fail(err, PP_BAD_INPUT, "--sensor needs --engine photons");
     if (words->interpolate && !cached)

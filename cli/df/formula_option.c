@@ -19,8 +19,8 @@ static enum pp_status add_text(const char *text, void *place, struct pp_error *e
 const struct pp_option pp_formula_option[] = {
     {"formula", 0, "FORMULA",
      "Add a column with a variant of a method's formula, such as \"irc = 0.83 W / (A "
-     "(1 - R)) (C R_fw + 5 R_cw)\" or \"split-flux: irc = ...\". Repeat it for more. "
-     "df --list-formulas shows all formulae and symbols.",
+     "(1 - R)) (C R_fw + 5 R_cw)\" or \"split-flux: irc = ...\". Repeat the option to "
+     "add more. df --list-formulas shows all formulae and symbols.",
      add_text, 0},
     {0},
 };

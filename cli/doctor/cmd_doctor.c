@@ -13,10 +13,10 @@
 #include "cli/output.h"
 
 static const char about[] =
-    "Reports what this installation has, and tries its parts: a known daylight factor "
-    "by hand and by simulation, threads, drawings, fonts and files. With -o it also "
-    "draws a test page with rulers, greys, lines and hatches, to check a printer.\n\n"
-    "The exit status is 0 if all checks pass, else 3.";
+    "Reports what this installation includes, and tests its parts: a known daylight "
+    "factor by hand and by simulation, threads, drawings, fonts and files. With -o it "
+    "also draws a test page with rulers, greys, lines and hatches, to check a "
+    "printer.\n\nThe exit status is 0 if all checks pass, else 3.";
 
 struct doctor_options {
     const char *output;
@@ -40,8 +40,8 @@ static enum pp_status check_doctor(void *values, char **words, int count,
     struct doctor_options *options = values;
     if (count > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "\"%s\" is not an option; expected none, or "
-                       "-o FILE.pdf, FILE.svg or FILE.png",
+                       "\"%s\" is not an option; expected no argument, or -o FILE.pdf, "
+                       "FILE.svg or FILE.png",
                        words[0]);
     return options->output ? pp_canvas_format_of(&options->format, options->output, err)
                            : PP_OK;
@@ -93,7 +93,8 @@ static enum pp_exit run_doctor(void *values, char **words, int count)
     pp_doctor_places_line("web server", "yes", stdout);
 #else
     pp_doctor_places_line(
-        "web server", "no; configure with libmicrohttpd for pepperpot serve", stdout);
+        "web server",
+        "no; install libmicrohttpd and build again to use pepperpot serve", stdout);
 #endif
     puts("\nRadiance, for validate radiance");
     pp_doctor_places_print_radiance(stdout);
@@ -122,7 +123,7 @@ static const struct pp_option_group groups[] = {
 
 const struct pp_command pp_command_doctor = {
     .name = "doctor",
-    .summary = "what this installation has, and a test page",
+    .summary = "what this installation includes, and a test page",
     .operands = "",
     .about = about,
     .groups = groups,

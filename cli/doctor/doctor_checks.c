@@ -43,7 +43,7 @@ static void check_by_hand(struct pp_doctor_check *check)
     pp_known_room_clear(&room);
     check->passes = fabs(found - known_factor) < 1e-6;
     snprintf(check->result, sizeof check->result,
-             "daylight factor %.4f %%, known %.4f %%", 100.0 * found,
+             "daylight factor %.4f %%, known value %.4f %%", 100.0 * found,
              100.0 * known_factor);
 }
 
@@ -67,8 +67,8 @@ static void check_simulated(struct pp_doctor_check *check)
     struct pp_reading found = readings[0][PP_SC];
     check->passes = fabs(found.value - known_factor) < 4.0 * found.std_error + 1e-8;
     snprintf(check->result, sizeof check->result,
-             "daylight factor %.4f %% ± %.4f %%, known %.4f %%", 100.0 * found.value,
-             100.0 * found.std_error, 100.0 * known_factor);
+             "daylight factor %.4f %% ± %.4f %%, known value %.4f %%",
+             100.0 * found.value, 100.0 * found.std_error, 100.0 * known_factor);
 }
 
 /* ---- threads ---- */
@@ -146,7 +146,7 @@ static void check_font(struct pp_doctor_check *check)
                  "none found; install a font, for example DejaVu Sans");
     else if (missing)
         snprintf(check->result, sizeof check->result,
-                 "%s; %d characters of the test page are missing", family, missing);
+                 "%s; this font lacks %d characters of the test page", family, missing);
     else
         snprintf(check->result, sizeof check->result, "%s", family);
 }
@@ -172,7 +172,7 @@ static void check_writing(struct pp_doctor_check *check)
     const char *place = pp_program_place_temporary();
     char path[PATH_MAX];
     struct pp_output output;
-    struct pp_error err = {.message = "other bytes were read back"};
+    struct pp_error err = {.message = "different bytes were read back"};
     snprintf(path, sizeof path, "%s/pepperpot-doctor-%ld", place, (long)getpid());
     enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK) {
@@ -183,8 +183,8 @@ static void check_writing(struct pp_doctor_check *check)
     if (status == PP_OK)
         unlink(path);
     if (check->passes)
-        snprintf(check->result, sizeof check->result, "written and read back in %s",
-                 place);
+        snprintf(check->result, sizeof check->result,
+                 "a file was written and read back in %s", place);
     else
         snprintf(check->result, sizeof check->result, "%.500s", err.message);
 }

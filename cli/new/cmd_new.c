@@ -19,22 +19,22 @@ struct room_template {
 static const struct room_template templates[] = {
     {
         "office",
-        "two windows, a building opposite",
+        "two windows, and a building opposite",
 #include "cli/new/new_office.inc"
     },
     {
         "flat",
-        "two rooms of a building, placed in a street",
+        "two rooms of a building, in a street",
 #include "cli/new/new_flat.inc"
     },
     {
         "classroom",
-        "windows on two sides, a skyline",
+        "windows on two sides, and a skyline",
 #include "cli/new/new_classroom.inc"
     },
     {
         "attic",
-        "faces of a pitched roof, roof windows",
+        "sloping faces of a pitched roof, and roof windows",
 #include "cli/new/new_attic.inc"
     },
 };
@@ -87,9 +87,10 @@ static enum pp_status check_new_file(const struct new_options *options,
     if (!path || strcmp(path, "-") == 0 || options->force || stat(path, &there) != 0
         || S_ISCHR(there.st_mode) || S_ISFIFO(there.st_mode))
         return PP_OK;
-    return pp_fail(err, PP_BAD_INPUT,
-                   "\"%.200s\" exists; expected another name, or --force to replace it",
-                   path);
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "\"%.200s\" already exists; expected another name, or --force to replace it",
+        path);
 }
 
 static enum pp_status check_new(void *values, char **words, int count,

@@ -87,7 +87,7 @@ static enum pp_exit run_help(int argc, char **argv)
 {
     const struct pp_command *command = argc > 0 ? find_command(argv[0]) : NULL;
     if (argc > 1) {
-        pp_message("help describes one command, and there are %d words; expected one",
+        pp_message("help describes one command, but there are %d words; expected one",
                    argc);
         return PP_EXIT_USAGE;
     }

@@ -16,11 +16,11 @@
 static const double DEFAULT_LUX = 10000.0;
 
 static const char about[] =
-    "Writes a room as scene files of another program. FILE is a room file; - is "
+    "Writes a room as scene files for another program. FILE is a room file; - is "
     "standard input. For Radiance, the directory DIR gets materials, geometry, "
-    "glazing, sky, ground and reference points. A script in it calculates the same "
-    "daylight factors with rtrace. Several rooms get a directory each. DIR appears "
-    "complete or not at all.";
+    "glazing, sky, ground and reference points. A script in DIR calculates the same "
+    "daylight factors with rtrace. Each of several rooms gets its own directory. DIR "
+    "appears complete or not at all.";
 
 struct export_options {
     struct pp_room_options room;
@@ -46,14 +46,14 @@ static const struct pp_option to_options[] = {
      "Horizontal illuminance outside under the exported sky (default 10000).",
      pp_options_read_lux, offsetof(struct export_options, external_lux)},
     {"gloss", 0, NULL,
-     "Export finishes with colour and gloss, for pictures. By default they are matt "
+     "Export the colour and gloss of finishes, for pictures. By default they are matt "
      "and grey, as for daylight factors.",
      NULL, offsetof(struct export_options, gloss)},
     {0},
 };
 
 static const struct pp_option output_options[] = {
-    {"output", 'o', "DIR", "Directory to write: a new or an empty one.",
+    {"output", 'o', "DIR", "Directory to write; it must be new or empty.",
      pp_options_read_text, offsetof(struct export_options, directory)},
     {"force", 0, NULL,
      "Replace DIR if it contains an export; other directories are never replaced.",
@@ -128,7 +128,7 @@ static enum pp_status take_moment(struct pp_study_room *room,
     double west_of_south = atan2(-sun.x, -sun.y) / PP_RAD;
     *external_lux = moment.sky.diffuse_lx;
     snprintf(note, size,
-             "much the same in lumens: !gendaylit -ang %.3f %.3f -L %.0f %.0f",
+             "approximately the same in lumens: !gendaylit -ang %.3f %.3f -L %.0f %.0f",
              asin(sun.z) / PP_RAD, west_of_south, moment.sky.direct_lx,
              moment.sky.diffuse_lx);
     return PP_OK;
@@ -177,13 +177,13 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
         const struct pp_world *world = rooms->list[i].world;
         const char *file = pp_read_file_title(rooms->list[i].file);
         if (world->decorations < 1.0)
-            pp_message("%.200s: the scene leaves out the allowance of %g for "
-                       "decorations on the internally reflected component; its "
-                       "daylight factors are higher by that",
+            pp_message("%.200s: the scene does not include the allowance of %g for "
+                       "decorations on the internally reflected component, so its "
+                       "daylight factors are higher",
                        file, world->decorations);
         if (!gloss && pp_rad_room_has_gloss(world))
             pp_message("%.200s: finishes in the scene are matt and grey, as for "
-                       "daylight factors; --gloss exports colour and gloss",
+                       "daylight factors; use --gloss to export colour and gloss",
                        file);
     }
 }
@@ -234,7 +234,7 @@ static enum pp_status check_export_options(void *values, char **files, int file_
     if (strcmp(options->directory, "-") == 0)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "-o is \"-\"; expected a directory, because an export is several files");
+            "-o is \"-\"; expected a directory, because an export has several files");
     options->room.study.external_lux = options->external_lux;
     enum pp_status status =
         pp_moment_choice_settle(&options->moment, &options->room, err);
@@ -246,7 +246,7 @@ static enum pp_status check_export_options(void *values, char **files, int file_
 }
 
 static const struct pp_option quiet_option[] = {
-    {"quiet", 'q', NULL, "Do not list what the scene leaves out.", NULL,
+    {"quiet", 'q', NULL, "Do not list what the scene does not include.", NULL,
      offsetof(struct export_options, room.quiet)},
     {0},
 };

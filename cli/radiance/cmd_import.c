@@ -27,9 +27,9 @@ static const char about[] =
     "irradiance, illuminance, and the daylight factor relative to the open ground. "
     "SCENE files are read in order as one file; - is standard input. Lines that begin "
     "with \"!\" (gensky, genbox, xform) are interpreted; no program is run. Without "
-    "--points-file, a summary of the scene is printed. A gbXML file is recognised by "
-    "its first letter and becomes a room file. Missing data and their defaults are "
-    "listed on standard error.";
+    "--points-file, the command prints a summary of the scene. A gbXML file, "
+    "recognised by its first character, is converted to a room file. Missing data and "
+    "the defaults used for them are listed on standard error.";
 
 /* Most paths of a point in each randomisation. */
 static const long MOST_SAMPLES = 1 << 26;
@@ -56,13 +56,13 @@ static enum pp_status read_lamps(const char *text, void *place, struct pp_error 
 
 static const struct pp_option import_options[] = {
     {"points-file", 0, "FILE",
-     "Sensor points, one line \"x y z dx dy dz\" each; - is standard input.",
+     "File of sensor points, one line \"x y z dx dy dz\" each; - is standard input.",
      pp_options_read_input, offsetof(struct import_options, points_file)},
     {"lamps", 0, "HOW",
-     "Sampling of light sources: aimed (default), or chance, as if each source were a "
-     "glow.",
+     "Sampling of light sources: aimed (default), or chance, which treats each source "
+     "as a glow.",
      read_lamps, offsetof(struct import_options, by_chance)},
-    {"summary", 0, NULL, "Print a summary of the scene first.", NULL,
+    {"summary", 0, NULL, "Also print a summary of the scene first.", NULL,
      offsetof(struct import_options, summary)},
     {0},
 };
@@ -103,8 +103,9 @@ static enum pp_status take_sensor_line(struct pp_sensor **list, int *count, int 
     double length = pp_vec_length(normal);
     if (!(length > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s:%d: the direction is 0 0 0; expected another one", file,
-                       line);
+                       "%.200s:%d: the direction is 0 0 0; expected at least one "
+                       "number that is not 0",
+                       file, line);
     if (*count == POINTS_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: more than %d points", file, line,
                        POINTS_MOST);
@@ -137,14 +138,14 @@ static enum pp_status read_sensor_points(struct pp_sensor **list, int *count,
     ended[length] = '\0';
     if (strlen(ended) != length)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "%.200s: there is a NUL byte; expected text", file);
+                         "%.200s: the file has a NUL byte; expected text", file);
     int space = 0, line = 1;
     for (char *rest = ended, *text; status == PP_OK && (text = strsep(&rest, "\n"));)
         status = take_sensor_line(list, count, &space, text, file, line++, err);
     if (status == PP_OK && *count == 0)
         status = pp_fail(
             err, PP_BAD_INPUT,
-            "%.200s: there are no points; expected lines of x y z dx dy dz", file);
+            "%.200s: the file has no points; expected lines of x y z dx dy dz", file);
     free(ended);
     if (status != PP_OK) {
         free(*list);
@@ -255,7 +256,7 @@ static enum pp_status compute_import(void *data, struct pp_error *err)
     if (status == PP_OK && run->scene.shape_count == 0
         && run->scene.material_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: the scene is empty; expected a primitive",
+                       "%s: the scene is empty; expected at least one primitive",
                        pp_read_file_title(run->imported.files[0]));
     if (status != PP_OK || !run->points)
         return status;
@@ -318,9 +319,10 @@ static enum pp_status check_building(const struct import_options *options,
                         : options->format != PP_FORMAT_TEXT ? "--format"
                                                             : NULL;
     if (stray)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s is for Radiance scenes; a gbXML file becomes a room file",
-                       stray);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s is for Radiance scenes, but a gbXML file is converted to a room file",
+            stray);
     if (file_count > 1)
         return pp_fail(
             err, PP_BAD_INPUT,

@@ -23,9 +23,9 @@ static const struct {
         {"room.rad", "room",
          "the room: floor, walls without their openings, ceiling, reveals, fittings"},
     [PP_RAD_GLAZING] = {"glazing.rad", "pane", "panes, with frame and dirt included"},
-    [PP_RAD_OUTSIDE] = {"outside.rad", "outside",
-                        "outside: blocks, facades, surfaces, skylines, and the ground "
-                        "with their shade"},
+    [PP_RAD_OUTSIDE] =
+        {"outside.rad", "outside",
+         "outside: blocks, facades, surfaces, skylines, and the ground shaded by them"},
     [PP_RAD_SKY] = {"sky.rad", "half", "the sky, and the ground as a glow"},
 };
 

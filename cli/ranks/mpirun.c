@@ -62,7 +62,7 @@ enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun)
         *(void **)&begin = dlsym(module, "pp_mpirun_module");
     if (!begin) {
         pp_message("several ranks were started, but the MPI module cannot be loaded "
-                   "(%s); configure --with-mpi builds it",
+                   "(%s); configure with --with-mpi to build it",
                    dlerror());
         return PP_EXIT_MACHINE;
     }

@@ -126,6 +126,6 @@ enum pp_status pp_report_bytes_read(struct pp_report *report, const char *bytes,
     report->finished &= finished;
     return good ? PP_OK
                 : pp_fail(err, PP_SYSTEM,
-                          "the results of another process cannot be read: %zu bytes",
+                          "the results of another process cannot be read (%zu bytes)",
                           length);
 }

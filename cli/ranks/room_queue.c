@@ -94,7 +94,8 @@ enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
     if (!queue->ranks || (queue->count <= 1 && queue->ranks->rank == 0))
         return alone(queue, 0, err);
     if (queue->count <= 1)
-        return pp_fail(err, PP_INTERRUPTED, "one room belongs to rank 0");
+        return pp_fail(err, PP_INTERRUPTED,
+                       "a single room is simulated on rank 0 alone");
     enum pp_status status = pp_work_queue_run(&rooms, &next, err);
     return status == PP_OK ? alone(queue, next, err) : status;
 }

@@ -19,10 +19,10 @@ static const struct pp_option external_option[] = {
 };
 
 static const char about[] =
-    "Renders a picture of the light in a room to -o FILE. A .hdr or .pfm stores the "
-    "light as numbers, a .png displays it, and .pdf and .svg put it on a sheet. "
-    "--false-colour adds a scale and level lines. FILE is a room file; - is standard "
-    "input.";
+    "Renders a picture of the light in a room to -o FILE. A .hdr or .pfm file stores "
+    "the light as numbers, a .png file displays it, and .pdf and .svg files put it on "
+    "a sheet. --false-colour adds a scale and level lines. FILE is a room file; - is "
+    "standard input.";
 
 static enum pp_exit write_output(const struct pp_shown_picture *shown,
                                  const struct pp_render_choice *choice,
@@ -62,7 +62,7 @@ static void say_if_black(const struct pp_picture *picture)
     for (size_t i = 0; i < count; i++)
         if (picture->rgb[i] > 0.0f)
             return;
-    pp_message("the picture is black: no light reaches the surfaces in view");
+    pp_message("the picture is black, because no light reaches the surfaces in view");
 }
 
 static enum pp_exit render_room(const struct pp_study_room *room,
@@ -143,7 +143,7 @@ static enum pp_exit render_or_show(const struct pp_render_choice *choice,
     result = pp_rooms_load(&rooms, "render", files, 1, options);
     if (result == PP_EXIT_DONE && rooms.count != 1) {
         pp_fail(&err, PP_BAD_INPUT,
-                "there are %d rooms, and a picture shows one; expected --room NAME",
+                "there are %d rooms, but a picture shows one; expected --room NAME",
                 rooms.count);
         result = pp_message_usage("render", &err);
     }
@@ -194,13 +194,12 @@ static enum pp_status check_moment(const struct render_options *options,
                        given);
     if (options->choice.quantity.is == PP_DAYLIGHT_FACTOR)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: a daylight factor has no sun; expected --quantity "
-                       "luminance or illuminance",
+                       "%s: a sky with a sun has no daylight factor; expected "
+                       "--quantity luminance or illuminance",
                        given);
     if (options->room.study.method_options.plain)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: --plain never meets the sun by chance; expected it without "
-                       "--plain",
+                       "%s: --plain never hits the sun by chance; expected no --plain",
                        given);
     return PP_OK;
 }

@@ -47,8 +47,8 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
         /* A cache continued from half of its records would differ. */
         if (status == PP_OK && pp_interrupt_came() && !pp_cache_warm_up_done(warm_up))
             status = pp_fail(err, PP_INTERRUPTED,
-                             "interrupted while the irradiance cache was built; "
-                             "nothing was saved and there is no picture");
+                             "interrupted during the calculation of the irradiance "
+                             "cache; there is no picture, and nothing was saved");
     }
     pp_progress_end(&progress);
     return status;
@@ -209,15 +209,15 @@ static enum pp_status interrupted(const struct pp_made_picture *made, const char
                                   struct pp_error *err)
 {
     if (!path)
-        return pp_fail(
-            err, PP_INTERRUPTED,
-            "interrupted; there is no picture (--checkpoint FILE saves the work)");
+        return pp_fail(err, PP_INTERRUPTED,
+                       "interrupted; there is no picture (use --checkpoint FILE to "
+                       "save the work)");
     enum pp_status status = save(made, path, err);
     if (status != PP_OK)
         return status;
     return pp_fail(err, PP_INTERRUPTED,
-                   "interrupted; %s has saved %.0f %% of the work, and the same "
-                   "command continues from there",
+                   "interrupted; %s contains %.0f %% of the work, and the same command "
+                   "continues from there",
                    path, floor(100.0 * pp_render_progress(made->render)));
 }
 

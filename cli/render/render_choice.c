@@ -32,8 +32,8 @@ enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                        : pp_picture_format_of(format, path))
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "the file type of \"%.200s\" is not clear from its name; expected "
-                   "one that ends in %s, or --format",
+                   "the file type of \"%.200s\" is not clear from its name; expected a "
+                   "name that ends in %s, or --format",
                    path, pp_picture_format_list(endings, sizeof endings, ".", false));
 }
 
@@ -95,8 +95,9 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
                        "--false-colour, --grid or --records",
                        of_sheet);
     if (choice->dpi > 0.0 && format->shown != PP_CHART_PNG)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--dpi is for a sheet as PNG; a PDF and an SVG have no dots");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--dpi is for a sheet as PNG; PDF and SVG files have no resolution");
     return PP_OK;
 }
 
@@ -111,7 +112,7 @@ static enum pp_status check_size(const struct pp_render_choice *choice, bool sho
     char endings[ENDINGS_SIZE];
     return pp_fail(err, PP_BAD_INPUT,
                    "a picture of %d x %d pixels can be stored, as %s, but not "
-                   "displayed; expected up to %d each way",
+                   "displayed; expected at most %d each way",
                    size->width, size->height,
                    pp_picture_format_list(endings, sizeof endings, ".", true),
                    PP_RASTER_SIDE_MOST);
@@ -125,10 +126,11 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     if (choice->towards.count && choice->direction.count)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "--towards and --direction both set the view; expected one of them");
+            "--towards and --direction both determine the view; expected one of them");
     if (parallel && choice->angle_deg > 0.0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a parallel view has no --angle; expected --across M");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "a parallel view has no angle; expected --across M instead of --angle");
     if (choice->view == PP_CHOOSE_PERSPECTIVE && choice->angle_deg >= 180.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--angle is %g; expected more than 0 and less than 180 degrees "
@@ -138,9 +140,10 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
         return pp_fail(err, PP_BAD_INPUT,
                        "--across is for parallel views; expected --angle DEG");
     if (choice->view == PP_CHOOSE_PARALLEL && !choice->from.count)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "a parallel view needs --from X,Y,Z and --direction or "
-                       "--towards; plan and section do not");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "a parallel view needs an eye and a direction; expected --from X,Y,Z with "
+            "--direction or --towards, or the view plan or section");
     return PP_OK;
 }
 
@@ -155,13 +158,13 @@ static enum pp_status check_errors(const struct pp_render_choice *choice,
         return PP_OK;
     if (!pp_picture_format_of(&format, choice->errors) || !format.numbers)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--errors %.200s: standard errors are stored as numbers; "
-                       "expected a file that ends in %s",
+                       "--errors is \"%.200s\", but standard errors are stored as "
+                       "numbers; expected a file that ends in %s",
                        choice->errors,
                        pp_picture_format_list(endings, sizeof endings, ".", true));
     if (choice->samples < PP_RENDER_RANDOMISATIONS_LEAST)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--errors compares the paths of a pixel, and there are %d; "
+                       "--errors compares the paths of a pixel, but there are only %d; "
                        "expected --samples of %d or more",
                        choice->samples, PP_RENDER_RANDOMISATIONS_LEAST);
     return PP_OK;
@@ -205,7 +208,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
     bool plain = options->study.method_options.plain;
     if (of_cache && (choice->paths || plain || choice->from_picture))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is for a rendered room with --engine cache", of_cache);
+                       "%s is for rendering a room with --engine cache", of_cache);
     const char *of_transport =
         choice->windows != PP_WINDOWS_STORED ? "--windows"
         : choice->cache.options.bounces != pp_irradiance_cache_defaults().bounces
@@ -218,8 +221,8 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        of_transport);
     if (choice->exposure.said && !shown)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the light is stored without --exposure; expected -o FILE.png, "
-                       "FILE.pdf or FILE.svg");
+                       "stored light has no exposure; expected -o FILE.png, FILE.pdf "
+                       "or FILE.svg with --exposure");
     const char *of_scale = choice->range.count    ? "--range"
                            : choice->linear       ? "--linear"
                            : choice->levels.count ? "--levels"
@@ -235,13 +238,13 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                        "hemispherical or angular");
     if (choice->exposure.said && choice->false_colour)
         return pp_fail(err, PP_BAD_INPUT,
-                       "false colour has no --exposure; expected --range LOW,HIGH");
+                       "false colour has no exposure; expected --range LOW,HIGH");
     if (choice->exposure.way == PP_TONE_HUMAN && choice->exposure.said
         && choice->quantity.is != PP_LUMINANCE)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "an eye sees luminance; expected --exposure human without --quantity %s",
-            pp_quantity_words(choice->quantity.is).name);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "human vision sees luminance; expected --exposure human without "
+                       "--quantity %s",
+                       pp_quantity_words(choice->quantity.is).name);
     if (options->study.external_lux > 0.0 && choice->quantity.is == PP_DAYLIGHT_FACTOR)
         return pp_fail(err, PP_BAD_INPUT,
                        "a daylight factor does not depend on --external; expected "

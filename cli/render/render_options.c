@@ -166,8 +166,8 @@ static enum pp_status read_size(const char *text, void *place, struct pp_error *
             count = -1;
     if (count != 2 || sides[0] * sides[1] > PP_PICTURE_PIXELS_MOST)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a width and a height in pixels, such as 640x480, each up to "
-                       "%d and %d million pixels in all",
+                       "a width and a height in pixels, such as 640x480, each at most "
+                       "%d, and at most %d million pixels in all",
                        PP_PICTURE_SIDE_MOST, PP_PICTURE_PIXELS_MOST / 1000000);
     *(struct pp_picture_size *)place =
         (struct pp_picture_size){(int)sides[0], (int)sides[1]};
@@ -239,7 +239,7 @@ const struct pp_option pp_render_view_options[] = {
      "room), hemispherical or angular (fisheyes).",
      read_view, PLACE(view)},
     {"from", 0, "X,Y[,Z]",
-     "Position of the eye in metres. Without Z it is 1.6 m above the floor, for a "
+     "Position of the eye in metres. Without Z it is 1.6 m above the floor, or for a "
      "fisheye on the working plane. (Default: at the back of the room, facing its "
      "largest window; for a fisheye the middle of the room.)",
      read_place, PLACE(from)},
@@ -247,15 +247,16 @@ const struct pp_option pp_render_view_options[] = {
      "Point at the centre of the view; without Z at the height of the eye.", read_place,
      PLACE(towards)},
     {"direction", 0, "X,Y,Z",
-     "Or the direction of view (default: towards the largest window; for a fisheye "
-     "up).",
+     "Direction of view, instead of --towards (default: towards the largest window; "
+     "for a fisheye up).",
      read_direction, PLACE(direction)},
     {"up", 0, "X,Y,Z",
      "Direction that is up in the picture (default 0,0,1; for a view up or down "
      "0,1,0).",
      read_direction, PLACE(up)},
-    {"angle", 0, "DEG", "Angle across the picture (default 75; of fisheyes 180).",
-     read_angle, PLACE(angle_deg)},
+    {"angle", 0, "DEG",
+     "Angle of view across the picture (default 75; for fisheyes 180).", read_angle,
+     PLACE(angle_deg)},
     {"across", 0, "M", "Width of a parallel view in metres (default: the whole room).",
      read_across, PLACE(across_m)},
     {"size", 0, "WxH",
@@ -268,30 +269,30 @@ const struct pp_option pp_render_view_options[] = {
 const struct pp_option pp_render_picture_options[] = {
     {"quantity", 0, "NAME",
      "luminance (default) in cd/m²; or, on visible surfaces, illuminance in lux, or "
-     "df, the daylight factor in per cent. Files .hdr and .pfm store these over 179, "
-     "179 and 100.",
+     "df, the daylight factor in per cent. The .hdr and .pfm files store these divided "
+     "by 179, 179 and 100.",
      read_quantity, PLACE(quantity)},
     {"samples", 0, "N",
-     "Paths per pixel, a power of two (default 16): four times as many halve the "
+     "Paths per pixel, a power of two (default 16). Four times as many halve the "
      "noise.",
      read_samples, PLACE(samples)},
     {"engine", 0, "NAME",
-     "Reflected light: cache (default), from an irradiance cache; or path, without "
-     "bias but with more noise.",
+     "Calculation of reflected light: cache (default) uses an irradiance cache; path "
+     "has no bias but more noise.",
      read_engine, PLACE(paths)},
     {"windows", 0, "HOW",
-     "Sampling of windows: stored (default: aimed, with the light from outside "
-     "calculated once), aimed (the same for each path, without bias) or chance.",
+     "Sampling of windows. stored (default): aimed, with the light from outside "
+     "calculated once; aimed: the same for each path, without bias; or chance.",
      read_windows, PLACE(windows)},
-    {"filter", 0, "NAME", "Filter of pixels: box (default) or gauss, which is softer.",
+    {"filter", 0, "NAME", "Filter for pixels: box (default) or gauss, which is softer.",
      read_filter, PLACE(filter)},
     {"checkpoint", 0, "FILE",
-     "Save the work in FILE, and continue from it if it belongs to the same picture.",
+     "Save the work in FILE, and continue from FILE if it belongs to the same picture.",
      pp_options_read_updated, PLACE(checkpoint)},
     {"errors", 0, "FILE",
      "Write the standard errors of the pixels to FILE, .hdr or .pfm, in the unit of "
-     "the picture. They cover the noise of independent paths from --samples (4 or "
-     "more, in up to 32 groups), not the error of the irradiance cache.",
+     "the picture. They include the noise of independent paths from --samples (4 or "
+     "more, in up to 32 groups), but not the error of the irradiance cache.",
      pp_options_read_output, PLACE(errors)},
     {0},
 };
@@ -299,7 +300,7 @@ const struct pp_option pp_render_picture_options[] = {
 const struct pp_option pp_render_shown_options[] = {
     {"exposure", 0, "HOW",
      "PNG: auto (default), human (contrast as seen by an eye in the room), or the "
-     "value shown as white.",
+     "value that is shown as white.",
      read_exposure, PLACE(exposure)},
     {"false-colour", 0, NULL,
      "PNG, PDF, SVG: a sheet with the values as colours, a scale and level lines.",
@@ -313,11 +314,12 @@ const struct pp_option pp_render_shown_options[] = {
      "Values of the level lines, separated by commas (default: round values of the "
      "scale).",
      read_levels, PLACE(levels)},
-    {"no-contours", 0, NULL, "No level lines.", NULL, PLACE(no_contours)},
-    {"records", 0, NULL, "On a sheet: mark the cache's records.", NULL, PLACE(records)},
+    {"no-contours", 0, NULL, "Draw no level lines.", NULL, PLACE(no_contours)},
+    {"records", 0, NULL, "On a sheet: mark the records of the cache.", NULL,
+     PLACE(records)},
     {"grid", 0, NULL,
-     "Fisheye, on a sheet: overlay altitudes, compass points and the outlines of the "
-     "openings.",
+     "On a sheet of a fisheye: overlay altitudes, compass points and the outlines of "
+     "the openings.",
      NULL, PLACE(grid)},
     {"from-picture", 0, "FILE.hdr", "Display this picture instead of a room.",
      pp_options_read_input, PLACE(from_picture)},

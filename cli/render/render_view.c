@@ -72,8 +72,8 @@ static enum pp_status take_typed(struct pp_view_place *place,
         place->toward = pp_vec_sub(target, place->eye);
         if (!(pp_vec_length(place->toward) > 1e-9))
             return pp_fail(err, PP_BAD_INPUT,
-                           "--towards is (%g, %g, %g), the position of the eye; "
-                           "expected another point, or --direction X,Y,Z",
+                           "--towards is (%g, %g, %g), which is the position of the "
+                           "eye; expected another point, or --direction X,Y,Z",
                            target.x, target.y, target.z);
     }
     if (choice->up.count)
@@ -91,8 +91,8 @@ static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world
 {
     if (pp_position_in_surface(world, eye))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the eye at (%g, %g, %g) is inside a surface; expected --from a "
-                       "place in the air",
+                       "the eye at (%g, %g, %g) is inside a surface; expected --from "
+                       "with a place in the air",
                        eye.x, eye.y, eye.z);
     return PP_OK;
 }

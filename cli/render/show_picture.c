@@ -152,11 +152,11 @@ static void note_decorations(struct pp_picture_sheet *sheet,
         return;
     if (shown->quantity == PP_LUMINANCE)
         pp_page_say(sheet->foot, room,
-                    "The allowance for decorations, %.3g, is left out.",
+                    "The allowance for decorations, %.3g, is not included.",
                     shown->world->decorations);
     else
         pp_page_say(sheet->foot, room,
-                    "The allowance for decorations leaves %.3g of reflected light.",
+                    "The allowance for decorations reduces reflected light to %.3g.",
                     shown->world->decorations);
 }
 
@@ -186,7 +186,7 @@ static void write_picture_words(struct pp_picture_sheet *sheet,
         pp_page_say(sheet->subtitle, room, "%.0f lx outside", shown->external_lux);
     double sun = pp_outside_light_sun_on_plane(shown->light, pp_vec(0.0, 0.0, 1.0));
     if (sun > 0.0)
-        pp_page_say(sheet->subtitle, room, "by the sky, %.0f lx by the sun",
+        pp_page_say(sheet->subtitle, room, "from the sky, %.0f lx from the sun",
                     sun * shown->external_lux);
     pp_page_say(sheet->foot, notes, "%s.", shown->words);
     if (shown->quantity != PP_LUMINANCE)

@@ -23,13 +23,13 @@ enum { SHORT_ROOMS = 2 };
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
 static const char about[] =
-    "Writes a report of all rooms of a file: to -o FILE.html one page of HTML that "
-    "needs nothing else, to -o FILE.pdf sheets of A4. For each room it shows daylight "
-    "factors by hand with their bands, simulated ones with standard errors, and the "
-    "criteria. It adds the effect of changes, plan and section, and how the figures "
-    "were made. For a site it shows plan and elevations, the sky of every window and "
-    "the lit area of every room. Existing and proposed states are compared. Criteria "
-    "of sunlight add the sun's paths. FILE is a room file; - is standard input.";
+    "Writes a report of all rooms in a file: with -o FILE.html one self-contained page "
+    "of HTML, with -o FILE.pdf sheets of A4. For each room it shows daylight factors "
+    "by hand with their bands, simulated ones with standard errors, and the criteria. "
+    "It adds the effect of changes, plan and section, and how the figures were made. "
+    "For a site it shows plan and elevations, the sky seen by every window and the lit "
+    "area of every room. Existing and proposed states are compared. If sunlight is "
+    "assessed, it adds sun paths. FILE is a room file; - is standard input.";
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {
@@ -54,8 +54,8 @@ static const struct pp_option number_option[] = {
 
 static const struct pp_option full_option[] = {
     {"full", 0, NULL,
-     "All of each room: data, averages, the effect of changes, plan and section. "
-     "Without it a report of more than two rooms has their criteria only.",
+     "Show data, averages, the effect of changes, plan and section of every room. "
+     "Without this option, a report of more than two rooms shows only their criteria.",
      NULL, PLACE(full)},
     {0},
 };
@@ -304,8 +304,8 @@ static enum pp_status check_report_options(void *values, char **files, int file_
     if (ending && !words->report_format && !is_pdf(words)
         && strcasecmp(ending, ".html") != 0 && strcasecmp(ending, ".htm") != 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--output: expected a name that ends in .html or .pdf, not in "
-                       "\"%.20s\", or --format html or pdf",
+                       "--output: expected a name that ends in .html or .pdf instead "
+                       "of \"%.20s\", or --format html or pdf",
                        ending);
     return pp_assess_words_check(values, files, file_count, err);
 }

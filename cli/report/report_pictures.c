@@ -177,10 +177,9 @@ static enum pp_status draw_sun(struct drawing_task *task, int room,
         return PP_OK;
     snprintf(words, sizeof words, "%d", line);
     choice.board.window = line > 0 ? words : NULL;
-    return add_drawing(
-        task, room, room, "sun-path",
-        "Sun paths at the window with least sun, and obstructions to the sky", choice,
-        err);
+    return add_drawing(task, room, room, "sun-path",
+                       "Sun paths and obstructions at the window with the least sun",
+                       choice, err);
 }
 
 /* PP_BAD_INPUT if the section cannot be cut at the place that was typed. */
@@ -217,7 +216,7 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
     if (status == PP_OK)
         status = add_drawing(
             task, room, room, "section",
-            simulated ? "Section, and simulated daylight factors along the room; hand "
+            simulated ? "Section, with simulated daylight factors along the room; hand "
                         "figures dashed"
                       : "Section, with daylight factors by hand along the room",
             alone, err);

@@ -18,13 +18,12 @@
 
 extern char **environ;
 
-static const char about[] = "Serves the drawing board: a page in which a room is drawn "
-                            "and its daylight seen at "
-                            "once. It prints the page's address and runs until it is "
-                            "interrupted. The page opens "
-                            "with FILE, a room file, or with an example. Programs use "
-                            "the same server as a JSON "
-                            "interface, which docs/http.md describes.";
+static const char about[] =
+    "Serves the drawing board: a web page on which you draw a room and see its "
+    "daylight at once. The command prints the page's address and runs until it is "
+    "interrupted. The page opens with FILE, a room file, or with an example. Other "
+    "programs can use the same server as a JSON interface, which docs/http.md "
+    "describes.";
 
 struct token_place {
     const char *text, *file;
@@ -53,32 +52,33 @@ static enum pp_status read_host(const char *text, void *place, struct pp_error *
     if (!*text || strlen(text) > 200 || strchr(text, ':') || strchr(text, '/'))
         return pp_fail(err, PP_BAD_INPUT, "the name of a host, without a port");
     if (serve->host_count == PP_SERVE_HOSTS_MOST)
-        return pp_fail(err, PP_BAD_INPUT, "no more than %d hosts", PP_SERVE_HOSTS_MOST);
+        return pp_fail(err, PP_BAD_INPUT, "at most %d hosts", PP_SERVE_HOSTS_MOST);
     serve->hosts[serve->host_count++] = text;
     return PP_OK;
 }
 
 static const struct pp_option address_options[] = {
-    {"port", 'p', "N", "Listen on that port (default: one that is free).", read_port,
+    {"port", 'p', "N", "Listen on that port (default: any free port).", read_port,
      offsetof(struct serve_choice, port)},
     {"open", 0, NULL, "Open the page in the browser.", NULL,
      offsetof(struct serve_choice, open)},
     {"listen", 0, "ADDRESS",
-     "Listen on that address (default 127.0.0.1, for this machine alone). Others need "
-     "a "
-     "token.",
+     "Listen on that address (default 127.0.0.1, for this computer alone). Other "
+     "addresses need a token.",
      pp_options_read_text, offsetof(struct serve_choice, listen)},
     {"host", 0, "NAME",
-     "The server also goes by that name, as behind a proxy; may be repeated.",
+     "Also accept requests for that host name, as behind a proxy; may be repeated.",
      read_host, offsetof(struct serve_choice, serve)},
     {"token", 0, "TEXT",
-     "Answer only who gives that token, of 16 characters or more. Other users of the "
-     "machine see it in the list of processes; --token-file has no such weakness.",
+     "Answer only requests with that token, of 16 characters or more. Other users of "
+     "the computer can see it in the list of processes; use --token-file to avoid "
+     "this.",
      pp_options_read_text, offsetof(struct serve_choice, token.text)},
-    {"token-file", 0, "FILE", "The same, the first line of FILE.",
+    {"token-file", 0, "FILE",
+     "Answer only requests with the token in the first line of FILE.",
      pp_options_read_input, offsetof(struct serve_choice, token.file)},
     {"jobs", 0, "FOLDER",
-     "Take jobs whose results are fetched later, and keep them in FOLDER.",
+     "Accept jobs whose results are fetched later, and store them in FOLDER.",
      pp_options_read_text, offsetof(struct serve_choice, jobs)},
     {0},
 };
@@ -96,15 +96,15 @@ static enum pp_status check_serve(void *values, char **words, int count,
     struct stat folder;
     (void)words;
     if (count > 1)
-        return pp_fail(err, PP_BAD_INPUT, "there are %d files; expected one at most",
+        return pp_fail(err, PP_BAD_INPUT, "there are %d files; expected at most one",
                        count);
     if (choice->token.text && choice->token.file)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected one of --token and --token-file, not both");
     if (choice->listen && !pp_serve_address_is_loopback(choice->listen) && !has_token)
         return pp_fail(err, PP_BAD_INPUT,
-                       "others can reach %.80s; expected --token-file FILE or --token "
-                       "TEXT with it",
+                       "other computers can reach %.80s; expected --token-file FILE or "
+                       "--token TEXT, too",
                        choice->listen);
     if (choice->jobs && (stat(choice->jobs, &folder) != 0 || !S_ISDIR(folder.st_mode)))
         return pp_fail(err, PP_BAD_INPUT, "--jobs: there is no folder \"%.200s\"",
@@ -147,7 +147,7 @@ static void open_browser(const char *address)
     if (posix_spawnp(&child, words[0], NULL, NULL, (char *const *)(uintptr_t)words,
                      environ)
         != 0)
-        pp_message("there is no xdg-open; open the address in a browser");
+        pp_message("xdg-open is not installed; open the address in a browser");
 }
 
 static void print_address(void *data, int port)
@@ -192,7 +192,7 @@ static enum pp_status run_server(const struct pp_serve_options *options,
     (void)options;
     return pp_fail(err, PP_SYSTEM,
                    "this pepperpot was built without libmicrohttpd and cannot serve; "
-                   "install it (Debian: libmicrohttpd-dev) and build again");
+                   "install libmicrohttpd (Debian: libmicrohttpd-dev) and build again");
 }
 #endif
 

@@ -29,7 +29,7 @@ static const char about[] =
     "sill or number of windows that gives the average daylight factor. With --points "
     "the target is for the lowest point, with --for it is a criterion. The answer of a "
     "hand method is checked by simulation, unless --by-hand is given. --obstruction "
-    "finds the maximum height of a block so that windows or rooms keep their sky. "
+    "finds the maximum height of a block for which windows or rooms keep their sky. "
     "--envelope finds the largest building on its plot. FILE is a room file; - is "
     "standard input.";
 
@@ -78,7 +78,7 @@ static enum pp_status write_sized_file(const struct pp_size_results *results,
         reached ? pp_room_text_edit(&text, &length, results->list[0].file_text,
                                     results->list[0].file_length, edits, count, err)
                 : pp_fail(err, PP_BAD_INPUT,
-                          "the target is not reached, so %s is not written", path);
+                          "the target was not reached, so %s was not written", path);
     if (status == PP_OK)
         status = move_text(&text, &length, file, path, err);
     if (status == PP_OK)
@@ -428,18 +428,19 @@ static enum pp_status check_size_options(void *values, char **files, int file_co
         status =
             pp_fail(err, PP_BAD_INPUT, "expected a room file, or - for standard input");
     if (status == PP_OK && pp_size_options_block(options) && file_count > 1)
-        status = pp_fail(err, PP_BAD_INPUT, "--%s needs one file, and there are %d",
+        status = pp_fail(err, PP_BAD_INPUT, "--%s needs one file, but there are %d",
                          options->envelope ? "envelope" : "obstruction", file_count);
     if (status == PP_OK && options->write && file_count > 1)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "--write needs one room file, and there are %d", file_count);
+                         "--write needs one room file, but there are %d", file_count);
     const char *alone = options->write                   ? "write"
                         : pp_size_options_block(options) ? "obstruction"
                                                          : NULL;
     if (status == PP_OK && options->room.sweep.axis_count > 0 && alone)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "--%s is for one run, and --sweep makes many; expected --set",
-                         options->envelope ? "envelope" : alone);
+        status =
+            pp_fail(err, PP_BAD_INPUT,
+                    "--%s is for a single run, but --sweep makes many; expected --set",
+                    options->envelope ? "envelope" : alone);
     return status;
 }
 

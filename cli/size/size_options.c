@@ -45,8 +45,8 @@ const struct pp_option pp_size_task_options[] = {
     {"target", 't', "DF%", "Target daylight factor: 2% or 2.", pp_options_read_per_cent,
      PLACE(request.target)},
     {"for", 0, "CRITERION",
-     "Or a criterion of assess as the target, with all its requirements. Add a colon "
-     "and the start of a requirement to use only those: en17037:minimum.",
+     "Use a criterion of assess as the target, with all its requirements. Add a colon "
+     "and the start of a requirement to select it: en17037:minimum.",
      pp_options_read_text, PLACE(request.criterion)},
     {"by", 'b', "METHOD",
      "Method for the calculation: a method, a pair, or \"traced\" for the simulation "
@@ -64,12 +64,12 @@ const struct pp_option pp_size_task_options[] = {
 
 const struct pp_option pp_size_block_options[] = {
     {"obstruction", 0, "NAME",
-     "Instead of a window, find the maximum height of this block so that every "
+     "Find the maximum height of this block, instead of a window, for which every "
      "vertical window, or every room, keeps its share of the sky.",
      pp_options_read_text, PLACE(obstruction)},
     {"envelope", 0, "NAME",
-     "Instead of a window, find the largest envelope on the plot of this block so that "
-     "every vertical window keeps its share of the sky.",
+     "Find the largest envelope on the plot of this block, instead of a window, for "
+     "which every vertical window keeps its share of the sky.",
      pp_options_read_text, PLACE(envelope)},
     {"draw", 0, "FILE",
      "Draw the envelope to FILE.pdf, FILE.svg or FILE.png: a plan with its heights. A "
@@ -77,12 +77,13 @@ const struct pp_option pp_size_block_options[] = {
      pp_options_read_output, PLACE(draw)},
     {"of", 0, "WHAT",
      "Quantity to keep: vsc, the vertical sky component of each vertical window "
-     "(default), or lit-area, the part of each room's working plane that sees sky.",
+     "(default), or lit-area, the part of each room's working plane with a view of the "
+     "sky.",
      read_of, PLACE(rule.of)},
-    {"keep", 0, "SHARE%", "Share to keep (default 80%).", pp_options_read_per_cent,
-     PLACE(rule.keep)},
+    {"keep", 0, "SHARE%", "Share of the quantity to keep (default 80%).",
+     pp_options_read_per_cent, PLACE(rule.keep)},
     {"enough", 0, "VSC%",
-     "A vertical sky component that is always sufficient, such as 27%.",
+     "Vertical sky component that is always sufficient, such as 27%.",
      pp_options_read_per_cent, PLACE(rule.enough)},
     {"window-name", 0, "NAME", "Consider only the window of that name.",
      pp_options_read_text, PLACE(rule.window)},
@@ -93,7 +94,8 @@ const struct pp_option pp_size_block_options[] = {
 
 const struct pp_option pp_size_write_option[] = {
     {"write", 'w', "FILE",
-     "Write the room file with the sized windows to FILE; all else is unchanged.",
+     "Write the room file with the new window sizes to FILE; everything else is "
+     "unchanged.",
      pp_options_read_output, PLACE(write)},
     {0},
 };
@@ -136,7 +138,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
                        own);
     if (options->envelope && rule->of == PP_RETAINED_SKY_LIT_AREA)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--envelope uses the sky of windows; expected --of vsc");
+                       "--envelope keeps the sky of windows; expected --of vsc");
     if (options->obstruction && options->draw)
         return pp_fail(err, PP_BAD_INPUT, "--draw is for --envelope only");
     enum pp_chart_format format;
@@ -148,7 +150,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
     if (rule->of == PP_RETAINED_SKY_LIT_AREA
         && (rule->window || rule->enough > 0.0 || rule->french_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s is for windows, and a lit area belongs to a room; "
+                       "--%s is for windows, but a lit area belongs to a room; "
                        "expected --of vsc or%s",
                        rule->window         ? "window-name"
                        : rule->enough > 0.0 ? "enough"
@@ -217,13 +219,12 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     if (stray)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "--%s is for --obstruction or --envelope; expected one of these with it",
+            "--%s is for --obstruction or --envelope; expected one of these, too",
             stray);
     if (!options->request.criterion
         && (options->request.grid.largest || options->request.grid.spacing_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "--spacing is the grid that a criterion is judged by; it needs "
-                       "--for");
+                       "--spacing is the grid for a criterion; expected --for, too");
     if (options->request.criterion) {
         enum pp_status status = settle_criterion(options, err);
         if (status != PP_OK)
@@ -231,14 +232,14 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     }
     if (!(options->request.target > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected --target with the daylight factor to reach, such as "
-                       "--target 2%%, or --for with a criterion");
+                       "no target is given; expected --target with a daylight factor, "
+                       "such as --target 2%%, or --for with a criterion");
     options->request.traced =
         options->request.by && strcmp(options->request.by, "traced") == 0;
     options->request.study = &options->room.study;
     if (options->request.traced && options->room.by_hand)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--by traced needs the simulation, which --by-hand leaves out; "
+                       "--by traced needs the simulation, but --by-hand leaves it out; "
                        "expected one of them");
     enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
     if (status == PP_OK)

@@ -103,13 +103,13 @@ static enum pp_status add_axis(const char *text, void *place, struct pp_error *e
 
 const struct pp_option pp_sweep_options[] = {
     {"set", 0, "PART.ATTRIBUTE=VALUE",
-     "Change an attribute of the room file: window.W1.width=1.4, plan.depth=5, "
-     "finishes.walls=0.6. A part is named by its name, its wall or its number; "
-     "window.width changes every window. Repeat it for more.",
+     "Change an attribute in the room file: window.W1.width=1.4, plan.depth=5, "
+     "finishes.walls=0.6. Address a part by its name, its wall or its number; "
+     "window.width changes every window. Repeat the option for more.",
      add_change, 0},
     {"sweep", 0, "PART.ATTRIBUTE=FROM:TO:STEP",
-     "Run once for each of these values, or for each of a list A,B,...; all results "
-     "form one table. Repeat it to combine several sweeps.",
+     "Run once for each of these values, or for each value in a list A,B,...; all "
+     "results form one table. Repeat the option to combine several sweeps.",
      add_axis, 0},
     {0},
 };
@@ -120,7 +120,7 @@ enum pp_status pp_sweep_options_check(const struct pp_sweep *sweep,
     return pp_sweep_count(sweep) <= PP_SWEEP_RUNS_MOST
                ? PP_OK
                : pp_fail(err, PP_BAD_INPUT,
-                         "--sweep: the sweeps combined have more than %d runs; "
+                         "--sweep: the combined sweeps have more than %d runs; "
                          "expected fewer",
                          PP_SWEEP_RUNS_MOST);
 }

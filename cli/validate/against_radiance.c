@@ -84,8 +84,9 @@ static void print_text(const struct pp_report *report, FILE *out)
                 100.0 * b.radiance.value, 100.0 * b.radiance.std_error, off_by(&b));
     }
     fprintf(out,
-            "\n  \"off by\" is the difference in standard errors; largest %.2f. The "
-            "standard error of\n  rtrace comes from the spread of %d runs per point.\n",
+            "\n  \"off by\" is the difference in standard errors; the largest is %.2f. "
+            "The standard error of\n  rtrace is calculated from the spread of %d runs "
+            "per point.\n",
             worst, PP_RTRACE_REPEATS);
 }
 
@@ -193,7 +194,7 @@ static enum pp_status begin_against_run(struct against_run *run,
     result->file = room->file;
     if (room->world->decorations < 1.0 && !run->options->quiet)
         pp_message("%.200s: simulated daylight factors include an allowance for "
-                   "decorations of %g; Radiance's do not",
+                   "decorations of %g, but those of Radiance do not",
                    pp_read_file_title(room->file), room->world->decorations);
     return pp_study_report_methods(&result->report, room, &run->options->study, err);
 }
@@ -220,7 +221,7 @@ static bool is_there(void)
 {
     if (pp_rtrace_is_there())
         return true;
-    pp_message("a comparison with Radiance needs oconv and rtrace on PATH: nothing was "
+    pp_message("a comparison with Radiance needs oconv and rtrace on PATH; nothing was "
                "compared");
     return false;
 }

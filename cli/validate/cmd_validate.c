@@ -30,9 +30,9 @@ static const char about[] =
     "analytic, published or cie171: lists each case with expected value, difference, "
     "limit and verdict. rooms FILE compares each method with the simulation, within "
     "the bands of the atlas. engines FILE compares the simulation engines. radiance "
-    "FILE compares the simulation with Radiance. With room files alone: compares each "
-    "method with the simulation at the reference points and for the average. It shows "
-    "bias, spread and the worst point, and the parts caused by the method's "
+    "FILE compares the simulation with Radiance. Room files without a suite: compares "
+    "each method with the simulation at the reference points and for the average. It "
+    "shows bias, spread and the worst point, and the parts caused by the method's "
     "assumptions and by its formula. FILE is a room file; - is standard input.";
 
 /* ---- another program ---- */
@@ -59,7 +59,7 @@ struct validate_options {
 
 static const struct pp_option against_option[] = {
     {"against", 0, "PROGRAM",
-     "Compare the simulation with another program for the same rooms: radiance, if its "
+     "Compare the simulation of the same rooms with another program: radiance, if "
      "oconv and rtrace are on PATH.",
      read_program, PLACE(against)},
     {0},
@@ -301,7 +301,7 @@ static enum pp_status check_against(const struct validate_options *options,
     bool alone = options->against || options->suite == &pp_suite_engines;
     if (!alone || !excluded)
         return PP_OK;
-    return pp_fail(err, PP_BAD_INPUT, "%s only simulations; expected it without %s",
+    return pp_fail(err, PP_BAD_INPUT, "%s only simulations; expected no %s",
                    options->against ? "--against compares" : "engines compares",
                    excluded);
 }

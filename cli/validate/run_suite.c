@@ -62,7 +62,7 @@ static enum pp_exit judge_suite(const struct pp_known_result *result)
         return PP_EXIT_DONE;
     pp_message("%d of %d answers are outside their limits%s",
                score.wrong + score.traced_wrong, score.count + score.traced,
-               result->suite == &pp_suite_quick ? "; do not trust this build" : "");
+               result->suite == &pp_suite_quick ? "; do not use this build" : "");
     return result->suite == &pp_suite_quick ? PP_EXIT_MACHINE : PP_EXIT_INPUT;
 }
 

@@ -99,8 +99,8 @@ static bool fail_order(struct record_reader *r, struct pp_month_day date, int ho
     char found[32], wanted[32];
     r->out_of_order = true;
     pp_mistakes_add(r->mistakes, r->line,
-                    "this is a record of %s, hour %d; expected %s, hour %d: records "
-                    "are missing or out of order",
+                    "this is a record of %s, hour %d, but %s, hour %d was expected: "
+                    "records are missing or out of order",
                     pp_month_day_words(found, sizeof found, date), hour,
                     pp_month_day_words(wanted, sizeof wanted, r->date), r->hour);
     return false;
@@ -131,15 +131,15 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
     if (there && leap == PP_LEAP_NO && !pp_month_day_is_leap(year)) {
         pp_mistakes_add(r->mistakes, r->line,
                         "there is a record of 29 February %d, but %d is not a leap "
-                        "year, according to line %d",
+                        "year according to line %d",
                         year, year, r->header->leap_line);
         r->out_of_order = true;
         return false;
     }
     if (!there && leap == PP_LEAP_YES) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "the record of 29 February is missing before this one; line %d "
-                        "says that the year is a leap year",
+                        "the record of 29 February is missing before this one, "
+                        "although line %d says that the year is a leap year",
                         r->header->leap_line);
         r->out_of_order = true;
         return false;
@@ -168,8 +168,8 @@ static bool check_minute(struct record_reader *r, int minute)
         return true;
     }
     pp_mistakes_add(r->mistakes, r->line,
-                    "minute %d (field 5) after minute %d of the same hour; expected %d "
-                    "records an hour in order",
+                    "minute %d (field 5) follows minute %d of the same hour; expected "
+                    "%d records an hour in order",
                     minute, r->minute, r->header->records_an_hour);
     r->out_of_order = true;
     return false;
@@ -245,7 +245,7 @@ static bool read_record(struct record_reader *r, char *text)
     int count = pp_epw_lines_split(text, r->fields, PP_EPW_FIELDS_MOST);
     if (count < FIELDS_NEEDED) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "the record has %d field%s; expected 35, at least %d, up to "
+                        "the record has %d field%s; expected 35, or at least %d, up to "
                         "diffuse illuminance",
                         count, count == 1 ? "" : "s", FIELDS_NEEDED);
         r->out_of_order = true;
@@ -281,11 +281,12 @@ static void check_end(struct record_reader *r)
     if (leap_end && r->begun && r->period == r->header->period_count - 1
         && r->years_left == 0)
         return;
-    pp_mistakes_add(r->mistakes, r->line,
-                    "the file ends here; expected a record of %s, hour %d: it is cut "
-                    "off, or data period %d of line %d is shorter than that line says",
-                    pp_month_day_words(wanted, sizeof wanted, r->date), r->hour,
-                    r->period + 1, r->header->periods_line);
+    pp_mistakes_add(
+        r->mistakes, r->line,
+        "the file ends here, but a record of %s, hour %d was expected: the file is cut "
+        "off, or data period %d of line %d is shorter than that line says",
+        pp_month_day_words(wanted, sizeof wanted, r->date), r->hour, r->period + 1,
+        r->header->periods_line);
 }
 
 /* Some converters write 9999 for a missing illuminance; the format defines 999999. If a
@@ -396,8 +397,9 @@ enum pp_status pp_epw_parse(struct pp_epw **epw, const char *bytes, size_t lengt
         free(copy);
     }
     if (status == PP_OK && (mistakes->count > before || mistakes->truncated))
-        status = pp_fail(err, PP_BAD_INPUT, "%s: it cannot be read as a weather file",
-                         mistakes->file ? mistakes->file : "weather file");
+        status =
+            pp_fail(err, PP_BAD_INPUT, "%s: the file cannot be read as a weather file",
+                    mistakes->file ? mistakes->file : "weather file");
     if (status == PP_OK)
         *epw = made;
     else

@@ -49,7 +49,7 @@ static void read_location(struct header_reader *r)
     struct pp_epw *epw = r->epw;
     if (epw->place) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "there is a second LOCATION; expected one");
+                        "there is a second LOCATION; expected only one");
         return;
     }
     r->out_of_memory |= !pp_epw_lines_append_text(&epw->place, "", "");
@@ -138,7 +138,7 @@ static void read_period(struct header_reader *r, int index)
         period->years = last - first - pp_month_day_is_before(period->to, period->from);
     if (period->years < 0 || period->years > 200)
         pp_mistakes_add(r->mistakes, r->line,
-                        "data period %d ends before it starts, or 200 years later",
+                        "data period %d ends before it begins, or 200 years later",
                         index + 1);
 }
 
@@ -147,7 +147,7 @@ static void read_periods(struct header_reader *r)
     struct pp_epw_header *header = r->header;
     if (header->period_count > 0) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "there is a second DATA PERIODS; expected one");
+                        "there is a second DATA PERIODS; expected only one");
         return;
     }
     header->periods_line = r->line;
@@ -166,8 +166,8 @@ static void read_periods(struct header_reader *r)
             "there are %g records an hour; expected a number that divides 60", an_hour);
     if (r->count < 3 + 4 * header->period_count) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "DATA PERIODS has %d fields; expected %d, four for each of %d "
-                        "period%s",
+                        "DATA PERIODS has %d fields; expected %d, which is four for "
+                        "each of %d period%s",
                         r->count, 3 + 4 * header->period_count, header->period_count,
                         header->period_count == 1 ? "" : "s");
         return;
@@ -256,7 +256,7 @@ bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
     if (header->period_count == 0)
         pp_mistakes_add(
             mistakes, lines->line,
-            *record ? "the records start here; expected a line DATA PERIODS before them"
+            *record ? "the records begin here; expected a line DATA PERIODS before them"
                     : "the file ends here; expected a line DATA PERIODS");
     return mistakes->count == before;
 }

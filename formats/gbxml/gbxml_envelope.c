@@ -68,7 +68,7 @@ static enum pp_status try_polygons(struct envelope_choice *choice,
                             surfaces ? parts->count : space->shell_count, weld, err);
     if (status == PP_OK && !fault && weld > PP_GBXML_SAME_M
         && shell.moved_m3 > weld_share * shell.volume_m3)
-        fault = "can only be closed by moves that change its volume";
+        fault = "can only be closed by changes that alter its volume";
     if (status == PP_OK && !fault)
         offer(shell.lacking > 0 ? lacking : choice, &shell, source, space);
     else
@@ -115,7 +115,8 @@ static void note_choice(const struct envelope_choice *choice, bool closes,
     const struct pp_gbxml_shell *shell = &choice->shell;
     if (choice->source != BY_SURFACES)
         pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\": its surfaces %s; used instead: %s", space->id,
+                        "space \"%.60s\": its surfaces %s, so this is used instead: %s",
+                        space->id,
                         closes ? "do not match its Area and Volume" : "do not close",
                         choice->source == BY_SHELL ? "its ShellGeometry"
                                                    : "a vertical prism over its floor");
@@ -135,12 +136,14 @@ static void note_difference(const struct pp_gbxml_shell *shell,
 {
     double area = pp_gbxml_shell_floor_area(shell);
     if (share_off(area, space->area_m2) > 0.0)
-        pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\": the floor is %.4g m2, its Area says %.4g m2",
-                        space->id, area, space->area_m2);
+        pp_mistakes_add(
+            notes, space->line,
+            "space \"%.60s\": the floor has %.4g m2, but its Area is %.4g m2",
+            space->id, area, space->area_m2);
     if (share_off(shell->volume_m3, space->volume_m3) > 0.0)
         pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\": it encloses %.4g m3, its Volume says %.4g m3",
+                        "space \"%.60s\": the enclosed volume is %.4g m3, but its "
+                        "Volume is %.4g m3",
                         space->id, shell->volume_m3, space->volume_m3);
 }
 

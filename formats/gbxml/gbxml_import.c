@@ -95,8 +95,8 @@ static enum pp_status begin_room(struct gbxml_work *work, int index,
                                                 space, work->clipper, work->notes, err);
     if (status == PP_OK && why) {
         pp_mistakes_add(work->notes, space->line,
-                        "space \"%.60s\" %s; it is not a room, and its %d openings are "
-                        "left out; its outside is kept as surfaces",
+                        "space \"%.60s\" %s, so it is not a room and its %d openings "
+                        "are ignored; its outside is kept as surfaces",
                         space->id, why, count_openings(work, space));
         drop_room(work, index);
     }
@@ -266,7 +266,7 @@ static bool leave_out(struct gbxml_work *work, const struct pp_gbxml_writing *wr
                 || (strcmp(item->what, "space") == 0) != (rooms == 1))
                 continue;
             *item->left_out = some = true;
-            pp_mistakes_add(work->notes, item->from, "%s \"%.60s\" is left out: %s",
+            pp_mistakes_add(work->notes, item->from, "%s \"%.60s\" is ignored: %s",
                             item->what, item->id ? item->id : "",
                             mistakes->list[i].text);
         }
@@ -300,9 +300,9 @@ static enum pp_status write_until_good(struct gbxml_work *work, struct pp_error 
             status = read_back(work, &mistakes, err);
         bool good = mistakes.count == 0;
         if (status == PP_OK && !good && !leave_out(work, &writing, &mistakes))
-            status =
-                pp_fail(err, PP_BAD_INPUT, "%s: cannot be made into a room file: %s",
-                        work->file, mistakes.list[0].text);
+            status = pp_fail(err, PP_BAD_INPUT,
+                             "%s: the result is not a valid room file: %s", work->file,
+                             mistakes.list[0].text);
         pp_mistakes_clear(&mistakes);
         if (good)
             break;

@@ -61,8 +61,8 @@ void pp_gbxml_loop_find_origin(struct pp_gbxml_loop_reader *r,
         return;
     r->origin = pp_vec(floor(low.x), floor(low.y), floor(low.z));
     pp_mistakes_add(r->notes, 0,
-                    "the model is far from the origin; its own origin is now (%.0f, "
-                    "%.0f, %.0f) m in the file's axes",
+                    "the model is far from the origin, so its own origin is now (%.0f, "
+                    "%.0f, %.0f) m in the axes of the file",
                     r->origin.x, r->origin.y, r->origin.z);
 }
 
@@ -163,7 +163,7 @@ enum pp_status pp_gbxml_loop_read(struct pp_gbxml_polygon *polygon,
         good = false;
         pp_mistakes_add(r->notes, loop->line,
                         "not a polygon of 3 to %d corners with three coordinates each, "
-                        "within 100 km of the model's origin; left out",
+                        "within 100 km of the model's origin; ignored",
                         CORNERS_MOST);
     }
     if (status == PP_OK && good)

@@ -219,7 +219,7 @@ static void note_lost(const struct opening_left *left, struct pp_mistakes *notes
     if (left->placed_m2 == 0.0)
         pp_mistakes_add(notes, left->opening->line,
                         "opening \"%.60s\" is not in a face of its space, or overlaps "
-                        "other openings; treated as wall",
+                        "other openings; it is treated as wall",
                         name);
     else if (lost > least_m2)
         pp_mistakes_add(notes, left->opening->line,

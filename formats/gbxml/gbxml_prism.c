@@ -250,7 +250,7 @@ enum pp_status pp_gbxml_prism_make(struct pp_gbxml_shell *shell, const char **wh
     find_prism_extent(&low, &high, polygons, count);
     enum pp_status status = find_floor(&floor, space, polygons, count, clipper, err);
     int ring = largest_ring(&floor);
-    *why = ring >= 0 ? NULL : "has no level floor";
+    *why = ring >= 0 ? NULL : "has no horizontal floor";
     if (status == PP_OK && !*why) {
         struct pp_ring *outer = &floor.rings[ring];
         straighten(outer);

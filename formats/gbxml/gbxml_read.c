@@ -84,7 +84,7 @@ static enum pp_status read_outline(struct gbxml_reader *r,
     if (loop)
         return pp_gbxml_loop_read(polygon, &r->loops, loop);
     pp_mistakes_add(r->notes, element->line,
-                    "%s \"%.60s\" has no PlanarGeometry; left out", element->name,
+                    "%s \"%.60s\" has no PlanarGeometry and is ignored", element->name,
                     id ? id : "");
     return PP_OK;
 }
@@ -179,8 +179,8 @@ static double take_transmittance(struct gbxml_reader *r,
         return share;
     if (type)
         pp_mistakes_add(r->notes, type->line,
-                        "%s \"%.60s\" has no visible transmittance above 0; assumed "
-                        "for its openings: clear-double",
+                        "%s \"%.60s\" has no visible transmittance above 0; its "
+                        "openings get clear-double",
                         type->name, pp_gbxml_document_attribute(type, "id"));
     r->without_type += !type;
     return NAN;
@@ -227,7 +227,7 @@ static enum pp_status add_gbxml_opening(struct gbxml_reader *r,
     if (!lets_light_in(kind, type)) {
         pp_mistakes_add(r->notes, element->line,
                         "opening \"%.60s\" of type \"%.40s\" is not a window, "
-                        "skylight, sliding or glazed door; treated as wall",
+                        "skylight, sliding or glazed door; it is treated as wall",
                         id ? id : "", kind);
         return PP_OK;
     }
@@ -254,8 +254,8 @@ static enum pp_status add_gbxml_surface(struct gbxml_reader *r,
     struct pp_gbxml_surface surface = {.line = element->line, .type = type ? type : ""};
     if (model->surface_count == SURFACES_MOST)
         return pp_fail(r->err, PP_BAD_INPUT,
-                       "%s:%d: more than %d surfaces; expected fewer", r->file,
-                       surface.line, SURFACES_MOST);
+                       "%s:%d: there are more than %d surfaces; expected fewer",
+                       r->file, surface.line, SURFACES_MOST);
     enum pp_status status = read_outline(r, element, &surface.outline);
     if (status != PP_OK || surface.outline.count == 0)
         return status;
@@ -328,13 +328,13 @@ static enum pp_status add_space(struct gbxml_reader *r,
     const char *id = pp_gbxml_document_attribute(element, "id");
     int line = element->line;
     if (!id) {
-        pp_mistakes_add(r->notes, line, "a Space without an id; left out");
+        pp_mistakes_add(r->notes, line, "a Space has no id and is ignored");
         return PP_OK;
     }
     if (model->space_count == SPACES_MOST)
         return pp_fail(r->err, PP_BAD_INPUT,
-                       "%s:%d: more than %d spaces; expected fewer", r->file, line,
-                       SPACES_MOST);
+                       "%s:%d: there are more than %d spaces; expected fewer", r->file,
+                       line, SPACES_MOST);
     enum pp_status status = pp_array_append(&model->spaces, model->space_count,
                                             sizeof *model->spaces, r->err);
     if (status != PP_OK)
@@ -378,7 +378,7 @@ static void read_location(struct gbxml_reader *r, const struct pp_xml_element *c
     pp_mistakes_add(
         r->notes, azimuth->line,
         "CADModelAzimuth %g is used as the bearing of the plan's +y, clockwise from "
-        "north, as in the schema; some programs turn the other way",
+        "north, as in the schema; some programs count in the other direction",
         value);
 }
 
@@ -441,7 +441,7 @@ enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
                         r.between);
     if (r.without_type > 0)
         pp_mistakes_add(notes, 0,
-                        "%d openings have no window type; assumed: clear-double",
+                        "%d openings have no window type and get clear-double",
                         r.without_type);
     if (status == PP_OK && model->space_count == 0)
         status = pp_fail(err, PP_BAD_INPUT, "%s: the Campus has no Space", file);

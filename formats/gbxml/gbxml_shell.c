@@ -372,7 +372,7 @@ static enum pp_status turn_alike(struct pp_gbxml_shell *shell, const char **why,
     }
     for (int i = 0; i < shell->face_count && turned; i++) {
         if (!turned[i])
-            *why = "consists of several pieces";
+            *why = "consists of several separate pieces";
         if (turned[i] < 0)
             turn_gbxml_face(&shell->faces[i]);
     }

@@ -10,7 +10,7 @@
 const struct pp_number_format pp_number_format_hdr = {
     .ending = "hdr",
     .other_ending = "pic",
-    .summary = "Radiance's, to 1 % of the brightest channel, with notes",
+    .summary = "Radiance format, accurate to 1 % of the brightest channel, with notes",
     .write = pp_picture_hdr_write,
 };
 
@@ -44,7 +44,7 @@ static enum pp_status write_whole(FILE *out, const struct pp_picture *picture,
 
 const struct pp_number_format pp_number_format_pfm = {
     .ending = "pfm",
-    .summary = "portable float map, to the last digit of a float",
+    .summary = "portable float map, accurate to the last digit of a float",
     .write = write_whole,
 };
 

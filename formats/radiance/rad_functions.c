@@ -122,7 +122,7 @@ static enum pp_status take_sides(struct pp_rad_reader *reader,
         return pp_rad_words_fail(primitive->words, primitive->line, err,
                                  "the mixfunc is not supported; expected \"void "
                                  "mixfunc\" with \"4 FRONT BACK " PP_RAD_SIDES
-                                 " .\", one material a side");
+                                 " .\", one material per side");
     struct pp_rad_meaning meaning = {PP_RAD_MATERIAL, -1, -1};
     enum pp_status status =
         rad_material_side(reader, primitive, 0, &meaning.index, err);
@@ -183,15 +183,15 @@ static enum pp_status take_pane(struct pp_rad_reader *reader,
         return pp_rad_words_fail(
             primitive->words, primitive->line, err,
             "the BRTDfunc is not supported; expected a glazing by " PP_RAD_CAL_NAME
-            ", as pepperpot writes it");
+            ", as written by pepperpot");
     double panes = n[9];
     bool glazed = panes >= 1.0 && panes <= 20.0 && n[10] > 1.0 && n[11] >= 0.0
                   && n[12] > 0.0 && n[12] < 10.0;
     if ((panes != 0.0 && !glazed) || panes != floor(panes) || !is_share(n[13])
         || !is_share(n[14]))
         return pp_rad_words_fail(primitive->words, primitive->line, err,
-                                 "the glazing is not possible; expected 0 to 20 panes, "
-                                 "a refractive index above 1, an absorption of 0 or "
+                                 "the glazing is not valid; expected 0 to 20 panes, a "
+                                 "refractive index above 1, an absorption of 0 or "
                                  "more, a factor above 0, shares from 0 to 1");
     struct pp_glass glass =
         panes == 0.0 ? pp_glass_none() : pp_glass_panes((int)panes, n[10], n[11]);
@@ -236,8 +236,8 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
     for (int i = 0; i < 6 && status == PP_OK; i++)
         if (!(fabs(n[2 + i] - is[i]) <= 1e-6 * (1.0 + fabs(is[i]))))
             status = pp_fail(&said, PP_BAD_INPUT,
-                             "a sky of type %g with %g where its table has %g", n[1],
-                             n[2 + i], is[i]);
+                             "the sky is of type %g with %g, but its table has %g",
+                             n[1], n[2 + i], is[i]);
     return pp_rad_words_locate(primitive->words, primitive->line, status, &said, err);
 }
 
@@ -255,10 +255,9 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
         || count < PP_RAD_SKY_NUMBERS
         || count != PP_RAD_SKY_NUMBERS + skylines * PP_RAD_SKYLINE_NUMBERS
         || skylines > PP_PATTERN_SKYLINES_MOST || !(n[0] >= 0.0) || up.z < 1.0 - 1e-9)
-        return pp_rad_words_fail(
-            primitive->words, primitive->line, err,
-            "the pp_sky is not supported; expected it as pepperpot writes it, rotated "
-            "about the vertical at most");
+        return pp_rad_words_fail(primitive->words, primitive->line, err,
+                                 "the pp_sky is not supported; expected it as written "
+                                 "by pepperpot, rotated only about the vertical");
     struct pp_pattern pattern = {.kind = PP_PATTERN_SKY, .factor = n[0]};
     enum pp_status status = sky_of(primitive, &pattern.sky, err);
     if (status != PP_OK)
@@ -271,8 +270,8 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
             || !(of[3] >= 0.0))
             return pp_rad_words_fail(
                 primitive->words, primitive->line, err,
-                "the skyline is not possible; expected a direction of length 1, a "
-                "slope above 0, a radiance of 0 or more");
+                "the skyline is not valid; expected a direction of length 1, a slope "
+                "above 0, a radiance of 0 or more");
         pattern.skylines[pattern.skyline_count++] = (struct pp_pattern_skyline){
             pp_rad_transform_direction(&context->transform, outward), of[2], of[3]};
     }

@@ -66,8 +66,8 @@ static enum pp_status read_stream(char **bytes, size_t *length, size_t most, int
     if (status == PP_OK && less && *length > PP_READ_FILE_STREAM_MOST)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s: it decompresses to more than %d MiB; expected a smaller file", name,
-            (int)(PP_READ_FILE_STREAM_MOST >> 20));
+            "%s: the decompressed file has more than %d MiB; expected a smaller file",
+            name, (int)(PP_READ_FILE_STREAM_MOST >> 20));
     return status;
 }
 
@@ -82,7 +82,8 @@ enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size
             err, PP_BAD_INPUT,
             "the name of the file is empty; expected a name, or - for standard input");
     if (!standard && is_device(path))
-        return pp_fail(err, PP_BAD_INPUT, "%s: is a device; expected a file", name);
+        return pp_fail(err, PP_BAD_INPUT, "%s: this is a device; expected a file",
+                       name);
     int file = standard ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
     if (file < 0) {
         bool missing = errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG;

@@ -105,10 +105,10 @@ static void settle_text(struct xml_builder *b)
     struct pp_xml_element *open = b->open[b->depth - 1];
     if (b->format->attributes_only) {
         b->letters[b->letter_count] = '\0';
-        pp_mistakes_add(
-            b->mistakes, b->letter_line,
-            "there is text \"%s\" between elements; expected attributes only",
-            pp_text_excerpt(shown, sizeof shown, b->letters));
+        pp_mistakes_add(b->mistakes, b->letter_line,
+                        "there is text \"%s\" between elements; expected only elements "
+                        "and attributes",
+                        pp_text_excerpt(shown, sizeof shown, b->letters));
         b->stopped = b->stopped || b->mistakes->truncated;
     } else if (!open->text) {
         open->text =
@@ -378,7 +378,7 @@ static void on_error(void *context, const xmlError *error)
         b->out_of_memory = true;
     else if (error->code == XML_ERR_TAG_NAME_MISMATCH && open)
         pp_mistakes_add(b->mistakes, line,
-                        "there is </%s>; expected </%s>, to close line %d", one, other,
+                        "there is </%s>; expected </%s> to close line %d", one, other,
                         open->line);
     else if (error->code == XML_ERR_ATTRIBUTE_REDEFINED)
         pp_mistakes_add(b->mistakes, line_at(b, last(b, "<")),
@@ -389,9 +389,10 @@ static void on_error(void *context, const xmlError *error)
             "the entity &%s; is unknown; XML has &amp; &lt; &gt; &quot; and &apos;",
             one);
     else if (error->code == XML_ERR_DOCUMENT_END && b->xml->root && b->depth == 0)
-        pp_mistakes_add(b->mistakes, line,
-                        "there is content after </%s>; expected the end of the file",
-                        pp_text_excerpt(one, sizeof one, b->xml->root->name));
+        pp_mistakes_add(
+            b->mistakes, line,
+            "there is more content after </%s>; expected the end of the file",
+            pp_text_excerpt(one, sizeof one, b->xml->root->name));
     else if (!b->xml->root && error->code == XML_ERR_DOCUMENT_EMPTY)
         pp_mistakes_add(b->mistakes, line, "this is not XML; expected %s",
                         b->format->roots);

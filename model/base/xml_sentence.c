@@ -10,9 +10,9 @@ static const char no_name[] =
 static const char bad_tag[] =
     "this tag is malformed; expected a space, > or />, or a missing quotation mark";
 static const char open_tag[] = "this tag is not closed; expected > or /> at its end";
-static const char bad_start[] = "the <?xml ...?> at the start is malformed";
-static const char bad_reference[] =
-    "this reference &#...; is empty, or to a control character that XML does not allow";
+static const char bad_start[] = "the <?xml ...?> at the start of the file is malformed";
+static const char bad_reference[] = "this character reference &#...; is empty, or for "
+                                    "a control character that XML does not allow";
 static const char bad_letter[] = "control characters are not allowed in XML";
 
 static const struct {
@@ -25,10 +25,11 @@ static const struct {
     {XML_ERR_INVALID_CHAR, PP_XML_HERE, bad_letter},
     {XML_ERR_NAME_REQUIRED, PP_XML_HERE, no_name},
     {XML_ERR_ENTITYREF_SEMICOL_MISSING, PP_XML_HERE,
-     "there is an & without name and semicolon; write &amp; for the character itself"},
+     "there is an & without a name and a semicolon; write &amp; for the character "
+     "itself"},
     {XML_ERR_LT_IN_ATTRIBUTE, PP_XML_QUOTE,
-     "there is a < in an attribute's value; write &lt;, or add a missing quotation "
-     "mark"},
+     "there is a < in the value of an attribute; write &lt;, or add a missing "
+     "quotation mark"},
     {XML_ERR_ATTRIBUTE_NOT_STARTED, PP_XML_HERE,
      "the value of an attribute is not in quotation marks; write name=\"value\""},
     {XML_ERR_ATTRIBUTE_WITHOUT_VALUE, PP_XML_HERE,
@@ -40,7 +41,7 @@ static const struct {
     {XML_ERR_PI_NOT_STARTED, PP_XML_HERE,
      "a <?...?> is malformed; expected a name at its start"},
     {XML_ERR_RESERVED_XML_NAME, PP_XML_HERE,
-     "<?xml ...?> is not at the start; expected it before everything else"},
+     "<?xml ...?> is not at the start of the file; expected it before everything else"},
     {XML_ERR_VERSION_MISSING, PP_XML_HERE,
      "the <?xml ...?> at the start has no version; write version=\"1.0\""},
     {XML_ERR_XMLDECL_NOT_FINISHED, PP_XML_HERE, bad_start},

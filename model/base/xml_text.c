@@ -96,7 +96,7 @@ static enum pp_status convert(struct pp_xml_text *text, const char *name,
             pp_mistakes_add(mistakes,
                             pp_xml_text_line(text, text->bytes + text->length),
                             "some bytes are not %s, the encoding of the file; the file "
-                            "is damaged or incomplete, so save it as UTF-8",
+                            "is damaged or incomplete; save it as UTF-8",
                             shown);
             pp_xml_text_clear(text);
         }
@@ -149,7 +149,7 @@ static bool is_not_empty(const struct pp_xml_text *text,
     else if (starts(p, end, mark, 3))
         pp_mistakes_add(
             mistakes, 1,
-            "there is a second byte order mark; expected one at most, then %s",
+            "there is a second byte order mark; expected at most one, then %s",
             format->roots);
     else
         return true;

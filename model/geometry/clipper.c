@@ -52,7 +52,7 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
                                 struct pp_error *err)
 {
     return pp_fail(err, PP_BAD_INPUT, "%s failed: %s", what,
-                   clipper->said[0] ? clipper->said : "no reason given");
+                   clipper->said[0] ? clipper->said : "the reason is not known");
 }
 
 /* ---- regions of rings ---- */
@@ -124,7 +124,7 @@ enum pp_status pp_clipper_of_ring(struct pp_clipper *clipper, struct pp_region *
     if (status != PP_OK)
         return status;
     if (!simple)
-        return pp_fail(err, PP_BAD_INPUT, "the outline meets or crosses itself");
+        return pp_fail(err, PP_BAD_INPUT, "the outline touches or crosses itself");
     return simple_ring(region, xy, count, err);
 }
 

@@ -182,11 +182,10 @@ static enum pp_status check_scatter(const struct pp_material *material,
                      "a reflectance or transmittance is below 0; expected 0 or more",
                      err);
     if (!within(sum, 1.0 + ROUNDING))
-        return wrong(
-            material,
-            "the material returns more light than it receives; expected reflectances "
-            "and transmittances with a sum of at most 1 in each channel",
-            err);
+        return wrong(material,
+                     "the material reflects and transmits more light than it receives; "
+                     "expected a sum of at most 1 in each channel",
+                     err);
     for (int i = 0; i < 2; i++)
         if (!(material->roughness[i] >= 0.0 && material->roughness[i] <= 1.0))
             return wrong(material, "expected a roughness from 0 to 1", err);
@@ -208,7 +207,7 @@ static enum pp_status check_glass(const struct pp_material *material,
     if (!(material->clear_share >= 0.0 && material->clear_share <= 1.0)
         || !(material->dirt >= 0.0 && material->dirt <= 1.0)
         || !within(material->diffuse, 1.0 - material->clear_share + ROUNDING))
-        return wrong(material, "expected shares from 0 to 1", err);
+        return wrong(material, "expected fractions from 0 to 1", err);
     return PP_OK;
 }
 

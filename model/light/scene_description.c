@@ -125,7 +125,7 @@ static enum pp_status check_plane(const struct pp_vec3 *corners, int count,
         uneven = fmax(uneven, fabs(pp_vec_dot(n, pp_vec_sub(corners[i], corners[0]))));
     if (uneven > MOST_UNEVEN * size)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a polygon is not plane: one corner is off by %g", uneven);
+                       "a polygon is not plane, because a corner is off by %g", uneven);
     return PP_OK;
 }
 

@@ -149,7 +149,7 @@ static enum pp_status refuse_arc(const struct pp_dxf_entity *e, int line,
                                  struct pp_error *err)
 {
     return pp_mesh_lines_fail(e->lines, line, err,
-                              "%s: has an arc (group 42); expected straight edges",
+                              "%s: there is an arc (group 42); expected straight edges",
                               e->tags->list[e->from].value);
 }
 
@@ -394,10 +394,11 @@ static enum pp_status read_net(const struct pp_dxf_entity *e, int flags,
     if (status == PP_OK)
         status = read_corners(&net, e, false, err);
     if (status == PP_OK && (m < 2 || n < 2 || (double)m * n != net.count))
-        status = pp_mesh_lines_fail(e->lines, line_of(e), err,
-                                    "POLYLINE: a mesh of %d by %d has %d corners; "
-                                    "expected their product, each 2 or more",
-                                    m, n, net.count);
+        status =
+            pp_mesh_lines_fail(e->lines, line_of(e), err,
+                               "POLYLINE: a mesh of %d by %d has %d corners; expected "
+                               "the product of both numbers, each 2 or more",
+                               m, n, net.count);
     for (int i = 0; i < net.count && status == PP_OK; i++)
         status = add_dxf_corner(e, net.list[i], line_of(e), err);
     for (int i = 0; i < (flags & CLOSED ? m : m - 1) && status == PP_OK; i++)

@@ -92,8 +92,8 @@ static enum pp_status check_own(const struct pp_dxf_entity *block, const char *n
         return status;
     return pp_mesh_lines_fail(
         block->lines, block->tags->list[block->from].line, err,
-        "BLOCK: \"%s\" is an external reference, its drawing is in \"%s\"; expected it "
-        "bound into this file",
+        "BLOCK: \"%s\" is an external reference to the drawing \"%s\"; expected the "
+        "drawing bound into this file",
         pp_text_excerpt(shown, sizeof shown, name),
         pp_text_excerpt(other, sizeof other, path ? path->value : ""));
 }
@@ -201,8 +201,8 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
     columns = fmax(floor(columns), 1.0), rows = fmax(floor(rows), 1.0);
     if (depth >= DEPTH_MOST || !(columns * rows <= INSERTS_MOST - dxf->inserts))
         return pp_mesh_lines_fail(dxf->lines, line, err,
-                                  "INSERT: there are too many blocks, first \"%s\"; "
-                                  "expected at most %d levels, and %d in all",
+                                  "INSERT: there are too many blocks, the first one "
+                                  "\"%s\"; expected at most %d levels, and %d in all",
                                   shown, DEPTH_MOST, INSERTS_MOST);
     dxf->inserts += (int)(columns * rows);
     status = move_of(&move, steps, e, base, err);
@@ -232,10 +232,11 @@ static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
     double thickness;
     for (size_t i = 0; i < sizeof surfaces / sizeof *surfaces; i++)
         if (is(tag, surfaces[i]))
-            return pp_mesh_lines_fail(e->lines, tag->line, err,
-                                      "%s: is not supported; expected 3DFACE, polyface "
-                                      "meshes, or polylines with a thickness",
-                                      surfaces[i]);
+            return pp_mesh_lines_fail(
+                e->lines, tag->line, err,
+                "%s: this entity is not supported; expected 3DFACE, polyface meshes, "
+                "or polylines with a thickness",
+                surfaces[i]);
     for (size_t i = 0; i < sizeof raised / sizeof *raised; i++) {
         if (!is(tag, raised[i]))
             continue;
@@ -244,7 +245,8 @@ static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
         if (status == PP_OK && thickness != 0.0)
             status = pp_mesh_lines_fail(
                 e->lines, tag->line, err,
-                "%s: has a thickness; expected that of polylines only", raised[i]);
+                "%s: a thickness is not supported here; expected it for polylines only",
+                raised[i]);
         return status;
     }
     return PP_OK;

@@ -19,7 +19,8 @@ static bool ends_with(const char *name, const char *end)
 static enum pp_status fail_kind(const char *name, struct pp_error *err)
 {
     return pp_fail(err, PP_BAD_INPUT,
-                   "%.200s: is not a known type of file; expected .obj or .dxf", name);
+                   "%.200s: the type of file is not known; expected .obj or .dxf",
+                   name);
 }
 
 enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
@@ -51,7 +52,7 @@ enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *pat
     if (!ends_with(path, ".obj") && !ends_with(path, ".dxf"))
         return fail_kind(path, err);
     if (!is_plain_file(path))
-        return pp_fail(err, PP_BAD_INPUT, "%.200s: is no regular file", path);
+        return pp_fail(err, PP_BAD_INPUT, "%.200s: this is not a regular file", path);
     enum pp_status status =
         pp_read_file(&bytes, &length, path, PP_MESH_FILE_BYTES_MOST, err);
     if (status != PP_OK)
@@ -63,9 +64,10 @@ enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *pat
     }
     text[length] = '\0';
     if (length > PP_MESH_FILE_BYTES_MOST)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "%.200s: has more than %d MB; expected a coarser model", path,
-                         PP_MESH_FILE_BYTES_MOST >> 20);
+        status =
+            pp_fail(err, PP_BAD_INPUT,
+                    "%.200s: the file has more than %d MB; expected a coarser model",
+                    path, PP_MESH_FILE_BYTES_MOST >> 20);
     else
         status = pp_mesh_file_parse(mesh, text, length, path, err);
     free(text);

@@ -90,11 +90,11 @@ static enum pp_status read_face(struct pp_mesh_triangles *mesh, struct corners *
         char shown[160];
         int corner = corner_of(mesh, word);
         if (corner < 0)
-            return pp_mesh_lines_fail(lines, line, err,
-                                      "f: \"%s\" is not a corner; expected one of the "
-                                      "%d before it, from 1 or, counted back, from -1",
-                                      pp_text_excerpt(shown, sizeof shown, word),
-                                      mesh->corner_count);
+            return pp_mesh_lines_fail(
+                lines, line, err,
+                "f: \"%s\" is not a corner; expected one of the %d before it, counted "
+                "from 1 or backwards from -1",
+                pp_text_excerpt(shown, sizeof shown, word), mesh->corner_count);
         if (pp_array_reserve(&corners->list, &corners->space, corners->count + 1,
                              sizeof *corners->list, err)
             != PP_OK)
@@ -127,7 +127,8 @@ static enum pp_status read_statement(struct pp_mesh_triangles *mesh,
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
         if (strcmp(word, refused[i]) == 0)
             return pp_mesh_lines_fail(
-                lines, line, err, "%s: is not supported; expected faces (v and f) only",
+                lines, line, err,
+                "%s: this keyword is not supported; expected faces (v and f) only",
                 word);
     return PP_OK;
 }
@@ -148,6 +149,6 @@ enum pp_status pp_mesh_obj_read(struct pp_mesh_triangles *mesh,
                                "there is a NUL byte; expected an OBJ file of text");
     if (status == PP_OK && mesh->triangle_count == 0)
         status = pp_mesh_lines_fail(lines, lines->line, err,
-                                    "the file has no face; expected v and f");
+                                    "the file has no face; expected lines v and f");
     return status;
 }

@@ -33,7 +33,7 @@ static enum pp_status check_size(enum pp_view_kind kind, double size,
     if (size > 0.0 && size <= most + slack)
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "a %s view of %g degrees; expected more than 0, %s %g",
+                   "the angle of a %s view is %g degrees; expected more than 0, %s %g",
                    kinds[kind].name, size / PP_RAD,
                    kinds[kind].below_most ? "less than" : "up to", most / PP_RAD);
 }

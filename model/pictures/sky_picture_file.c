@@ -60,7 +60,7 @@ static enum pp_status read_picture(struct file *file, const char *path,
     if (status == PP_OK && file->notes.quantity[0]
         && strcmp(file->notes.quantity, "luminance") != 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "the pixels are of the quantity \"%s\"; expected luminance",
+                         "the pixels have the quantity \"%s\"; expected luminance",
                          file->notes.quantity);
     return of_file(path, status, err);
 }
@@ -111,8 +111,8 @@ static enum pp_status add_frame(struct pp_sky_picture *picture, const char *path
         *frame = opposite(first);
         if (first->width != file.picture.width || first->height != file.picture.height)
             status = pp_fail(err, PP_BAD_INPUT,
-                             "the picture has %d x %d pixels; expected %d x %d, as the "
-                             "first one",
+                             "the picture has %d x %d pixels; expected %d x %d, like "
+                             "the first picture",
                              file.picture.width, file.picture.height, first->width,
                              first->height);
     } else if (status == PP_OK) {
@@ -141,11 +141,11 @@ static enum pp_status check_filled(const struct pp_sky_picture *picture,
 {
     if (picture->filled <= FILLED_MOST || !isnan(options->fill_cd_m2))
         return PP_OK;
-    return pp_fail(err, PP_BAD_INPUT,
-                   "%.0f %% of the light is from directions that the picture does not "
-                   "show; expected at most %.0f %%, a second picture, or a luminance "
-                   "for them (fill)",
-                   100.0 * picture->filled, 100.0 * FILLED_MOST);
+    return pp_fail(
+        err, PP_BAD_INPUT,
+        "%.0f %% of the light comes from directions that the picture does not show; "
+        "expected at most %.0f %%, a second picture, or a luminance for them (fill)",
+        100.0 * picture->filled, 100.0 * FILLED_MOST);
 }
 
 enum pp_status pp_sky_picture_file_read(struct pp_sky_picture **result,

@@ -97,7 +97,8 @@ static const char *const expected[] = {
     [VIEW_BEARING] = "degrees from -360 to 360",
     [VIEW_ALTITUDE] = "degrees from -90 to 90",
     [MIRRORED] = "yes or no",
-    [CIRCLE] = "three numbers: middle from left and top, radius, in pixels",
+    [CIRCLE] = "three numbers in pixels: distances of the centre from left and top, "
+               "and the radius",
     [HORIZON] = "degrees from 0 to 80",
     [FILL] = "nearest, or a luminance in cd/m2 of 0 or more",
     [ILLUMINANCE] = "lux above 0, up to 1e6",
@@ -156,10 +157,9 @@ enum pp_status pp_sky_picture_options_set(struct pp_sky_picture_options *options
     if (index < 0)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "a photographed sky has no \"%s\"; expected projection, "
-            "view-angle, top-bearing, view-bearing, view-altitude, mirrored, "
-            "circle, horizon, fill, illuminance, exposure, primaries or "
-            "second",
+            "a photographed sky has no attribute \"%s\"; expected projection, "
+            "view-angle, top-bearing, view-bearing, view-altitude, mirrored, circle, "
+            "horizon, fill, illuminance, exposure, primaries or second",
             pp_text_excerpt(shown_key, sizeof shown_key, key));
     if (!set(options, (enum key)index, value))
         return pp_fail(err, PP_BAD_INPUT, "%s is \"%s\"; expected %s", key,

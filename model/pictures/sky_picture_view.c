@@ -74,15 +74,15 @@ static enum pp_status set_projection(struct pp_sky_frame *frame,
         frame->projection = PP_SKY_HEMISPHERICAL;
     else if (said->type)
         return pp_fail(err, PP_BAD_INPUT,
-                       "its view is of the type -vt%c; expected -vta or -vth, or the "
-                       "projection",
+                       "the picture has a view of type -vt%c; expected -vta or -vth, "
+                       "or the projection",
                        said->type);
     else
         frame->projection = wide ? PP_SKY_LATITUDE_LONGITUDE : PP_SKY_EQUIDISTANT;
     if (frame->projection == PP_SKY_LATITUDE_LONGITUDE && !wide)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a latitude-longitude picture of %d x %d pixels; expected one "
-                       "twice as wide as high",
+                       "the latitude-longitude picture has %d x %d pixels; expected a "
+                       "width of twice the height",
                        frame->width, frame->height);
     return PP_OK;
 }
@@ -99,7 +99,7 @@ static enum pp_status set_angle(struct pp_sky_frame *frame, const struct said *s
     most *= pp_sky_projection_widest(frame->projection);
     if (!(angle > 0.0) || !(angle <= most + 1e-9))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the view angle of %g degrees; expected more than 0, up to %g",
+                       "the view angle is %g degrees; expected more than 0, up to %g",
                        angle / PP_RAD, most / PP_RAD);
     frame->half_angle_rad = fmin(angle, most) / 2.0;
     return PP_OK;
@@ -122,8 +122,8 @@ static enum pp_status set_circle(struct pp_sky_frame *frame,
         || !(circle[1] >= 0.0) || !(circle[1] <= height)
         || !(circle[2] <= width + height))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the circle \"%g %g %g\"; expected its middle within the "
-                       "picture's %d x %d pixels and a radius, of a fisheye",
+                       "the circle is \"%g %g %g\"; expected a centre within the "
+                       "picture's %d x %d pixels and a radius, for a fisheye",
                        circle[0], circle[1], circle[2], frame->width, frame->height);
     frame->centre[0] = circle[0];
     frame->centre[1] = circle[1];
@@ -170,7 +170,7 @@ static enum pp_status set_axes(struct pp_sky_frame *frame, const struct said *sa
     struct pp_vec3 right = pp_vec_cross(toward, top);
     if (!(pp_vec_length(right) > 1e-9 * pp_vec_length(toward) * pp_vec_length(top)))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the top of the picture lies along its direction of view");
+                       "the top of the picture is in its direction of view");
     frame->toward = pp_vec_unit(toward);
     frame->right = pp_vec_unit(right);
     frame->up = pp_vec_cross(frame->right, frame->toward);

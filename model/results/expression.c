@@ -235,7 +235,7 @@ static struct term call(struct parser *parser, enum pp_operation_kind kind,
     struct term all = {.start = start, .constant = true};
     int count = 0;
     if (!accept_character(parser, '('))
-        return fail(parser, parser->at, "expected \"(\" behind the function");
+        return fail(parser, parser->at, "expected \"(\" after the function");
     const char *opened = parser->at - 1;
     do {
         struct term argument = sum(parser);
@@ -243,7 +243,7 @@ static struct term call(struct parser *parser, enum pp_operation_kind kind,
             return argument;
         if (count > 0 && kind < PP_DO_MIN)
             return fail(parser, argument.start,
-                        "this function has one argument; expected \")\" before it");
+                        "this function has one argument; expected \")\" after it");
         argument.dimension = dimension_of_call(parser, kind, &argument);
         if (count > 0 && !check_alike(parser, &all, &argument))
             return argument;
@@ -254,7 +254,7 @@ static struct term call(struct parser *parser, enum pp_operation_kind kind,
     } while (accept_character(parser, ','));
     if (!parser->failed && !accept_character(parser, ')')) {
         char what[96];
-        snprintf(what, sizeof what, "expected \")\", for the \"(\" in column %d",
+        snprintf(what, sizeof what, "expected \")\" for the \"(\" in column %d",
                  (int)(opened - parser->text) + parser->shift + 1);
         return fail(parser, parser->at, what);
     }
@@ -283,7 +283,7 @@ static struct term primary(struct parser *parser)
     inside.start = start;
     if (!parser->failed && !accept_character(parser, ')')) {
         char what[96];
-        snprintf(what, sizeof what, "expected \")\", for the \"(\" in column %d",
+        snprintf(what, sizeof what, "expected \")\" for the \"(\" in column %d",
                  (int)(start - parser->text) + parser->shift + 1);
         return fail(parser, parser->at, what);
     }
@@ -400,7 +400,7 @@ bool pp_expression_parse(struct pp_expression *expression, const char *text, int
     expression->count = expression->name_count = 0;
     if (strlen(text) > PP_EXPRESSION_MOST) {
         char what[64];
-        snprintf(what, sizeof what, "it is too long; expected %d letters at most",
+        snprintf(what, sizeof what, "the name is too long; expected at most %d letters",
                  PP_EXPRESSION_MOST);
         fail(&parser, text + PP_EXPRESSION_MOST, what);
         return false;

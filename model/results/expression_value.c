@@ -52,7 +52,7 @@ static const char *fault_of(enum pp_operation_kind kind, double result, double l
     if (isfinite(result))
         return NULL;
     return kind >= PP_DO_SQRT ? "uses a function outside its range"
-                              : "has no finite result";
+                              : "does not have a finite result";
 }
 
 double pp_expression_value(const struct pp_expression *expression, const double *values,

@@ -121,8 +121,9 @@ static enum pp_status join_holes(struct closed_line *outline, struct closed_line
     while (count > 0) {
         struct keyhole_bridge bridge = find_bridge(outline, holes, count);
         if (bridge.rim < 0)
-            return pp_fail(err, PP_BAD_INPUT,
-                           "the openings of a wall cannot be joined to its rim");
+            return pp_fail(
+                err, PP_BAD_INPUT,
+                "the openings of a wall cannot be joined to the edge of the wall");
         join_hole(outline, &holes[bridge.hole], bridge);
         holes[bridge.hole] = holes[--count];
     }

@@ -140,7 +140,7 @@ static const char *fault_on_surface(enum pp_role role)
     case PP_FACADE:
         return "lies in a facade";
     case PP_SKYLINE:
-        return "lies in a skyline";
+        return "lies behind a skyline";
     case PP_COVER:
         return "lies in a door or a dado";
     case PP_FREE_SURFACE:

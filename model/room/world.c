@@ -138,7 +138,7 @@ static bool check_comparable(struct pp_resolver *r)
         return true;
     pp_mistakes_add(r->mistakes, room->line,
                     "room: has %d faces, %d openings, %d blocks and %d surfaces, too "
-                    "many to compare; expected fewer",
+                    "many to check against each other; expected fewer",
                     room->plan.face_count, room->opening_count, room->block_count,
                     room->surface_count);
     return false;
@@ -173,8 +173,8 @@ static void mark_stated_inner_walls(struct pp_resolver *r)
             if (r->world->openings[k].face != face)
                 continue;
             pp_mistakes_add(r->mistakes, part->line,
-                            "wall: is an inside wall, but has the opening of line %d; "
-                            "expected no opening, or kind \"outer\"",
+                            "wall: is an internal wall, but has the opening of line "
+                            "%d; expected no opening, or kind \"outer\"",
                             r->world->openings[k].line);
             break;
         }
@@ -274,8 +274,8 @@ static enum pp_status resolve_working_plane(struct pp_resolver *r, struct pp_err
     if (!(z >= low) || !(z < world->height_m)) {
         int line = r->room->working_plane_line;
         pp_mistakes_add(r->mistakes, line ? line : r->room->line,
-                        "working-plane: its height is %g m%s; expected the room's "
-                        "floor at %g m up to below its top at %g m",
+                        "working-plane: its height is %g m%s; expected at least %g m, "
+                        "the floor of the room, and less than %g m, its top",
                         z, line ? "" : ", the default", low, world->height_m);
         return PP_OK;
     }

@@ -58,8 +58,8 @@ static void print_levels(const struct text_page *page)
                                                               : "none";
     snprintf(
         text, sizeof text,
-        "share of the points with 100, 300, 500, 750 lx in half of the 4380 h of most "
-        "daylight: %.1f, %.1f, %.1f, %.1f %%; level as side-lit: %s",
+        "share of the points with 100, 300, 500, 750 lx in half of the 4380 brightest "
+        "hours: %.1f, %.1f, %.1f, %.1f %%; level for a side-lit room: %s",
         100.0 * share[0], 100.0 * share[1], 100.0 * share[2], 100.0 * share[3], level);
     print_annual_fact(page, "EN 17037", text);
 }
@@ -70,14 +70,13 @@ static void print_leed(const struct text_page *page)
     char text[240];
     if (leed.why_not)
         return;
-    snprintf(
-        text, sizeof text,
-        "option 1: %d point%s, if this room stands for all regularly occupied area "
-        "(mean sDA 40, 55, 75 %%: 1, 2, 3 points)%s",
-        leed.points, leed.points == 1 ? "" : "s",
-        leed.ase_to_explain
-            ? "; ASE is above 10 %: describe how the space is protected from glare"
-            : "");
+    snprintf(text, sizeof text,
+             "option 1: %d point%s, if this room represents all regularly occupied "
+             "floor area (mean sDA 40, 55, 75 %%: 1, 2, 3 points)%s",
+             leed.points, leed.points == 1 ? "" : "s",
+             leed.ase_to_explain
+                 ? "; ASE is above 10 %: explain how the space is protected from glare"
+                 : "");
     print_annual_fact(page, "LEED v4.1", text);
 }
 
@@ -88,22 +87,24 @@ static void print_plane(const struct text_page *page)
     char text[200];
     snprintf(text, sizeof text, "%d %s", sheet->receiver_count,
              sheet->is_grid
-                 ? "in a grid, each for an equal part of the plane"
-                 : "(no grid: shares are of these points, not of the plane)");
+                 ? "in a grid, each representing an equal part of the plane"
+                 : "(no grid: shares refer to these points, not to the plane)");
     print_annual_fact(page, "points", text);
     if (sheet->has_blinds)
         print_share(
             page, "sDA300/50", &plane->sda,
             "of the points reach 300 lx for half of the hours or more, with blinds");
-    print_share(page, "DA300/50 area", &plane->autonomous, "the same without blinds");
+    print_share(
+        page, "DA300/50 area", &plane->autonomous,
+        "of the points reach 300 lx for half of the hours or more, without blinds");
     print_share(page, "ASE1000,250", &plane->ase,
-                "of the points have direct sun above 1000 lx in more than 250 h");
+                "of the points have more than 1000 lx of direct sun for over 250 h");
     print_levels(page);
     print_leed(page);
     if (sheet->near_half > 0) {
         snprintf(text, sizeof text,
-                 "%d point%s within two standard errors of half of the hours: more "
-                 "--samples decide",
+                 "%d point%s within two standard errors of half of the hours; use more "
+                 "--samples to decide",
                  sheet->near_half, sheet->near_half == 1 ? " is" : "s are");
         print_annual_fact(page, "undecided", text);
     }
@@ -194,12 +195,12 @@ static void print_errors(const struct text_page *page)
         if (f->year_lxh.value > 0.0)
             light = fmax(light, f->year_lxh.std_error / f->year_lxh.value);
     }
-    snprintf(
-        text, sizeof text,
-        "at most %.2f points of autonomy and %.2f %% of the year's light at a point; "
-        "mean autonomy at 300 lx %.2f %% %s %.2f",
-        100.0 * autonomy, 100.0 * light, 100.0 * sheet->mean.autonomy_300.value,
-        page->utf8 ? "\xC2\xB1" : "+-", 100.0 * sheet->mean.autonomy_300.std_error);
+    snprintf(text, sizeof text,
+             "at most %.2f percentage points of autonomy and %.2f %% of the year's "
+             "light at a point; mean autonomy at 300 lx %.2f %% %s %.2f",
+             100.0 * autonomy, 100.0 * light, 100.0 * sheet->mean.autonomy_300.value,
+             page->utf8 ? "\xC2\xB1" : "+-",
+             100.0 * sheet->mean.autonomy_300.std_error);
     print_annual_fact(page, "standard errors", text);
 }
 
@@ -210,13 +211,14 @@ static void print_discretisation(const struct text_page *page)
     char text[320];
     if (d->points == 0)
         return;
-    snprintf(text, sizeof text,
-             "against paths under the true sky and sun, %d point%s in %d hours: "
-             "patches %+.2f %% %s %.2f of the sky's light (rms of hours %.2f %%). "
-             "Patches and cells: %+.1f %% %s %.1f of all light but direct sun",
-             d->points, d->points == 1 ? "" : "s", d->hours, 100.0 * d->sky.value, sign,
-             100.0 * d->sky.std_error, 100.0 * d->sky_rms, 100.0 * d->all.value, sign,
-             100.0 * d->all.std_error);
+    snprintf(
+        text, sizeof text,
+        "compared with paths under the true sky and sun, for %d point%s in %d hours: "
+        "patches change the light of the sky by %+.2f %% %s %.2f (rms over hours %.2f "
+        "%%). Patches and cells change all light except direct sun by %+.1f %% %s %.1f",
+        d->points, d->points == 1 ? "" : "s", d->hours, 100.0 * d->sky.value, sign,
+        100.0 * d->sky.std_error, 100.0 * d->sky_rms, 100.0 * d->all.value, sign,
+        100.0 * d->all.std_error);
     print_annual_fact(page, "discretisation", text);
 }
 
@@ -250,7 +252,7 @@ static bool print_annual_room(const struct pp_annual_result *result, int width,
     print_annual_fact(&page, "hours", sheet->period);
     snprintf(
         text, sizeof text,
-        "%.0f h with daylight; 2190th of the 4380 h of most diffuse light: %.0f lx",
+        "%.0f h with daylight; median of the 4380 brightest hours: %.0f lx diffuse",
         sheet->daylit_h, sheet->diffuse_median_lx);
     print_annual_fact(&page, "daylight", text);
     print_annual_fact(&page, "records", sheet->notes);
@@ -259,7 +261,7 @@ static bool print_annual_room(const struct pp_annual_result *result, int width,
     for (int i = 0; i < sheet->warning_count; i++)
         print_annual_fact(&page, "warning", sheet->warnings[i]);
     if (!sheet->finished) {
-        print_annual_fact(&page, "unfinished", "interrupted: there are no figures");
+        print_annual_fact(&page, "unfinished", "interrupted: no figures are available");
         return true;
     }
     fputc('\n', out);

@@ -21,8 +21,8 @@ static const struct {
              {"illuminance", FIGURE(year_lxh)}};
 enum { PARTS = sizeof parts / sizeof *parts };
 
-static const char why_no_factor[] = "a daylight factor is of a standard sky without "
-                                    "sun; this is a sky with a sun";
+static const char why_no_factor[] =
+    "daylight factors need a standard sky without sun, but this sky has a sun";
 
 static struct pp_annual_value part_of(const struct pp_annual_figures *of, int part)
 {
@@ -50,7 +50,7 @@ enum pp_status pp_moment_report_text(const struct pp_annual_results *results,
         fprintf(out,
                 "  %s%s: illuminances in lux;\n  sun %.1f degrees high, bearing %.1f; "
                 "outside %.0f lx diffuse horizontal, %.0f lx direct normal.\n",
-                when ? when : "Sky and sun as given", when ? ", standard time" : "",
+                when ? when : "Given sky and sun", when ? ", standard time" : "",
                 hour->sun_altitude_rad / PP_RAD, hour->sun_bearing_rad / PP_RAD,
                 hour->diffuse_lx, hour->direct_lx);
         fputs("  ", out);

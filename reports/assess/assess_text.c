@@ -225,12 +225,13 @@ static void print_simulation(const struct pp_assessment *assessment,
 {
     char text[256];
     snprintf(text, sizeof text,
-             "By simulation: %s one standard error, seed %llu. After each verdict: the "
-             "probability that it is right%s",
+             "Simulated figures: %s one standard error, seed %llu. Each verdict is "
+             "followed by the probability that it is correct%s",
              layout->utf8 ? "\xc2\xb1" : "+-", (unsigned long long)options->seed,
              !assessment->report.finished ? "; NOT FINISHED, interrupted"
-             : assessment->by_clock ? "; stopped by --time, so another run will differ"
-                                    : "");
+             : assessment->by_clock
+                 ? "; stopped at the --time limit, so another run may differ"
+                 : "");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
@@ -243,9 +244,10 @@ static void print_bands(const struct pp_assessment *assessment,
     for (int i = 0; i < assessment->answers.count && !text; i++)
         for (int k = 0; k < assessment->answers.list[i].findings.count; k++)
             if (pp_band_is_known(assessment->answers.list[i].findings.list[k].band))
-                text = "In brackets, likely range: in 95 of 100 similar simulated "
-                       "rooms (the atlas) the true value was in it. For a part of the "
-                       "plane the same error is assumed at all points.";
+                text = "Figures in brackets show the likely range, which contained the "
+                       "true value in 95 of 100 similar simulated rooms (the atlas). "
+                       "For a part of the plane, all points are assumed to have the "
+                       "same error.";
     if (!text)
         return;
     fputs("\n  ", out);
@@ -265,7 +267,7 @@ static void print_assessed_room(const struct pp_assessment *assessment,
         pp_print_title(assessment->before->world, assessment->before->file, out);
     }
     if (assessment->answers.count == 0)
-        fprintf(out, "\n  None of these criteria applies to a room whose use is %s.\n",
+        fprintf(out, "\n  None of these criteria applies to a room with the use %s.\n",
                 pp_room_use_words[assessment->room->world->use]);
     for (int i = 0; i < assessment->answers.count; i++)
         print_answer(&assessment->answers.list[i], layout, out);

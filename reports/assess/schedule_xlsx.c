@@ -12,7 +12,7 @@ enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
     (void)schedule, (void)folder, (void)out;
     return pp_fail(err, PP_BAD_INPUT,
                    "this program was built without libxlsxwriter; expected a schedule "
-                   "that ends in .csv");
+                   "file that ends in .csv");
 }
 
 #else
@@ -176,7 +176,7 @@ static enum pp_status copy_file(const char *path, FILE *out, struct pp_error *er
     char bytes[4096];
     FILE *in = fopen(path, "rb");
     if (!in)
-        return pp_fail(err, PP_SYSTEM, "the workbook cannot be read again");
+        return pp_fail(err, PP_SYSTEM, "the workbook cannot be read back");
     for (size_t count; (count = fread(bytes, 1, sizeof bytes, in)) > 0;)
         fwrite(bytes, 1, count, out);
     fclose(in);
@@ -190,7 +190,8 @@ enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
     int length = snprintf(path, sizeof path, "%s/pepperpot-xlsx-XXXXXX", folder);
     int file = (size_t)length < sizeof path ? mkstemp(path) : -1;
     if (file < 0)
-        return pp_fail(err, PP_SYSTEM, "no temporary file can be made in %s", folder);
+        return pp_fail(err, PP_SYSTEM, "no temporary file can be created in %s",
+                       folder);
     close(file);
     enum pp_status status = write_workbook(schedule, path, folder, err);
     if (status == PP_OK)

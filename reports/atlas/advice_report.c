@@ -19,7 +19,7 @@ static void append_place(char text[TEXT], const struct pp_advice_item *item,
                          const struct pp_report *report)
 {
     if (item->of_average) {
-        pp_text_append(text, TEXT, "For the average use %s", item->best.column);
+        pp_text_append(text, TEXT, "Use %s for the average", item->best.column);
         if (item->corrected)
             pp_text_append(text, TEXT,
                            ", corrected by the median of its range: %.3g %%",
@@ -49,7 +49,8 @@ static void append_bias(char text[TEXT], const struct pp_band_quantiles *ratio)
     if (fabs(ratio->median - 1.0) < bias_least)
         return;
     pp_text_append(text, TEXT,
-                   "; its values are %s there; %.2f times the value is better",
+                   "; the method tends to be too %s there; %.2f times its value is a "
+                   "better estimate",
                    ratio->median < 1.0 ? "high" : "low", ratio->median);
 }
 
@@ -57,8 +58,8 @@ static void append_parts(char text[TEXT], const struct pp_band_entry *entry)
 {
     if (isfinite(entry->formula.low))
         pp_text_append(text, TEXT,
-                       "; the formula contributes %.2f to %.2f, its assumptions about "
-                       "ground and surroundings %.2f to %.2f",
+                       "; the formula alone accounts for %.2f to %.2f, its assumptions "
+                       "about ground and surroundings for %.2f to %.2f",
                        entry->formula.low, entry->formula.high, entry->assumption.low,
                        entry->assumption.high);
 }

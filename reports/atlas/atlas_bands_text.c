@@ -26,7 +26,7 @@ struct sum {
 
 static void put_column(const struct pp_atlas_column *column, struct sum *sum, FILE *out)
 {
-    fprintf(out, "\n%s of %s: %.1f %% of the test figures were inside their bands\n",
+    fprintf(out, "\n%s by %s: %.1f %% of the test figures were inside their bands\n",
             column->component, column->name, 100.0 * column->inside);
     fprintf(out, "  %s\n",
             column->place == PP_BAND_AVERAGE ? "averages over the working plane"
@@ -46,14 +46,15 @@ void pp_atlas_bands_text(const struct pp_atlas_bands *bands, FILE *out)
 {
     struct sum sum = {0};
     fprintf(out,
-            "Bands from half of %d rooms, tested on the other half; ratios of "
+            "Bands from one half of %d rooms, tested on the other half; ratios of "
             "simulated to hand values\n",
             bands->rooms);
     for (int i = 0; i < bands->column_count; i++)
         if (bands->columns[i].trial_count > 0)
             put_column(&bands->columns[i], &sum, out);
-    fprintf(out,
-            "\n%d columns, %d regimes, %d outside; %.1f %% of figures in their bands\n",
-            sum.columns, sum.regimes, sum.outside,
-            sum.columns > 0 ? 100.0 * sum.inside / sum.columns : NAN);
+    fprintf(
+        out,
+        "\n%d columns, %d regimes, %d outside; %.1f %% of figures inside their bands\n",
+        sum.columns, sum.regimes, sum.outside,
+        sum.columns > 0 ? 100.0 * sum.inside / sum.columns : NAN);
 }

@@ -66,13 +66,15 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
     else
         fprintf(out, "%s\n", result->subject->file);
     if (result->variant)
-        pp_text_append(text, sizeof text, "Ours as if %s. ", result->variant);
+        pp_text_append(text, sizeof text, "Our values use the switches %s. ",
+                       result->variant);
     if (result->other && result->compared.count < result->given)
         pp_text_append(text, sizeof text,
-                       "%d of the %d points of the other program, evenly chosen. ",
+                       "%d of the other program's %d points, evenly chosen. ",
                        result->compared.count, result->given);
-    pp_text_append(text, sizeof text,
-                   "Daylight factors in per cent; +-: one standard error of ours.");
+    pp_text_append(
+        text, sizeof text,
+        "Daylight factors in per cent; +-: one standard error of our values.");
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }
@@ -127,8 +129,8 @@ static void print_causes(const struct pp_compare_result *result, int width, FILE
         double probability = compared->search.probability[set->causes[i]];
         append_word(text, sizeof text, result, set, i);
         pp_text_append(text, sizeof text,
-                       ": %s. It changes the mean by %+.1f %% and explains %.0f %% of "
-                       "the difference (probability %.0f %%).",
+                       ": %s. This changes the mean by %+.1f %% and explains %.0f %% "
+                       "of the difference (probability %.0f %%).",
                        cause_of(result, set, i)->action, per_cent(compared->effects[i]),
                        100.0 * compared->shares[i], 100.0 * fmin(probability, 0.99));
         print_item(level(compared, set->causes[i]), text, width, out);
@@ -142,7 +144,7 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
         char text[TEXT_BYTES] = "";
         const struct pp_cause_set *set = &compared->search.sets[i];
         append_words(text, sizeof text, result, set);
-        pp_text_append(text, sizeof text, " (%.0f %%; the set above: %.0f %%)",
+        pp_text_append(text, sizeof text, " (%.0f %%; the causes above: %.0f %%)",
                        100.0 * set->probability,
                        100.0 * compared->search.sets[0].probability);
         print_item(i == 1 ? "or it is" : "or", text, width, out);
@@ -153,13 +155,14 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
 static void append_left(char text[TEXT_BYTES], const struct pp_compared *compared)
 {
     const struct pp_likelihood *noise = &compared->search.sets[0].likelihood;
-    pp_text_append(text, TEXT_BYTES,
-                   "%.1f %% root mean square, %+.1f %% in the mean. It scatters ",
-                   100.0 * compared->left_rms, per_cent(compared->left));
+    pp_text_append(
+        text, TEXT_BYTES,
+        "%.1f %% root mean square, %+.1f %% on average. The remainder varies ",
+        100.0 * compared->left_rms, per_cent(compared->left));
     pp_text_append(
         text, TEXT_BYTES,
         noise->near > 0.9
-            ? "alike at neighbouring points, which suggests interpolation in a cache"
+            ? "together at neighbouring points, which suggests interpolation in a cache"
         : noise->near < 0.1
             ? "independently from point to point, which suggests too few rays"
             : "in a way that suggests too few rays or interpolation in a cache");
@@ -167,12 +170,14 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
                    100.0 * noise->sigma);
     double share = compared->left_rms / compared->gap_rms;
     if (noise->sigma > PP_COMPARE_HIDES)
-        pp_text_append(text, TEXT_BYTES,
-                       " This noise is large: it makes %.0f %% of the difference and "
-                       "may imitate or hide causes. No cause is certain.",
-                       100.0 * fmin(1.0, share * share));
+        pp_text_append(
+            text, TEXT_BYTES,
+            " This noise is large: it accounts for %.0f %% of the difference and may "
+            "imitate or hide causes. No cause is certain.",
+            100.0 * fmin(1.0, share * share));
     if (compared->search.is_cut)
-        pp_text_append(text, TEXT_BYTES, " Some plausible sets were not simulated.");
+        pp_text_append(text, TEXT_BYTES,
+                       " Some plausible combinations of causes were not simulated.");
 }
 
 /* Appends whether the other program's noise explains the remainder. */
@@ -181,15 +186,16 @@ static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
     if (pp_left_over_is_noise(over))
         return;
     if (pp_left_over_exceeds(over))
-        pp_text_append(text, TEXT_BYTES,
-                       "The remainder exceeds their noise: %.1f %%; noise of %.1f %% a "
-                       "point explains %.1f %%. There is a cause outside the list, or "
-                       "their values are interpolated. No cause is certain.",
-                       100.0 * over->left, 100.0 * over->noise, 100.0 * over->limit);
+        pp_text_append(
+            text, TEXT_BYTES,
+            "The remainder is more than the other program's noise: %.1f %%; noise of "
+            "%.1f %% per point explains %.1f %%. The list lacks a cause, or the other "
+            "values are interpolated. No cause is certain.",
+            100.0 * over->left, 100.0 * over->noise, 100.0 * over->limit);
     else
         pp_text_append(text, TEXT_BYTES,
-                       "The points are too few to separate noise from a mistake. No "
-                       "cause is certain. --noise states the noise.");
+                       "There are too few points to separate noise from a mistake. No "
+                       "cause is certain. Use --noise to give the noise.");
 }
 
 static void append_missing(char text[TEXT_BYTES])
@@ -231,15 +237,16 @@ static void print_found(const struct pp_compare_result *result, int width, FILE 
     const struct pp_compared *compared = &result->compared;
     char text[TEXT_BYTES] = "";
     pp_text_append(text, sizeof text,
-                   "Theirs are %.1f %% %s than ours in the mean (%.1f %% root mean "
-                   "square). Causes:",
+                   "The other program's values are %.1f %% %s than ours on average "
+                   "(%.1f %% root mean square). Causes:",
                    fabs(per_cent(compared->gap)),
                    compared->gap < 0.0 ? "lower" : "higher", 100.0 * compared->gap_rms);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fputc('\n', out);
     if (compared->search.sets[0].count == 0)
-        print_item("nothing", "no cause on the list explains it better than noise",
+        print_item("nothing",
+                   "no cause on the list explains the difference better than noise",
                    width, out);
     print_causes(result, width, out);
     print_instead(result, width, out);

@@ -42,26 +42,24 @@ static void say_geometry(struct pp_document *document, const struct pp_assessmen
     pp_document_heading(document, 3, "Geometry and surfaces");
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
-        "Rooms and surroundings are those of the file %s. The program cannot check "
-        "them "
-        "against the site: their accuracy is that of the surveys and drawings behind "
-        "the "
-        "file. Trees, furniture and other objects count only if they are in the file.",
+        "Rooms and surroundings are taken from the file %s. The program cannot check "
+        "them against the site: they are as accurate as the surveys and drawings "
+        "behind the file. Trees, furniture and other objects count only if they are in "
+        "the file.",
         all->count ? all->list[0].room->file : "");
     if (ground[0] == ground[1])
         pp_document_paragraph(document, PP_TONE_PLAIN,
-                              "The ground outside reflects %.3g of the light.",
+                              "The reflectance of the ground outside is %.3g.",
                               ground[0]);
     else if (ground[0] < ground[1])
         pp_document_paragraph(document, PP_TONE_PLAIN,
-                              "The ground outside reflects %.3g to %.3g of the light.",
+                              "The reflectance of the ground outside is %.3g to %.3g.",
                               ground[0], ground[1]);
-    pp_document_paragraph(document, PP_TONE_PLAIN,
-                          "Surfaces are matt and of even colour, with the reflectances "
-                          "of the file. Glass, "
-                          "frames and dirt are those of the file, each once. Curtains "
-                          "and blinds are open "
-                          "unless the file says otherwise.");
+    pp_document_paragraph(
+        document, PP_TONE_PLAIN,
+        "Surfaces are matt and evenly coloured, with the reflectances in the file. "
+        "Glass, frames and dirt are as in the file, and each is applied once. Curtains "
+        "and blinds are open unless the file says otherwise.");
 }
 
 static void say_daylight(struct pp_document *document, const struct pp_assessments *all)
@@ -71,25 +69,22 @@ static void say_daylight(struct pp_document *document, const struct pp_assessmen
     pp_document_heading(document, 3, "Daylight factors");
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
-        "Daylight factors are for the sky that the file names, by default the CIE "
-        "overcast sky. They do not depend on the time, or on the direction of a "
-        "window, "
-        "and include no sunlight.");
+        "Daylight factors are for the sky in the file, by default the CIE overcast "
+        "sky, which is the same in all directions of the compass. They do not depend "
+        "on the time and include no sunlight.");
     if (all->options->simulate)
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
             "Simulated figures are followed by one standard error of the random "
-            "samples. "
-            "It does not include errors of the model. A verdict is given where it is "
-            "right with a probability of 95 %% or more; otherwise it is undecided.");
+            "samples, which does not include errors of the model. A verdict is given "
+            "if the probability that it is correct is 95 %% or more; otherwise the "
+            "criterion is undecided.");
     else
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Figures by hand methods rest on simplified rooms. The range after a "
-            "figure "
-            "held the simulated value in 95 of 100 similar rooms. The figure itself "
-            "may "
-            "lie outside that range: the method then errs in one direction.");
+            "Hand methods assume simplified rooms. The range after a figure contained "
+            "the simulated value in 95 of 100 similar rooms. The figure itself may be "
+            "outside that range if the method tends to be too high or too low.");
 }
 
 static void say_planning(struct pp_document *document, const struct pp_assessments *all)
@@ -101,20 +96,18 @@ static void say_planning(struct pp_document *document, const struct pp_assessmen
     pp_document_heading(document, 3, "BR 209");
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
-        "BR 209 [BR209] is advisory, and its figures are to be applied with "
-        "flexibility. "
-        "A window counts once: it meets the guide with a vertical sky component of 27 "
-        "%% "
-        "or with 0.8 of its former value. The 25 degree rule is a first check and no "
-        "failure. Bands of loss (20, 30, 40 %%) are practice of assessments of effects "
-        "and not part of the guide.");
+        "BR 209 [BR209] is advisory, and its figures should be applied flexibly. Each "
+        "window counts once: it meets the guide with a vertical sky component of 27 %% "
+        "or 0.8 of its former value. The 25 degree rule is only a first check, so "
+        "exceeding it is not a failure. The bands of loss (20, 30, 40 %%) are common "
+        "practice in impact assessments and not part of the guide.");
     if (sun)
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Sunlight is counted for windows that face within 90 degrees of due south. "
-            "Without a weather file the hours are possible hours, as if the sky were "
-            "always clear; they are not judged. With a weather file they are probable "
-            "hours of that file's years.");
+            "Sunlight is calculated for windows that face within 90 degrees of due "
+            "south. Without a weather file the hours are possible hours, as if the sky "
+            "were always clear, and have no verdict. With a weather file they are "
+            "probable hours for the years in that file.");
 }
 
 static void say_other(struct pp_document *document, const struct pp_assessments *all)
@@ -123,22 +116,22 @@ static void say_other(struct pp_document *document, const struct pp_assessments 
         pp_document_heading(document, 3, "EN 17037");
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Illuminances are those of the median diffuse illuminance outside that is "
-            "named with each verdict. The grid by which the plane is judged is named "
-            "there, too, and its error is part of the verdict.");
+            "Illuminances are based on the median diffuse illuminance that is given "
+            "with each verdict. The grid on the working plane is given there, too, and "
+            "its error is part of the verdict.");
     }
     if (is_assessed(all, "rights-of-light"))
-        pp_document_paragraph(
-            document, PP_TONE_PLAIN,
-            "Areas inside the 0.2 %% contour are a technical figure. Whether a right "
-            "exists, or is infringed, is a question of law that this report leaves "
-            "open.");
+        pp_document_paragraph(document, PP_TONE_PLAIN,
+                              "Areas inside the 0.2 %% contour are technical figures. "
+                              "It is a question of law, which this report does not "
+                              "answer, whether a right exists or is infringed.");
     pp_document_heading(document, 3, "Not assessed");
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
-        "Glare, views, overheating, electric light and energy are not assessed. The "
-        "figures hold for the state of the file: a change of the design, or of a "
-        "building nearby, needs another assessment.");
+        "Glare, %soverheating, electric light and energy are not assessed. The figures "
+        "apply to the design and site in the file: a change of the design or of a "
+        "building nearby requires a new assessment.",
+        is_assessed(all, "view-out") ? "" : "views, ");
 }
 
 void pp_limits_chapter(struct pp_document *document,

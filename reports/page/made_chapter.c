@@ -62,10 +62,10 @@ static void put_methods(struct pp_document *document, const struct pp_assessment
         put_method(document, pp_methods[i]);
     }
     if (any)
-        pp_document_paragraph(
-            document, PP_TONE_SOFT,
-            "Figures here include the glass, frame and dirt of the room, each once. "
-            "Losses that published figures include are not applied again.");
+        pp_document_paragraph(document, PP_TONE_SOFT,
+                              "Figures in this report include the glass, frame and "
+                              "dirt of the room, each once. Losses that the published "
+                              "figures already include are not applied again.");
 }
 
 /* ---- the sources ---- */
@@ -156,7 +156,7 @@ static void say_engine(struct pp_document *document,
     else
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Nothing was simulated: figures are those of hand methods.");
+            "Nothing was simulated: all figures are from hand methods.");
 }
 
 enum pp_status pp_made_chapter(struct pp_document *document,

@@ -201,7 +201,7 @@ static void put_rows_of(struct pp_document *document, const char *title,
     }
     if (columns->mirrored) {
         pp_document_column(document, PP_COLUMN_NUMBERS, "mirror image, %s", unit);
-        pp_document_column(document, PP_COLUMN_WORDS, "verdict by it");
+        pp_document_column(document, PP_COLUMN_WORDS, "verdict by mirror image");
     }
     for (int i = 0; i < count; i++)
         put_site_row(document, &rows[i], columns);
@@ -266,7 +266,7 @@ static void put_rights(struct pp_document *document, const struct pp_site_table 
     pp_document_column(document, PP_COLUMN_NUMBERS, "share, %%");
     if (compares) {
         pp_document_column(document, PP_COLUMN_NUMBERS, "lost, m²");
-        pp_document_column(document, PP_COLUMN_NUMBERS, "as first zone, m²");
+        pp_document_column(document, PP_COLUMN_NUMBERS, "lost, as first zone, m²");
     }
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
     for (int i = 0; i < table->rights_count; i++) {
@@ -347,10 +347,11 @@ static enum pp_status put_tables(struct pp_document *document,
         put_rows(document, "Area of the working plane with a view of the sky [BR209]",
                  NULL, "m²", table.rooms, table.room_count);
         char title[96];
-        snprintf(title, sizeof title, "%s, share of those on open ground [BR209]",
+        snprintf(title, sizeof title, "%s as a share of those on open ground [BR209]",
                  pp_site_table_sun_title(&table));
         put_rows(document, title, "window", "%", table.suns, table.sun_count);
-        put_rows(document, "Share of gardens with two hours of sun on 21 March [BR209]",
+        put_rows(document,
+                 "Share of each garden with two hours of sun on 21 March [BR209]",
                  "garden", "%", table.gardens, table.garden_count);
         status = put_losses(document, all, err);
     }

@@ -73,14 +73,15 @@ static void tell(const struct listener *listener, const char *label, const char 
 static void tell_picture(const struct pp_sky_picture *picture,
                          const struct listener *listener)
 {
-    tell(listener, "sky", "picture %s, %.0f lx on the horizontal", picture->title,
-         picture->horizontal_lx);
+    tell(listener, "sky", "photograph %s, %.0f lx on a horizontal plane",
+         picture->title, picture->horizontal_lx);
     if (picture->filled >= 5e-4)
-        tell(listener, "", "%.1f %% of it from directions that are filled in",
+        tell(listener, "",
+             "%.1f %% of this light is from directions that were filled in",
              100.0 * picture->filled);
     if (picture->saturated)
         tell(listener, "",
-             "%d pixels share the largest value, %.3g cd/m2: a sun there is cut off",
+             "%d pixels have the largest value, %.3g cd/m2: a sun there is cut off",
              picture->saturated, picture->peak_cd_m2);
 }
 
@@ -100,8 +101,8 @@ static void tell_sky(const struct pp_world *world, const struct pp_outside_light
         double bearing = atan2(sky->sun.x, sky->sun.y) + world->north_rad;
         bearing = fmod(bearing / PP_RAD + 720.0, 360.0);
         tell(listener, "sky",
-             "ISO 15469 type %d, sun %.3g deg high, bearing %.4g deg; without its "
-             "disc",
+             "ISO 15469 type %d, sun %.3g deg high, bearing %.4g deg; without the "
+             "sun's disc",
              sky->iso, asin(sky->sun.z) / PP_RAD, bearing);
     }
 }
@@ -121,8 +122,9 @@ static void tell_size(const struct pp_world *world, const struct listener *liste
         all_m2 += face->outline.area_m2;
     }
     tell(listener, "room",
-         "%.2f x %.2f m, %.2f m high; floor %.1f m2, surfaces %.1f m2", high.x - low.x,
-         high.y - low.y, high.z - low.z, pp_world_floor_m2(world), all_m2);
+         "%.2f x %.2f m, %.2f m high; floor %.1f m2, all surfaces %.1f m2",
+         high.x - low.x, high.y - low.y, high.z - low.z, pp_world_floor_m2(world),
+         all_m2);
 }
 
 /* "floor 0.20", or "floor 0.20 to 0.35" where its faces differ. */
@@ -150,7 +152,8 @@ static void tell_reflectances(const struct pp_world *world,
     append_reflectance(world, PP_WALL, "walls", text);
     append_reflectance(world, PP_CEILING, "ceiling", text);
     if (world->decorations != 1.0)
-        pp_text_append(text, TEXT_BYTES, "; decorations keep %.3g of their reflectance",
+        pp_text_append(text, TEXT_BYTES,
+                       "; decorations reduce the reflected light to %.3g",
                        world->decorations);
     tell(listener, "reflectances", "%s", text);
 }
@@ -173,9 +176,10 @@ static void describe_opening(const struct pp_world *world,
     pp_text_append(text, TEXT_BYTES, "%.2f x %.2f m", opening->width_m,
                    opening->height_m);
     if (!opening->rectangle)
-        pp_text_append(text, TEXT_BYTES, " over all, %.2f m2", opening->inner.area_m2);
+        pp_text_append(text, TEXT_BYTES, " overall, area %.2f m2",
+                       opening->inner.area_m2);
     if (slope < 0.5)
-        pp_text_append(text, TEXT_BYTES, ", flat at %.2f m", sill);
+        pp_text_append(text, TEXT_BYTES, ", horizontal at %.2f m", sill);
     else if (slope < 89.5)
         pp_text_append(text, TEXT_BYTES, ", sloping %.0f deg from %.2f m", slope, sill);
     else
@@ -198,7 +202,7 @@ static void describe_opening(const struct pp_world *world,
     if (opening->maintenance_is_auto)
         pp_text_append(text, TEXT_BYTES, " (%s)", pp_corrections_editions[world->dirt]);
     if (opening->curtains != 1.0)
-        pp_text_append(text, TEXT_BYTES, ", curtains %.3g", opening->curtains);
+        pp_text_append(text, TEXT_BYTES, ", curtains transmit %.3g", opening->curtains);
 }
 
 /* Openings with the same description are grouped. */
@@ -275,7 +279,7 @@ void pp_print_facts(const struct pp_world *world, const struct pp_outside_light 
     tell_reflectances(world, &listener);
     tell_openings(world, &listener);
     tell_outside(world, light, &listener);
-    tell(&listener, "working plane", "at %.2f m; the average covers all of it",
+    tell(&listener, "working plane", "at %.2f m; the average is for all of it",
          world->working_plane_m);
 }
 

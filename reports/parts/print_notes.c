@@ -153,8 +153,8 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
     if (!text[0])
         return;
     pp_text_append(text, sizeof text,
-                   ": decorations (%.3g) are not applied; they concern the internally "
-                   "reflected component alone",
+                   ": the allowance for decorations (%.3g) is not applied, because it "
+                   "concerns the internally reflected component alone",
                    report->world->decorations);
     fputs("  - ", out);
     pp_print_wrapped(text, 4, 4, width, out);
@@ -201,7 +201,7 @@ static void print_hint(const struct pp_report *report, int width, FILE *out)
         return;
     fputs("  - ", out);
     pp_print_wrapped("None of these hand methods applies to this room. Use --methods "
-                     "exact+split-flux for other skies and for sloping or flat "
+                     "exact+split-flux for other skies and for sloping or horizontal "
                      "openings, or --simulate for any room.",
                      4, 4, width, out);
 }

@@ -12,7 +12,7 @@ static const char *answer_words(const struct pp_size_room_result *result)
         return isfinite(result->traced.value) && !result->holds ? "does not hold"
                                                                 : "reached";
     case PP_SIZE_SMALLEST_EXCEEDS:
-        return "exceeded even by the smallest";
+        return "exceeded even by the smallest size";
     default:
         return result->why && !result->answer.room ? "no answer" : "out of reach";
     }

@@ -45,7 +45,8 @@ static void print_parts(const struct pp_known_case *one, FILE *out)
 
 static void print_head(const struct pp_known_result *result, bool parts, FILE *out)
 {
-    fprintf(out, "%s%s;\n%s\n\n", result->suite->of_rooms ? "" : "The program against ",
+    fprintf(out, "%s%s;\n%s\n\n",
+            result->suite->of_rooms ? "" : "Comparison of the program with ",
             result->suite->summary,
             parts ? "per cent of the open sky" : "shares of the open sky");
     if (parts)

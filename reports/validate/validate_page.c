@@ -160,10 +160,10 @@ static void put_parts(const struct group *groups, int count,
 {
     fputs("<h2>Causes of the differences</h2>\n<p class=\"soft\">Each dot is a figure: "
           "its difference from the simulation, in per cent, and the two parts of this "
-          "difference. Assumption: from the room to the world that the method assumes, "
-          "both simulated. Formula: from there to the method. Bars are medians; rings "
-          "are values over 100 %; figures under 0.01 % daylight factor are left "
-          "out.</p>\n<div class=\"dots\">\n",
+          "difference. The assumption part leads from the room to the room that the "
+          "method assumes, both simulated. The formula part leads from there to the "
+          "method. Bars are medians; rings are values over 100 %; figures under 0.01 % "
+          "daylight factor are ignored.</p>\n<div class=\"dots\">\n",
           out);
     for (int i = 0; i < count; i++)
         pp_validate_dots(cases, groups[i].name, out);
@@ -254,10 +254,10 @@ static void put_verdict(const struct pp_known_result *result, FILE *out)
     put_reasons(&result->cases, &score, out);
     if (score.traced == 0)
         return;
-    fprintf(out, "<p>%d answers are simulated, %d of them outside", score.traced,
-            score.traced_wrong);
+    fprintf(out, "<p>%d answers are simulated; %d of them are outside their limits",
+            score.traced, score.traced_wrong);
     if (result->suite->chance > 0.0)
-        fprintf(out, "; %.0f are expected by chance",
+        fprintf(out, "; %.0f would be expected by chance",
                 floor(result->suite->chance * score.traced));
     fputs(".</p>\n", out);
 }
@@ -273,15 +273,17 @@ void pp_validate_page(const struct pp_known_result *result, FILE *out)
     snprintf(style, sizeof style, "%s%s", more_style, pp_validate_dots_style);
     pp_html_begin(title, style, out);
     if (result->suite->of_rooms) {
-        fputs("<h1>Daylight factors, two ways</h1>\n<p class=\"soft\">", out);
+        fputs("<h1>Hand methods compared with the simulation</h1>\n<p class=\"soft\">",
+              out);
     } else {
-        fputs("<h1>" PACKAGE_NAME " against known values</h1>\n<p class=\"soft\">",
+        fputs("<h1>" PACKAGE_NAME
+              " compared with known values</h1>\n<p class=\"soft\">",
               out);
         pp_html_text(result->suite->name, out);
         fputs(": ", out);
     }
     pp_html_text(result->suite->summary, out);
-    fputs(". Figures are shares of the open sky's horizontal illuminance, made "
+    fputs(". Figures are shares of the open sky's horizontal illuminance, calculated "
           "by " PACKAGE_NAME " " PACKAGE_VERSION ".</p>\n",
           out);
     put_verdict(result, out);

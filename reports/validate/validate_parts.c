@@ -8,11 +8,12 @@
 enum { NAME_WIDTH = 20 };
 
 const char pp_validate_parts_note[] =
-    "Causes. assumption: from the room to the world that the method assumes, both "
-    "simulated. formula: from there to the method. They add up to off and bias. noise: "
-    "standard error of assumption. In that world the ground is open and as bright as "
-    "the method assumes. An endless skyline replaces all obstructions, unless the "
-    "method is for the direct component alone.";
+    "Causes of differences. assumption: difference between the room and the room that "
+    "the method assumes, both simulated. formula: difference between that assumed room "
+    "and the method. Both add up to off and bias. noise: standard error of assumption. "
+    "In the assumed room the ground is open and as bright as the method assumes. An "
+    "endless skyline replaces all obstructions, unless the method is for the direct "
+    "component alone.";
 
 /* ---- text ---- */
 

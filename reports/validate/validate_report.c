@@ -125,8 +125,8 @@ static bool print_compared_room(const struct pp_result *result,
         if (list[i].component == PP_DF && list[i].points > 0)
             bias_error = list[i].bias_error;
     snprintf(text, sizeof text,
-             "%d point%s; noise of the simulation makes a bias of the daylight factor "
-             "uncertain by %.3f%s",
+             "%d point%s; the noise of the simulation makes the bias of the daylight "
+             "factor uncertain by %.3f%s",
              report->receiver_count, report->receiver_count == 1 ? "" : "s",
              100.0 * bias_error, report->finished ? "" : "; NOT FINISHED, interrupted");
     fputs("  ", out);
@@ -198,10 +198,11 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
     }
     fputs("\n  ", out);
     pp_print_wrapped(
-        "Per cent of the open sky unless stated otherwise. off: average over the "
-        "working plane, relative to the simulated one, in per cent of it. bias: mean "
-        "of method minus simulated at the points. spread: its root mean square without "
-        "the noise of the simulation. worst: the largest difference and its place.",
+        "Per cent of the open sky unless stated otherwise. off: difference of the "
+        "average over the working plane from the simulated average, in per cent of it. "
+        "bias: mean of method minus simulated at the points. spread: root mean square "
+        "of this difference without the noise of the simulation. worst: the largest "
+        "difference and its point.",
         2, 2, width, out);
     if (parts) {
         fputs("  ", out);
@@ -209,8 +210,8 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
     }
     if (results->count > 1) {
         fputs("  ", out);
-        pp_print_wrapped("Over all rooms, differences at points are in per cent of the "
-                         "room's mean simulated value.",
+        pp_print_wrapped("For all rooms together, differences at points are in per "
+                         "cent of the room's mean simulated value.",
                          2, 2, width, out);
     }
 }

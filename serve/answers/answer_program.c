@@ -59,7 +59,7 @@ bool pp_answer_program_import(struct pp_task *task)
     /* Other scene formats may refer to files of the server. */
     if (*first != '<' || !strstr(first, "<gbXML")) {
         pp_task_fail(task, MHD_HTTP_UNPROCESSABLE_CONTENT,
-                     "expected { \"gbxml\": TEXT } of a gbXML file");
+                     "expected { \"gbxml\": TEXT } with a gbXML file");
         return true;
     }
     struct pp_child_result result = pp_child_run(task, words, first, strlen(first));

@@ -95,7 +95,8 @@ unsigned pp_http_guard_check(const struct pp_serve_options *options,
                              const char **why)
 {
     if (!pp_http_guard_host(options, headers->host)) {
-        *why = "the server does not accept this Host; start it with --host NAME";
+        *why = "the server does not accept this Host; start it with --host NAME to "
+               "allow it";
         return MHD_HTTP_MISDIRECTED_REQUEST;
     }
     if ((headers->origin && !is_own_origin(headers->origin, headers->host))

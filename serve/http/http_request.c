@@ -104,7 +104,7 @@ static enum MHD_Result send_answer(struct MHD_Connection *connection,
     pthread_mutex_unlock(&task->lock);
     if (!status)
         return refuse(connection, MHD_HTTP_SERVICE_UNAVAILABLE,
-                      "the server is shutting down, or the work was stopped", NULL);
+                      "the server is shutting down, or the command was stopped", NULL);
     return send_response(connection, status, type, response);
 }
 
@@ -150,7 +150,7 @@ static enum MHD_Result begin_request(struct pp_server *server,
         return refuse(connection, status, why, NULL);
     if (is_page && strcmp(method, "GET") != 0 && strcmp(method, "HEAD") != 0)
         return refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED,
-                      "the page can only be read; expected GET", "GET, HEAD");
+                      "the page is read-only; expected GET", "GET, HEAD");
     if (is_page)
         return send_page_file(connection, url);
     if (!endpoint)
@@ -269,7 +269,7 @@ static enum MHD_Result submit(struct pp_server *server,
                                               : MHD_HTTP_TOO_MANY_REQUESTS,
                  verdict == PP_WORK_LINE_FULL
                      ? "the server is busy; try again later"
-                     : "too many requests of this page are waiting; try again later");
+                     : "too many requests from this page are waiting; try again later");
     pp_task_finish(task);
     return MHD_YES;
 }

@@ -92,7 +92,8 @@ static bool has_jobs(struct pp_task *task)
 {
     if (task->server->options->jobs)
         return true;
-    pp_task_fail(task, MHD_HTTP_NOT_FOUND, "this server stores no jobs; see --jobs");
+    pp_task_fail(task, MHD_HTTP_NOT_FOUND,
+                 "this server does not store jobs; start it with --jobs to allow them");
     return false;
 }
 

@@ -162,8 +162,8 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
         return true;
     }
     default:
-        pp_task_fail(task, MHD_HTTP_BAD_REQUEST, "%s is an object; expected a value",
-                     name);
+        pp_task_fail(task, MHD_HTTP_BAD_REQUEST,
+                     "%s is an object; expected a single value", name);
         return false;
     }
 }

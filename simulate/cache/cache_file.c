@@ -144,8 +144,7 @@ static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache
 {
     if (length < 16 || memcmp(bytes, magic, 16) != 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is not a cache; expected a file that --cache has written",
-                       title);
+                       "%s is not a cache; expected a file written by --cache", title);
     const unsigned char *at = bytes + 16;
     if (length < HEAD + WORD)
         return pp_fail(err, PP_BAD_INPUT, "%s is cut off: it has no records", title);
@@ -178,8 +177,8 @@ static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache
                        title);
     if (light != hash_of_light(cache))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s was made under another sky or ground; expected a cache made "
-                       "under this light, or the name of a new file",
+                       "%s was made for another sky or ground; expected a cache for "
+                       "this light, or the name of a new file",
                        title);
     if (options != pp_irradiance_cache_hash_options(cache))
         return pp_fail(err, PP_BAD_INPUT,

@@ -243,9 +243,10 @@ enum pp_status pp_cached_points_create(
 {
     *result = NULL;
     if (options->samples < 0 || options->samples > MOST_PATHS)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the cache cannot use %ld samples per point; expected up to %d",
-                       options->samples, (int)MOST_PATHS);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the cache cannot use %ld samples per point; expected at most %d",
+            options->samples, (int)MOST_PATHS);
     struct pp_cached_points *points = calloc(1, sizeof *points);
     if (!points)
         return pp_fail_memory(err);
@@ -277,10 +278,10 @@ void pp_cached_points_read(const struct pp_cached_points *points, int index,
                            struct pp_reading readings[PP_COMPONENT_COUNT])
 {
     int at = index < 0 ? points->receiver_count : index;
-    const char *why = at >= points->point_count
-                          ? "the room has no working plane for an average"
-                      : !points->grown ? "the simulation ended before this point"
-                                       : NULL;
+    const char *why =
+        at >= points->point_count ? "the room has no working plane for an average"
+        : !points->grown          ? "the simulation ended before it reached this point"
+                                  : NULL;
     for (int i = 0; i < PP_COMPONENT_COUNT && why; i++)
         readings[i] = pp_reading_none(why);
     if (why)

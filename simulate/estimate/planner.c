@@ -84,7 +84,7 @@ static enum pp_status check_planner_options(const struct pp_planner_options *opt
             options->error);
     if (options->samples < 0 || options->samples > PP_MOST_PATHS)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the number of samples per point is %ld; expected up to %d",
+                       "the number of samples per point is %ld; expected at most %d",
                        options->samples, (int)PP_MOST_PATHS);
     if (options->threads < 0)
         return pp_fail(err, PP_BAD_INPUT,

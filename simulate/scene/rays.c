@@ -35,8 +35,8 @@ static enum pp_status embree_failed(const struct pp_rays *rays, struct pp_error 
     if (code == RTC_ERROR_OUT_OF_MEMORY)
         return pp_fail_memory(err);
     return pp_fail(err, PP_SYSTEM,
-                   "the ray kernels (Embree) failed with error %d; the processor may "
-                   "be too old for them",
+                   "Embree, which traces the rays, failed with error %d; the processor "
+                   "may be too old for it",
                    (int)code);
 }
 

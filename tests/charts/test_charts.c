@@ -166,7 +166,7 @@ static void a_section_names_room_sky_methods_scale_and_notes(void **state)
         "south", /* its wall, */
         "7.4 m", /* the length */
         "2.7 m", /* and the height of the room */
-        "Normal transmittance of the glass 0.9, frame factor 1,",
+        "Glass with a normal transmittance of 0.9; frame factor 1,",
         "ground 0.2. Clear single glass.",
         NULL};
     assert_says(pdf, length, sayings);
@@ -209,7 +209,7 @@ static void points_that_do_not_lie_on_a_line_are_refused_with_the_one_that_stray
     struct pp_canvas *canvas = canvas_of(PP_CHART_PDF, PP_PAPER_A4, true);
     struct pp_error err;
     assert_int_equal(pp_section_chart_draw(canvas, &chart, &err), PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, "(1.4, 3, 0.85) lies 0.4 m off the line"));
+    assert_non_null(strstr(err.message, "(1.4, 3, 0.85) is 0.4 m off the line"));
     report.receiver_count = 0;
     assert_int_equal(pp_section_chart_draw(canvas, &chart, &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "no calculation points"));
@@ -390,7 +390,7 @@ static void a_plan_is_to_the_scale_that_it_states(void **state)
         size_t length;
         const char *const sayings[] = {
             rows[i].scale, "no-sky line", "daylight factor by exact+bre (%)",
-            "Skyline of 22\xc2\xb0 before wall south.", NULL};
+            "Skyline of 22\xc2\xb0 in front of wall south.", NULL};
         char *pdf =
             plan_chart(world, &light, &plan, PP_CHART_PDF, rows[i].paper, &length);
         assert_says(pdf, length, sayings);
@@ -428,7 +428,7 @@ static void a_plan_without_contours_says_so(void **state)
     char *pdf = plan_chart(world, &light, &plan, PP_CHART_PDF, PP_PAPER_A4, &length);
     assert_says(pdf, length, dark);
     plan.lowest = plan.highest = 0.0123;
-    static const char *const flat[] = {"the daylight factor is about",
+    static const char *const flat[] = {"approximately",
                                        "1.2 % everywhere",
                                        "W1",
                                        "south",

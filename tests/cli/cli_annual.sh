@@ -34,7 +34,7 @@ check "text" shows "sDA300/50" $annual "$room"
 check "it names its assumptions" shows "LM-83-12" $annual "$room"
 check "the error of patches is said" shows "discretisation" $annual "$room"
 check "and is in JSON" shows '"sky_rms_percent"' $annual -f json "$room"
-check "it says that points are no grid" shows "no grid" $annual "$room"
+check "it says that points do not form a grid" shows "no grid" $annual "$room"
 # lacks TEXT WORDS: the output has no such text.
 lacks() {
     text=$1
@@ -92,8 +92,8 @@ check "its JSON has no time" lacks '"when"' $perez,35,150 -f json "$room"
 check "its factor is null" shows '"df": { "value": null, "why"' $perez,35,150 -f json "$room"
 check "the sun of a time" shows "sun 38.7 degrees high" $perez --when "2023-03-21 12:00" "$room"
 check "clock of a zone" shows "clock 9 h ahead" $perez --when "2023-03-21 21:00+09:00" "$room"
-check "a black sky is said" shows "black sky" df --samples 16 --sky perez,100,0,10,180 "$room"
-check "no sun" refuses 2 "has no sun" $perez "$room"
+check "a black sky is said" shows "sky is black" df --samples 16 --sky perez,100,0,10,180 "$room"
+check "no sun" refuses 2 "gives no sun" $perez "$room"
 check "one irradiance" refuses 2 "perez,DNI,DHI" df --sky perez,600 "$room"
 check "more than the sun gives" refuses 2 "1500" df --sky perez,1600,100,35,150 "$room"
 check "a sun below the horizon" refuses 2 "0 to 90" df --sky perez,600,100,-3,150 "$room"
@@ -112,10 +112,10 @@ check "no place" refuses 1 "nowhere.xml: the room has no location" $perez \
 render="render --size 24x18 --samples 4 -q -o $scratch/sun.png"
 check "a picture with sun" quietly $render --sky perez,600,120,35,150 "$room"
 check "a picture of an hour" quietly $render -w "$scratch/year.epw" --when "2023-03-21 12:00" "$room"
-check "no factor with a sun" refuses 2 "has no sun" $render --sky perez,600,120,35,150 \
+check "no factor with a sun" refuses 2 "has no daylight factor" $render --sky perez,600,120,35,150 \
     --quantity df "$room"
 check "no sun by chance" refuses 2 "by chance" $render --sky perez,600,120,35,150 --plain "$room"
-check "a black sky has no picture" refuses 1 "not black" $render --sky perez,100,0,10,180 "$room"
+check "a black sky has no picture" refuses 1 "gives a black sky" $render --sky perez,100,0,10,180 "$room"
 check "a dark hour has no picture" refuses 1 "no light" $render -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 
@@ -146,7 +146,7 @@ done
 check "two parts are the whole" sh -c "cd '$scratch' && test \"\$(sort -u part-1.csv part-2.csv)\" = \
     \"\$(sort -u whole.csv)\""
 check "each is less" sh -c "cd '$scratch' && ! cmp -s part-1.csv whole.csv"
-check "an empty part" refuses 1 "the part is empty" $annual --part 2/2 "$room"
+check "an empty part" refuses 1 "this part is empty" $annual --part 2/2 "$room"
 check "a part of none" refuses 2 "K/N" $annual --part 3/2 "$room"
 
 check "no weather file" refuses 2 "--weather" annual "$room"

@@ -25,7 +25,7 @@ check "in UTF-8 it fits too" sh -c "
         grep -c . | grep -qx 0"
 
 check "verdicts do not make the status" shows "not met" assess --error 4% --spacing largest "$deep"
-check "it simulates unless told otherwise" grep -q "^  By simulation" "$scratch/out"
+check "it simulates unless told otherwise" grep -q "^  Simulated figures" "$scratch/out"
 cp "$scratch/out" "$scratch/simulated"
 check "--simulate says the same" sh -c "
     '$pepperpot' assess --simulate --error 4% --spacing largest '$deep' | cmp - '$scratch/simulated'"
@@ -91,7 +91,7 @@ interrupted assess --simulate --error 0.01% -c average,uniformity --format json 
 check "an interrupted run says so" sh -c "
     grep -q '\"finished\": false' '$scratch/out' && grep -q interrupted '$scratch/err'"
 check "and has what there is" grep -q '"se"' "$scratch/out"
-check "--time stops" shows "stopped by --time" assess -s --spacing largest --time 200ms "$deep"
+check "--time stops" shows "stopped at the --time limit" assess -s --spacing largest --time 200ms "$deep"
 
 # The room before: the obstructed office is the deep one with a building opposite.
 blocked=$examples/deep-office-obstructed.xml

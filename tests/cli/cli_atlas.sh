@@ -45,7 +45,7 @@ killed=$scratch/killed.csv
 process=$!
 while [ "$({ wc -c <"$killed" || echo 0; } 2>/dev/null)" -lt 9000 ]; do sleep 0.02; done
 check "two runs cannot have a file at a time" \
-    refuses_atlas 3 "another run writes" --rooms 4 -o "$killed"
+    refuses_atlas 3 "another run is writing" --rooms 4 -o "$killed"
 kill -9 "$process"
 wait "$process" 2>/dev/null
 rooms=$(($(grep -c '^[0-9]*,-1,' "$killed") + 1))
@@ -108,19 +108,19 @@ check "a map to nowhere is" refuses_atlas 2 "expected -o FILE.pdf" --map depth "
 check "a map of nothing is" refuses_atlas 2 "expected one file" --map depth -o x.svg
 
 check "another seed does not go on in the file" \
-    refuses_atlas 1 "not this atlas" --seed 2 --rooms 4 -o "$whole"
-check "nor another sky" refuses_atlas 1 "not this atlas" --sky iso --rooms 4 -o "$whole"
-check "nor another error" refuses 1 "not this atlas" atlas --rooms 4 -o "$whole"
+    refuses_atlas 1 "belongs to another atlas" --seed 2 --rooms 4 -o "$whole"
+check "nor another sky" refuses_atlas 1 "belongs to another atlas" --sky iso --rooms 4 -o "$whole"
+check "nor another error" refuses 1 "belongs to another atlas" atlas --rooms 4 -o "$whole"
 cp "$examples/office.xml" "$scratch/office.xml"
 check "a room file is not written over" \
-    refuses_atlas 1 "not this atlas" --rooms 4 -o "$scratch/office.xml"
+    refuses_atlas 1 "belongs to another atlas" --rooms 4 -o "$scratch/office.xml"
 check "to the byte" same "$examples/office.xml" "$scratch/office.xml"
 check "and is no atlas" refuses_atlas 1 "this is not an atlas" --by-hand "$examples/office.xml"
 check "a file that is not there" refuses_atlas 1 "cannot be read" --by-hand "$scratch/none.csv"
 sed 's/^2,/7,/' "$whole" >"$scratch/odd.csv"
 check "rooms out of order" refuses_atlas 1 "not those of an atlas" --by-hand "$scratch/odd.csv"
 sed 's/^\(0,0\),[^,]*/\1,77/' "$whole" >"$scratch/odd.csv"
-check "points of elsewhere" refuses_atlas 1 "not this sweep's" --by-hand "$scratch/odd.csv"
+check "points of elsewhere" refuses_atlas 1 "does not belong to this sweep" --by-hand "$scratch/odd.csv"
 check "no use is a mistake" refuses_atlas 2 "expected one of"
 check "two uses are" refuses_atlas 2 "expected one of" --rooms 2 --room 1
 check "no file is" refuses_atlas 2 "expected -o FILE" --rooms 2

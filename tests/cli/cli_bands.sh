@@ -38,11 +38,11 @@ check "CSV has them when asked" shows 'band_low_percent' df --bands -f csv "$off
 check "a component that is practically zero has no band" nothing "$(
     "$pepperpot" df -f json -m brs-table -q "$office" | sed -n 's/.*"band": \[ [^,]*, \([0-9.e-]*\) .*/\1/p' |
         awk '$1 < 0.005')"
-check "a method is advised for the average" shows 'For the average use' df --advise "$office"
+check "a method is advised for the average" shows 'for the average' df --advise "$office"
 check "in JSON, too" shows '"use"' df --advise -f json "$office"
 check "not in CSV" refuses 2 "CSV" df --advise -f csv "$office"
 
-check "assess has bands in brackets" shows 'In brackets' assess --by-hand -c average "$office"
+check "assess has bands in brackets" shows 'Figures in brackets' assess --by-hand -c average "$office"
 check "size says the band of what it found" \
     shows 'band  ' size --by-hand --target 2% "$office"
 

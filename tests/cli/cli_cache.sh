@@ -54,7 +54,7 @@ check "to the byte" same "$scratch/one" "$scratch/out"
 
 check "another accuracy is refused" \
     refuses 1 "was made with other options" df $few -aa 0.2 --cache "$kept" "$deep"
-check "another sky is refused" refuses 1 "was made under another sky or ground" \
+check "another sky is refused" refuses 1 "was made for another sky or ground" \
     df $few --sky uniform --cache "$kept" "$deep"
 check "another room is refused" refuses 1 "is the cache of another room" \
     df $few --cache "$kept" "$examples/office.xml"

@@ -269,7 +269,7 @@ for format in pdf svg png; do
 done
 run chart position-nomogram -p 1.5,6 -o "$scratch/position.pdf" "$deep"
 check_words "with what is read" "$scratch/position.pdf" "at the point 0.49 %"
-check "it is for one point" refuses 2 "drawn for one point" chart position-nomogram -o "$file" "$deep"
+check "it is for one point" refuses 2 "shows one point" chart position-nomogram -o "$file" "$deep"
 check "and solved" refuses 2 "--unsolved" \
     chart position-nomogram -p 1.5,6 --unsolved -o "$file" "$deep"
 check "under the overcast sky" refuses 2 "overcast" \
@@ -340,7 +340,7 @@ if command -v pdftotext >/dev/null; then
     check "a window of another wing is not in the section" \
         lacks "outside the section" "$scratch/wing.pdf"
     check "a window behind the point is not minus so far away" lacks "^W2, .*away" "$scratch/behind.pdf"
-    check "but said to be behind it" has_words "$scratch/behind.pdf" "W2: the point lies"
+    check "but said to be behind it" has_words "$scratch/behind.pdf" "W2: the point is"
 fi
 # The window's middle is 1.55 m high, the slab at 2.8 m and 1.5 m deep: atan(1.25 / 1.5) is 39.8
 # degrees. Its parapet, above the slab, hides nothing more.

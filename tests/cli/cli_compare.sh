@@ -24,7 +24,7 @@ values() {
 # ---- what is said ----
 
 check "ours as if, beside ours as they are" \
-    shows "Ours as if low." compare --error 5% --as-if low "$room"
+    shows "Our values use the switches low." compare --error 5% --as-if low "$room"
 check "tidy" nothing "$(untidy)"
 check "another room for another switch" \
     shows "as it is" compare --error 5% --as-if glass=none,dirt=none "$room"
@@ -34,7 +34,7 @@ values bounces=1 >"$other"
 check "a difference is explained" \
     shows "bounces=1: calculation limited to one reflection" compare --error 5% "$room" "$other"
 check "and what to set right is said" grep -q "allow more bounces" "$scratch/out"
-check "six points do not tell noise from a mistake" grep -q "points are too few" "$scratch/out"
+check "six points do not tell noise from a mistake" grep -q "too few points" "$scratch/out"
 check "in a tidy way" nothing "$(untidy)"
 check "as JSON, the same with any number of threads" \
     same_by_threads "1 3" compare --error 5% --format json "$room" "$other"
@@ -54,7 +54,7 @@ check "what can look like a cause is said" grep -q "reflectances of surfaces" "$
 awk -F, -v OFS=, 'NR > 1 { $4 *= NR % 2 ? 1.2 : 0.8 } { print }' "$scratch/floor.csv" \
     >"$scratch/uneven.csv"
 check "with less noise than is left nothing is" \
-    shows "remainder exceeds their noise" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
+    shows "remainder is more than the other" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
 check "and none is called sure" nothing "$(grep '^ *sure ' "$scratch/out")"
 
 # Values of another tracer: four reflections of light, and a ground of 0.4 in place of 0.2.
@@ -111,20 +111,20 @@ wrong() {
     cat >"$scratch/wrong.csv"
     refuses "$expected" "$text" compare --error 5% "$@" "$room" "$scratch/wrong.csv"
 }
-check "an unknown column" wrong 1 'wrong.csv:1: there is no column "height"' <<'CSV'
+check "an unknown column" wrong 1 'wrong.csv:1: unknown column "height"' <<'CSV'
 x,y,height,df_percent
 CSV
 check "a column mistyped" wrong 1 "did you mean df_percent?" <<'CSV'
 x,y,df_precent
 CSV
-check "no values" wrong 1 "wrong.csv:1: expected a column of values" <<'CSV'
+check "no values" wrong 1 "wrong.csv:1: columns are missing; expected values" <<'CSV'
 x,y,z
 1,1,0.8
 CSV
 check "two columns of values" wrong 1 "a second column" <<'CSV'
 x,y,df_percent,lux
 CSV
-check "x without y" wrong 1 "expected a column of both x and y" <<'CSV'
+check "x without y" wrong 1 "expected both x and y" <<'CSV'
 x,df_percent
 CSV
 check "an empty file" wrong 1 "wrong.csv: there are no values" </dev/null
@@ -185,14 +185,14 @@ printf 'x,y,df_percent\n1,1,\0002\n' >"$scratch/nul.csv"
 check "a character of code 0" \
     refuses 1 "a NUL byte" compare "$room" "$scratch/nul.csv"
 check "no such file" refuses 1 "no.csv" compare "$room" "$scratch/no.csv"
-check "no second file" refuses 2 "expected the other program's values" compare "$room"
+check "no second file" refuses 2 "expected a CSV file with the other program's values" compare "$room"
 check "a switch mistyped" refuses 2 "--as-if: there is no switch" compare --as-if bonces=2 "$room"
 check "a switch that makes no sense here" \
     refuses 1 "plane=9" compare --as-if plane=9 "$room"
 # On the floor under a desk there is no light, which is no fault of the switch.
 sed 's|<grid |<furniture x="0.2" y="1" width="1.2" depth="2" height="0.74"/><grid |' "$room" >"$scratch/desk.xml"
 check "points moved under a desk" \
-    shows "as if plane=0" compare --error 5% --as-if plane=0 "$scratch/desk.xml"
+    shows "switches plane=0" compare --error 5% --as-if plane=0 "$scratch/desk.xml"
 check "noise of values that are missing" \
     refuses 2 "--noise describes the other program's values" compare --noise 2% --as-if low "$room"
 check "noise that is none" refuses 2 "--noise" compare --noise none "$room" "$other"
@@ -245,7 +245,7 @@ XML
 check "what rtrace writes has no header" shows "3.250" \
     compare --error 2% --as percent "$scratch/one.xml" "$scratch/bare.csv"
 printf '3.25 1\n' >"$scratch/bare.csv"
-check "two numbers without one are none" refuses 1 'there is no column "3.25 1"' \
+check "two numbers without one are none" refuses 1 'unknown column "3.25 1"' \
     compare --as percent "$scratch/one.xml" "$scratch/bare.csv"
 check "a damaged scene" refuses 1 "scene.csv:1: " compare "$scratch/scene.csv" "$scratch/scene.csv"
 

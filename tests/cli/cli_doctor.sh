@@ -8,7 +8,7 @@ check "all checks of this build pass" gives doctor
 check "there are eight of them" test "$(grep -c '  ok: ' out)" -eq 8
 check "none fails" nothing "$(grep FAILED out)"
 check "a known daylight factor comes out by hand" grep -q \
-    '^  by hand  *ok: daylight factor 4.5251 %, known 4.5251 %$' out
+    '^  by hand  *ok: daylight factor 4.5251 %, known value 4.5251 %$' out
 check "and by simulation, with its standard error" grep -q '^  simulated .* 4.52.. % ± 0.000. %' out
 check "libraries are listed" grep -q 'cairo 1\.' out
 check "the examples of the sources are found" grep -q "^  examples  *$examples\$" out
@@ -28,7 +28,7 @@ check "the same page twice, to the byte" sh -c "cp page.pdf before.pdf &&
 check "another kind of file is refused" refuses 2 "expected a name that ends in" \
     doctor -o page.tif
 check "standard output is for the report" refuses 2 "expected a name that ends in" doctor -o -
-check "words are refused" refuses 2 '"room.xml" is not an option; expected none' doctor room.xml
+check "words are refused" refuses 2 '"room.xml" is not an option; expected no argument' doctor room.xml
 check "unknown options are refused" refuses 2 "there is no option --paper" doctor --paper a4
 
 fails() {

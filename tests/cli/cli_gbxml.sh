@@ -49,7 +49,7 @@ cat >"$scratch/hand.xml" <<'END'
 END
 
 run import "$scratch/office.gbxml" -o "$scratch/room.xml"
-check "a gbXML file becomes a room file" test $status -eq 0 -a -s "$scratch/room.xml"
+check "a gbXML file is converted to a room file" test $status -eq 0 -a -s "$scratch/room.xml"
 check "nothing beside it" nothing "$(leftovers)"
 check "what is missing is named with what is taken" \
     grep -q "6 of 6 surfaces have no visible reflectance.*0.2.*0.5.*0.7" "$scratch/err"

@@ -5,9 +5,9 @@
 
 check "a file that is not there" refuses 1 "missing.xml" df "$scratch/missing.xml"
 check "a directory is no room" refuses 1 "$scratch" df "$scratch"
-check "a device is no room" refuses 1 "/dev/zero: is a device; expected a file" \
+check "a device is no room" refuses 1 "/dev/zero: this is a device; expected a file" \
     df /dev/zero
-check "nor one without an end a scene" refuses 1 "/dev/zero: is a device" import /dev/zero
+check "nor one without an end a scene" refuses 1 "/dev/zero: this is a device" import /dev/zero
 check "standard input that never ends" sh -c "
     '$pepperpot' import - </dev/zero 2>'$scratch/err'
     [ \$? -eq 1 ] && grep -qF 'more than 512 MiB' '$scratch/err'"

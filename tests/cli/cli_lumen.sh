@@ -19,7 +19,7 @@ check "a wrong table is refused with its line" refuses 1 "bad:2: a coefficient i
     df --lumen-table "$scratch/bad" "$deep"
 check "one that is not there too" refuses 1 "No such file" \
     df --lumen-table "$scratch/none" "$deep"
-check "a third one is too many" refuses 2 "two such files" \
+check "a third one is too many" refuses 2 "at most two files" \
     df --lumen-table "$own" --lumen-table "$own" --lumen-table "$own" "$deep"
 printf 'Ev_over_Eh,depth_over_window_height,position_percent,2\n0.4,5,10,.1\n' >"$scratch/short"
 check "a table that does not reach the room gives no number" \

@@ -157,11 +157,11 @@ room '<mesh file="-"/>' >"$scratch/wrong.xml"
 check "standard input is no mesh, by its name" refuses 1 'expected .obj or .dxf' \
     df "$scratch/wrong.xml"
 room '<mesh file="none"/>' >"$scratch/wrong.xml"
-check "nor is a file of another ending" refuses 1 'none: is not a known type of file' \
+check "nor is a file of another ending" refuses 1 'none: the type of file is not known' \
     df "$scratch/wrong.xml"
 mkfifo "$scratch/pipe.obj"
 room '<mesh file="pipe.obj"/>' >"$scratch/wrong.xml"
-check "a pipe is not waited for" refuses 1 'is no regular file' df "$scratch/wrong.xml"
+check "a pipe is not waited for" refuses 1 'this is not a regular file' df "$scratch/wrong.xml"
 rm "$scratch/pipe.obj"
 { printf '\357\273\277' && cat "$scratch/box.obj"; } >"$scratch/marked.obj"
 room '<mesh file="box.obj" scale="0.001"/>' >"$scratch/plain.xml"

@@ -38,7 +38,7 @@ check "a table has it beside the ratio" gives assess --by-hand --for uk-planning
 check "fits in 80 columns" nothing "$(too_wide)"
 check "under its name" grep -q ' mirror image$' "$scratch/out"
 check "with the words of what is judged by it" sh -c "
-    tr -s ' \n' ' ' <'$scratch/out' | grep -q 'keeps as much \[BR209\]'"
+    tr -s ' \n' ' ' <'$scratch/out' | grep -q 'sky remains with the proposal \[BR209\]'"
 check "the tower takes more than the image would" grep -qE '^  Low .*  not met$' "$scratch/out"
 sed 's/height="14"/height="3.5"/' "$scratch/terrace.xml" >"$scratch/lower.xml"
 check "a lower one does not" gives assess -c mirror-image --mirror-image=$line "$scratch/lower.xml"
@@ -62,12 +62,12 @@ check "a line through the rooms" refuses 1 'crosses the room "Low"' \
     assess --by-hand --mirror-image=-9,1,9,1 "$scratch/terrace.xml"
 sed 's/name="High" *use/name="High" use/; s/<room name=.High. \(.*\) y=.0./<room name="High" \1 y="-30"/' \
     "$scratch/terrace.xml" >"$scratch/apart.xml"
-check "rooms on both sides" refuses 1 "are on two sides of the line" \
+check "rooms on both sides" refuses 1 "are on opposite sides of the line" \
     assess --by-hand --mirror-image=$line "$scratch/apart.xml"
 sed "s/ x='0' y='0'//; s/ z='2.7'//" "$scratch/terrace.xml" >"$scratch/loose.xml"
-check "rooms without a place" refuses 1 "no room with a place" \
+check "rooms without a place" refuses 1 "no room with a position" \
     assess --by-hand --mirror-image=$line "$scratch/loose.xml"
-check "a site without states" refuses 1 "nothing in it has a state" \
+check "a site without states" refuses 1 "nothing in the file has a state" \
     assess --by-hand --mirror-image=$line "$scratch/image.xml"
 check "not beside another file" refuses 2 "cannot be combined with --before" \
     assess --mirror-image=$line --before "$scratch/image.xml" "$scratch/terrace.xml"

@@ -9,7 +9,7 @@ check "a byte order mark is passed over" shows "spheres           1" \
     import --summary "$scratch/ball.rad"
 check "a command stands for a file" shows "from              2 -1 -1" \
     import --summary "!xform -t 3 0 0 $scratch/ball.rad"
-check "which is not executed" refuses 1 "no program is run" \
+check "which is not executed" refuses 1 "external programs are not run" \
     import --summary "!touch $scratch/made"
 check "indeed" test ! -e "$scratch/made"
 cat >"$scratch/sides.rad" <<'RAD'

@@ -68,7 +68,7 @@ check "is the same by any number of threads" sh -c \
     cmp '$scratch/a.pfm' '$scratch/b.pfm'"
 check "daylight factors on surfaces, too" quietly render --plain -q --quantity df \
     --samples 4 --size 24x18 -o "$scratch/c.pfm" "$deep"
-check "it needs no records" refuses 2 "--records is for a rendered room with --engine cache" \
+check "it needs no records" refuses 2 "--records is for rendering a room with --engine cache" \
     render --plain --records -o "$scratch/d.png" "$deep"
 check "and knows no limit of bounces" refuses 2 "--bounces cannot be combined with --plain" \
     render --plain --bounces 2 -o "$scratch/d.png" "$deep"

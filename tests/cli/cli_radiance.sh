@@ -174,7 +174,7 @@ check "or in no other way" refuses 2 "aimed or chance" import --lamps sometimes 
 
 check "a bad scene is refused by file and line" refuses 1 "bad.rad:3: " import "$scratch/bad.rad"
 printf '!rm -rf /\n' >"$scratch/bad.rad"
-check "no program is run" refuses 1 "no program is run" import "$scratch/bad.rad"
+check "no program is run" refuses 1 "external programs are not run" import "$scratch/bad.rad"
 printf 'a polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n' >"$scratch/bad.rad"
 check "nor made of nothing" refuses 1 "bad.rad:1: " import "$scratch/bad.rad"
 check "a scene that is not there" refuses 1 "none.rad" import "$scratch/none.rad"

@@ -240,7 +240,7 @@ check "a size too large" refuses 2 "65535" \
     render --size 65535x65535 "$deep" -o "$scratch/x.png"
 check "an angle of no perspective" refuses 2 "less than 180" \
     render --angle 180 $small "$deep" -o "$scratch/x.png"
-check "a picture that is kept but can't be shown" refuses 2 "up to 32767" \
+check "a picture that is kept but can't be shown" refuses 2 "at most 32767" \
     render --size 1x40000 "$deep" -o "$scratch/x.png"
 check "an eye in a wall" refuses 1 "is inside a surface" \
     render --from 0,4,1.2 $small "$deep" -o "$scratch/x.png"
@@ -254,7 +254,7 @@ check "an angle of a plan" refuses 2 "--across" \
     render --view plan --angle 60 "$deep" -o "$scratch/x.png"
 check "false colour as numbers" refuses 2 "displayed, not stored" \
     render --false-colour "$deep" -o "$scratch/x.hdr"
-check "an exposure of numbers" refuses 2 "the light is stored" \
+check "an exposure of numbers" refuses 2 "stored light has no exposure" \
     render --exposure 7 "$deep" -o "$scratch/x.pfm"
 check "a scale without false colour" refuses 2 "--range is for the scale" \
     render --range 1,2 "$deep" -o "$scratch/x.png"
@@ -264,7 +264,7 @@ check "levels that fall" refuses 2 "increasing levels" \
     render --false-colour --levels 2,1 "$deep" -o "$scratch/x.png"
 check "a grid over no fisheye" refuses 2 "fisheye" \
     render --grid "$deep" -o "$scratch/x.png"
-check "the eye's contrast of daylight factors" refuses 2 "an eye sees luminance" \
+check "the eye's contrast of daylight factors" refuses 2 "human vision sees luminance" \
     render --quantity df --exposure human "$deep" -o "$scratch/x.png"
 check "a room and a picture" refuses 2 "expected one of them" \
     render --from-picture "$scratch/one.hdr" "$deep" -o "$scratch/x.png"

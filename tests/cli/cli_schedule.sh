@@ -55,10 +55,10 @@ else
 fi
 check "other endings are refused" refuses 2 "ends in .csv or .xlsx" \
     assess --by-hand --schedule "$scratch/windows.ods" "$site"
-check "a schedule needs sky or sunlight" refuses 1 "no window's sky or sunlight was assessed" \
+check "a schedule needs sky or sunlight" refuses 1 "no sky or sunlight of windows was assessed" \
     assess --by-hand -c average --schedule "$scratch/none.csv" "$site"
 check "and then is not written" test ! -e "$scratch/none.csv"
-check "it is for one run" refuses 2 "--schedule is for one run" \
+check "it is for one run" refuses 2 "--schedule is for a single run" \
     assess --by-hand --schedule "$csv" --sweep block.Tower.height=9,10 "$site"
 check "nothing is left over" nothing "$(leftovers; ls /tmp/pepperpot-xlsx-* 2>/dev/null)"
 

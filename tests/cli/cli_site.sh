@@ -126,10 +126,10 @@ check "in Germany its own code" shows "MBO02" assess --by-hand --room Bedroom "$
 check "and no British one" nothing "$(grep 'BSEN17037\|glass over' "$scratch/out")"
 check "who asks for a criterion gets it" shows "living room: 150" \
     assess --by-hand -c uk-annex --room Workroom "$site"
-check "of a bathroom nothing is judged" shows "applies to a room whose use is bathroom" \
+check "of a bathroom nothing is judged" shows "applies to a room with the use bathroom" \
     assess --by-hand --for uk-planning --room Bathroom "$site"
 
-check "how high the tower may be" shows "keeps 0.8 of its" size --obstruction Tower "$site"
+check "how high the tower may be" shows "every window keeps" size --obstruction Tower "$site"
 check "fits in 80 columns" nothing "$(too_wide)"
 check "one window decides, with 0.8 left" grep -qE "^  Study +W3 .* 0\.8000  \*$" "$scratch/out"
 check "as JSON" shows '"verdict": "found"' size --obstruction Tower -f json "$site"
@@ -152,7 +152,7 @@ check "of a room there is no such share" refuses 2 "a lit area belongs to a room
     size --obstruction Tower --of lit-area --enough 27% "$site"
 check "vsc or lit-area" refuses 2 "expected vsc or lit-area" size --obstruction Tower --of apsh "$site"
 check "what is kept, of a block" refuses 2 "is for --obstruction" size -t 2% --of lit-area "$site"
-check "no higher than asked" shows "even with 5 m, every window" \
+check "no higher than asked" shows "at a height of 5 m, every window" \
     size --obstruction Tower --highest 5 "$site"
 
 check "what may stand on the tower's plot" shows "m3 can be built while every window keeps" \
@@ -218,9 +218,9 @@ check "--for or --criteria" refuses 2 "expected one of them" assess --for en1703
 check "--before or --state" refuses 2 "expected one of them" \
     assess --before "$site" --state existing "$site"
 check "two states" refuses 2 "existing, proposed or cumulative" df --state planned "$site"
-check "none in a file without" refuses 1 "nothing in it has a state" df --state existing "$deep"
+check "none in a file without" refuses 1 "nothing in the file has a state" df --state existing "$deep"
 sed 's/<room name/<room state="existing" name/' "$site" >"$scratch/gone.xml"
-check "rooms that all go" refuses 1 "no room in it is proposed" df "$scratch/gone.xml"
+check "rooms that all go" refuses 1 "no room in the file is proposed" df "$scratch/gone.xml"
 check "are there before" gives df --state existing -m exact "$scratch/gone.xml"
 check "a room that is new has nothing before" sh -c "
     sed 's/<room name=\"Study\"/<room state=\"proposed\" name=\"Study\"/' '$site' |

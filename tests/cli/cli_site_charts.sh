@@ -130,7 +130,7 @@ check "and of the diagram" says "$scratch/vertical-sky.pdf" "x 1.15, y 0.00, z 1
 check "sizing begins there" shows '"now": 27.06954462' \
     size --obstruction Tower -f json $french "$scratch/french.xml"
 check "and says so" grep -q '"vsc_point_french": 1.6' "$scratch/out"
-check "in words too" shows "windows down to the floor: at 1.6 m" \
+check "in words too" shows "full-height windows: at 1.6 m" \
     size --envelope Tower $french "$scratch/french.xml"
 check "a lit area has no such point" refuses 2 "--vsc-point-french is for windows" \
     size --obstruction Tower --of lit-area $french "$scratch/french.xml"

@@ -149,7 +149,7 @@ check "so that assess finds it met" sh -c "
     grep 'living room' | grep -q ',least,met,'"
 check "on a grid of one's own, too" shows '"reached": true' \
     size --for uk-annex:living-room --change height --error 3% --spacing 0.5 -f json "$deep"
-check "a grid is for a criterion" refuses 2 "it needs --for" size -t 2 --spacing 0.5 "$deep"
+check "a grid is for a criterion" refuses 2 "expected --for, too" size -t 2 --spacing 0.5 "$deep"
 check "a requirement that there is none of" shows 'available: \"minimum: 300 lx over 50 %\",' \
     size --by-hand --for en17037:least -f json "$deep"
 check "traced throughout" shows "reach, simulated" \
@@ -193,7 +193,7 @@ check "what the simulation denies the widest window is out of reach" \
     shows "simulation" size -t 3 --error 3% "$scratch/well.xml"
 check "and is called so" grep -q "out of reach: even the widest" "$scratch/out"
 check "what it denies the window found does not hold" \
-    shows "is not valid" size -t 0.5 --error 2% "$scratch/well.xml"
+    shows "do not use this size" size -t 0.5 --error 2% "$scratch/well.xml"
 check "in JSON too" shows '"holds": false' \
     size -t 0.5 --error 2% --format json "$scratch/well.xml"
 check "a method that does not cover the room says so" shows "bre" \
@@ -202,6 +202,6 @@ check "another does, where none was asked for" shows "by exact+split-flux" \
     size -t 2 --sky uniform "$deep"
 check "a component by itself is named" shows "internally reflected component" \
     size -t 0.5 --by bre "$deep"
-check "where there is no space for more that is said" shows "no space for more" \
+check "where there is no room for more that is said" shows "no room for more" \
     size -t 9 --change number "$deep"
 tap_done

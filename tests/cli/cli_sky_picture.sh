@@ -44,7 +44,7 @@ check "turned by a right angle it gives another figure" \
     test -n "$(near "$(figure "picture,$scratch/clear.pfm,top-bearing=90")" "$clear" 0.2)"
 
 check "the sheet names picture and illuminance" \
-    shows "picture overcast.hdr, 8600 lx on the horizontal" \
+    shows "photograph overcast.hdr, 8600 lx on a horizontal plane" \
     df -m exact --points 1.5,2 --sky "picture,$scratch/overcast.hdr,illuminance=8600" \
     "$deep"
 sed 's|<plan |<sky type="picture" file="clear.pfm" illuminance="9000"/><plan |' \
@@ -83,7 +83,7 @@ head -c 3000 "$scratch/overcast.hdr" >"$scratch/cut.hdr"
 check "a picture that is cut off" refuses 2 "cut.hdr: row" \
     df --sky "picture,$scratch/cut.hdr" "$deep"
 sed 's|<plan |<sky file="clear.pfm"/><plan |' "$deep" >"$scratch/bad.xml"
-check "a file without the type" refuses 1 "file is of a photograph" \
+check "a file without the type" refuses 1 "file is for a photograph" \
     df "$scratch/bad.xml"
 sed 's|<plan |<sky type="picture" file="clear.pfm" horizon="95"/><plan |' \
     "$deep" >"$scratch/bad.xml"

@@ -82,13 +82,13 @@ for range in 1:2 1:2:0 1:2:-1 1:2:x 0:1:1e-9 1,,2 ''; do
 done
 check "too many runs are refused" refuses 2 "more than 1000 runs" \
     df --sweep plan.depth=4:6:0.02 --sweep plan.width=4:6:0.1 "$office"
-check "--explain is for one run" refuses 2 "--explain is for one run" \
+check "--explain is for a single run" refuses 2 "--explain is for a single run" \
     df --sweep plan.depth=4,5 --explain --points 2,2 "$office"
-check "--write is for one run" refuses 2 "--write is for one run" \
+check "--write is for a single run" refuses 2 "--write is for a single run" \
     size -t 2% --sweep plan.depth=4,5 --write "$scratch/none.xml" "$office"
-check "--table is for one run" refuses 2 "--table is for one run" \
+check "--table is for a single run" refuses 2 "--table is for a single run" \
     assess --table --sweep plan.depth=4,5 "$office"
-check "--obstruction is for one run" refuses 2 "--obstruction is for one run" \
+check "--obstruction is for a single run" refuses 2 "--obstruction is for a single run" \
     size --obstruction Tower --sweep block.Mill.height=4,5 "$site"
 check "and can be used with --set" gives size --obstruction Tower --set block.Mill.height=5 "$site"
 

@@ -55,7 +55,7 @@ static enum pp_status read_options(struct genbox_box *box, char *const *words,
         } else {
             return pp_rad_pipe_fail(
                 box->pipe, err,
-                "expected genbox's options -i, -b, -r and -n only, not ", word);
+                "expected only the options -i, -b, -r and -n of genbox, not ", word);
         }
     }
     if (number == 1.0 && box->inwards)
@@ -68,7 +68,7 @@ static enum pp_status read_options(struct genbox_box *box, char *const *words,
         if (2.0 * box->inset > box->size[i])
             return pp_rad_pipe_fail(
                 box->pipe, err,
-                "the edges of the genbox meet: expected them at most half of ",
+                "the edges of the genbox overlap; expected them to be at most half of ",
                 words[3 + i]);
     return PP_OK;
 }

@@ -117,8 +117,8 @@ static enum pp_status take_grain(const struct pp_rad_primitive *primitive,
         return PP_OK;
     return pp_rad_words_fail(
         primitive->words, primitive->line, err,
-        "the direction is a function; expected that of the first roughness as three "
-        "constants and a dot, such as \"4 1 0 0 .\"");
+        "the direction is a function; expected the direction of the first roughness as "
+        "three constants and a dot, such as \"4 1 0 0 .\"");
 }
 
 /* Reads the alternate material of an illum, if it has one, and the material of its
@@ -206,9 +206,9 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
     if (status != PP_OK)
         return status;
     if (primitive->modifier.kind == PP_RAD_MATERIAL)
-        return pp_rad_words_fail(
-            words, primitive->line, err,
-            "a material modifies a material; expected void or the brightfunc of a sky");
+        return pp_rad_words_fail(words, primitive->line, err,
+                                 "a material modifies another material; expected void "
+                                 "or the brightfunc of a sky");
     if (primitive->modifier.kind == PP_RAD_PATTERN) {
         if (material.emits == PP_EMITS_NOTHING)
             return pp_rad_words_fail(

@@ -55,7 +55,7 @@ enum pp_status pp_rad_pipe_split(struct pp_rad_pipe *pipe, char *text,
         if (!strchr(" |", *at)) /* strchr also matches the final NUL */
             return pp_rad_pipe_fail(
                 pipe, err,
-                "expected words separated by blanks, or in quotation marks; not ", at);
+                "expected words separated by blanks, or in quotation marks, not ", at);
         if (*at == ' ')
             *at++ = '\0';
     }

@@ -27,7 +27,7 @@ static enum pp_status read_count(struct pp_rad_words *words, const char *what,
         || number != (int)number)
         return pp_rad_words_fail(
             words, word.line, err,
-            "there is \"%.*s\"; expected the number of %s, %d at most",
+            "there is \"%.*s\"; expected the number of %s, at most %d",
             pp_rad_words_shown(word), word.text, what, ARGUMENTS_MOST);
     *count = (int)number;
     return PP_OK;

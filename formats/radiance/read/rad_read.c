@@ -50,7 +50,7 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
         if (context.depth > PP_RAD_DEPTH_MOST) {
             reader->too_deep = true;
             return pp_rad_pipe_fail(
-                pipe, err, "files are nested too deep; a file may include itself: ",
+                pipe, err, "files are nested too deeply; a file may include itself: ",
                 xform->files[i]);
         }
         if (!texts[i].bytes)
@@ -120,8 +120,8 @@ static enum pp_status check_first(const struct pp_rad_reader *reader,
         && shapes * copies <= PP_RAD_COPIED_SHAPES_MOST)
         return PP_OK;
     return pp_rad_words_fail(pipe->words, pipe->line, err,
-                             "there are %.0f copies of %.0f shapes; expected %d shapes "
-                             "at most in all the copies that xforms make",
+                             "there are %.0f copies of %.0f shapes; expected at most "
+                             "%d shapes in all the copies that xforms make",
                              copies, shapes, PP_RAD_COPIED_SHAPES_MOST);
 }
 
@@ -192,10 +192,10 @@ static enum pp_status run_command(struct pp_rad_reader *reader,
         return pp_rad_genbox(reader, pipe, command, context, err);
     if (strcmp(name, "gensky") == 0)
         return pp_rad_sky_generate(reader, pipe, command, context, err);
-    return pp_rad_pipe_fail(
-        pipe, err,
-        "no program is run; expected the commands gensky, genbox and xform, not ",
-        name);
+    return pp_rad_pipe_fail(pipe, err,
+                            "external programs are not run; expected the commands "
+                            "gensky, genbox and xform, not ",
+                            name);
 }
 
 static enum pp_status run_line(struct pp_rad_reader *reader,
@@ -243,7 +243,7 @@ static enum pp_status read_scene_text(struct scene_text *text, const char *path,
     enum pp_status status =
         pp_read_file(&text->bytes, &text->length, path, PP_RAD_BYTES_MOST, err);
     if (status == PP_OK && text->length > PP_RAD_BYTES_MOST)
-        return pp_fail(err, PP_BAD_INPUT, "%s: it is larger than 4 GiB",
+        return pp_fail(err, PP_BAD_INPUT, "%s: the file is larger than 4 GiB",
                        pp_read_file_title(path));
     return status;
 }
@@ -271,8 +271,8 @@ static enum pp_status read_text(struct pp_rad_reader *reader,
     if (status == PP_BAD_INPUT && context->depth > 0 && !reader->too_deep
         && shapes == reader->scene->shape_count
         && materials == reader->scene->material_count && words.line <= first_lines)
-        return pp_fail(err, status, "%.200s:%d: is not a Radiance scene", words.file,
-                       words.line);
+        return pp_fail(err, status, "%.200s:%d: this is not a Radiance scene",
+                       words.file, words.line);
     return status;
 }
 

@@ -32,8 +32,8 @@ static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
     int patterned = has_pattern(reader, *material) ? *material : *back;
     if (!distant && has_pattern(reader, patterned))
         return pp_rad_words_fail(words, line, err,
-                                 "a shape of \"%s\" has a sky's pattern; expected it "
-                                 "on a source, or a material without one",
+                                 "a shape of \"%s\" has the pattern of a sky; expected "
+                                 "it on a source, or a material without one",
                                  reader->scene->materials[patterned].name);
     if (modifier.kind == PP_RAD_VOID)
         reader->summary->unseen++;
@@ -99,7 +99,7 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
     if (!(pp_vec_length(area) > 1e-12 * size * size)) {
         if (turned > 1e-12 * size * size)
             return pp_rad_words_fail(words, line, err,
-                                     "a polygon crosses itself and has no front; "
+                                     "a polygon crosses itself and so has no front; "
                                      "expected one that does not cross itself");
         reader->summary->flat++;
         return PP_OK;

@@ -51,7 +51,7 @@ static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
         return PP_OK;
     return pp_rad_words_fail(
         primitive->words, primitive->line, err,
-        "the sky is moved; expected it unmoved, or rotated about the vertical");
+        "the sky is moved; expected no movement, or a rotation about the vertical");
 }
 
 static enum pp_status take_sky(struct pp_rad_reader *reader,
@@ -141,7 +141,7 @@ enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
     if (!(up.z > 1.0 - 1e-9))
         return pp_rad_pipe_fail(
             pipe, err,
-            "the sky is tilted; expected it rotated about the vertical at most", "");
+            "the sky is tilted; expected at most a rotation about the vertical", "");
     struct pp_vec3 sun = sky.pattern.sun;
     sky.pattern.sun = pp_rad_transform_direction(&context->transform, sun);
     int index;

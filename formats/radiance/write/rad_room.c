@@ -81,8 +81,8 @@ static enum pp_status add_rad_surface(struct rad_room_builder *b, int which)
     const struct pp_surface *surface = &b->world->surfaces[which];
     if (surface->exitance > 0.0)
         return pp_fail(b->err, PP_BAD_INPUT,
-                       "line %d: a surface emits and reflects light; Radiance has no "
-                       "such material",
+                       "line %d: a surface both emits and reflects light, but Radiance "
+                       "has no such material",
                        surface->line);
     int material, back;
     enum pp_status status = sides_of(b, which, &material, &back);

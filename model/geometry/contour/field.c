@@ -78,9 +78,10 @@ enum pp_status pp_field_create(struct pp_field **field_out,
     *field_out = 0;
     if (!(tolerance > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "tolerance of contours is %g; expected more than 0", tolerance);
+                       "the tolerance of contours is %g; expected more than 0",
+                       tolerance);
     if (region->count == 0)
-        return pp_fail(err, PP_BAD_INPUT, "the figure for the contours is empty");
+        return pp_fail(err, PP_BAD_INPUT, "the area for the contours is empty");
     struct pp_field *field = calloc(1, sizeof *field);
     if (!field)
         return pp_fail_memory(err);

@@ -13,7 +13,7 @@ struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet)
     if (!sheet->has_blinds)
         leed.why_not = "there is no sDA without blinds";
     else if (!sheet->is_grid)
-        leed.why_not = "the points are no grid";
+        leed.why_not = "the points do not form a grid";
     else if (!sheet->standard_hours)
         leed.why_not = "the hours are not 8 to 18 h on all days";
     leed.points = leed.why_not ? 0 : (sda >= 0.40) + (sda >= 0.55) + (sda >= 0.75);

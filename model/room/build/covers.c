@@ -92,12 +92,13 @@ static enum pp_status check_door(bool *good, struct pp_resolver *r,
     if (status == PP_OK && out_m > 0.0)
         pp_mistakes_add(r->mistakes, part->line,
                         "door: extends beyond %s by %.4g m at (%g, %g, %g); expected "
-                        "all of it within",
+                        "all of the door within it",
                         wall, out_m, where.x, where.y, where.z);
     else if (status == PP_OK && !*good)
-        pp_mistakes_add(r->mistakes, part->line,
-                        "door: %.4g m2 of it are outside %s; expected all of it within",
-                        out_m2, wall);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "door: %.4g m2 of the door are outside %s; expected all of it within",
+            out_m2, wall);
     int most = world->opening_count + world->surface_count;
     for (int i = 0; i < most && *good && status == PP_OK; i++) {
         double(*other)[2], area_m2 = 0.0;
@@ -261,7 +262,7 @@ static enum pp_status add_dado(struct pp_resolver *r, const struct pp_cover_part
     pp_opening_outline_face_words(wall, sizeof wall, &r->world->surfaces[face]);
     if (status == PP_OK && !fits)
         pp_mistakes_add(r->mistakes, part->line,
-                        "dado: is %g m high; expected %g m at most, the height of %s",
+                        "dado: is %g m high; expected at most %g m, the height of %s",
                         part->height_m, tall, wall);
     if (status == PP_OK && fits)
         status = dado_region(&region, r, part, &frame, err);
@@ -282,7 +283,7 @@ static bool put_dado(struct pp_resolver *r, int *dado, int i)
     if (!other || (other->wall == NULL) != (part->wall == NULL))
         return true;
     pp_mistakes_add(r->mistakes, part->line,
-                    "dado: %s already has a dado, in line %d; expected one",
+                    "dado: %s already has a dado, in line %d; expected only one",
                     part->wall ? "the wall" : "every wall", other->line);
     return false;
 }

@@ -73,8 +73,8 @@ static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wal
             && strcmp(face->name, wall->name) == 0) {
             char name[64];
             pp_mistakes_add(r->mistakes, wall->line,
-                            "face: has the wall name \"%s\" of line %d; expected a "
-                            "different name for every wall",
+                            "face: has the same wall name \"%s\" as line %d; expected "
+                            "a different name for every wall",
                             pp_text_excerpt(name, sizeof name, wall->name), face->line);
             return true;
         }
@@ -151,11 +151,10 @@ static enum pp_status resolve_rectangle(struct pp_resolver *r, struct pp_error *
         return PP_OK;
     if (plan->width_m < PP_SAME_M || plan->depth_m < PP_SAME_M
         || plan->height_m < PP_SAME_M) {
-        pp_mistakes_add(
-            r->mistakes, plan->line,
-            "plan: is %g m wide, %g m deep and %g m high; expected 1 mm or more "
-            "each way",
-            plan->width_m, plan->depth_m, plan->height_m);
+        pp_mistakes_add(r->mistakes, plan->line,
+                        "plan: is %g m wide, %g m deep and %g m high; expected at "
+                        "least 1 mm in each direction",
+                        plan->width_m, plan->depth_m, plan->height_m);
         return PP_OK;
     }
     struct pp_vec3 ring[4] = {{0.0, 0.0, 0.0},

@@ -121,7 +121,7 @@ static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_par
         || has_been_said(r->mistakes, part->line, there))
         return;
     pp_mistakes_add(r->mistakes, r->room->line,
-                    "%sat (%g, %g, %g) of the former; expected rooms side by side",
+                    "%sat (%g, %g, %g) in the first room; expected rooms side by side",
                     said, where.x, where.y, where.z);
 }
 
@@ -174,7 +174,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         cross = true;
         where = seen->inside_at;
         pp_mistakes_add(r->mistakes, part->line,
-                        "%s: is in the room%s at (%g, %g, %g); expected it outside",
+                        "%s: is inside the room%s at (%g, %g, %g); expected it outside",
                         what, room_words(words, r, part), where.x, where.y, where.z);
     }
     if (!cross && seen->inside && seen->outside) {

@@ -205,10 +205,11 @@ int pp_opening_outline_face(struct pp_resolver *r, const struct pp_opening_part 
     if (face < 0) {
         char words[96];
         pp_opening_outline_face_words(words, sizeof words, &world->surfaces[nearest]);
-        pp_mistakes_add(r->mistakes, part->line,
-                        "opening: is not in a face of the room; the nearest, %s, is "
-                        "%.4g m from a vertex; expected all within 1 mm of its plane",
-                        words, off_m);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "opening: is not in a face of the room; the nearest face, %s, is %.4g m "
+            "from a vertex; expected all vertices within 1 mm of its plane",
+            words, off_m);
     } else if (pp_vec_dot(
                    pp_polygon_area_vector(part->vertices.list, part->vertices.count),
                    world->surfaces[face].outline.normal)

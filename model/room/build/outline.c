@@ -158,17 +158,17 @@ bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,
 
     if (!thin && uneven > PP_SAME_M) {
         pp_mistakes_add(r->mistakes, line,
-                        "%s: is not plane: a vertex is off by %.3g m; expected all "
-                        "within 1 mm of one plane",
+                        "%s: is not plane, because a vertex is off by %.3g m; expected "
+                        "all vertices within 1 mm of one plane",
                         what, uneven);
         return false;
     }
     if (pp_vec_length(normal) > 0.0 && crosses_itself(r, what, line, vertices, normal))
         return false;
     if (thin) {
-        pp_mistakes_add(r->mistakes, line,
-                        "%s: has no area; expected vertices that are not all in a line",
-                        what);
+        pp_mistakes_add(
+            r->mistakes, line,
+            "%s: has no area; expected vertices that are not all on one line", what);
         return false;
     }
     return true;

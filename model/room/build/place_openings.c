@@ -79,7 +79,7 @@ static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
     pp_mistakes_add(r->mistakes, opening->line,
                     "maintenance is \"auto\", but dirt \"bs-8206\" has no figures for "
                     "industrial surroundings or dirty work; expected a number, or "
-                    "dirt=\"bre-309\" of the site");
+                    "dirt=\"bre-309\" for the site");
 }
 
 /* True if an opening of the room has this name. */
@@ -240,7 +240,7 @@ static bool is_large_enough(struct pp_resolver *r, const struct pp_opening_part 
     if (part->kind == PP_OPENING || (part->width_m >= PP_SAME_M && second >= PP_SAME_M))
         return true;
     pp_mistakes_add(r->mistakes, part->line,
-                    "%s: is %g m by %g m; expected 1 mm or more each way",
+                    "%s: is %g m by %g m; expected at least 1 mm in each direction",
                     pp_opening_outline_word(part), part->width_m, second);
     return false;
 }

@@ -48,8 +48,8 @@ static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list
     int line = part->line ? part->line : r->room->line;
     if (part->kind == PP_GRID)
         pp_mistakes_add(r->mistakes, line,
-                        "grid: %s of %g m gives %.0f points%s; expected %.0f points at "
-                        "most in this room",
+                        "grid: %s of %g m gives %.0f points%s; expected at most %.0f "
+                        "points in this room",
                         part->line ? "its spacing" : "the default spacing",
                         part->spacing_m, count,
                         list->count ? ", in addition to other points" : "", most);
@@ -82,8 +82,8 @@ static void check_places(struct pp_resolver *r, const char *what, int line,
                         first.x, first.y, first.z, first_fault);
     else if (bad > 0)
         pp_mistakes_add(r->mistakes, line,
-                        "%s: %d of its %d points cannot be measured; the first, (%g, "
-                        "%g, %g), %s; expected places in the room",
+                        "%s: %d of its %d points cannot be used; the first, (%g, %g, "
+                        "%g), %s; expected places in the room",
                         what, bad, count, first.x, first.y, first.z, first_fault);
 }
 
@@ -96,7 +96,7 @@ static enum pp_status resolve_point(struct pp_resolver *r, struct receiver_list 
         return PP_OK;
     if (!(length > 0.0)) {
         pp_mistakes_add(r->mistakes, part->line,
-                        "point: its normal is 0; expected a direction");
+                        "point: its normal is 0 0 0; expected a direction");
         return PP_OK;
     }
     if (has_too_many(r, list, part, 1.0))

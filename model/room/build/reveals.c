@@ -37,7 +37,7 @@ static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening
 {
     if (opening->reveal_m > reveal_most_m)
         pp_mistakes_add(r->mistakes, opening->line,
-                        "reveal: is %g m deep; expected %g m at most",
+                        "reveal: is %g m deep; expected at most %g m",
                         opening->reveal_m, reveal_most_m);
     if (!r->watertight)
         return;
@@ -48,8 +48,8 @@ static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening
         if (!pp_position_in_room(r->world, point))
             continue;
         pp_mistakes_add(r->mistakes, opening->line,
-                        "reveal: is %g m deep and puts the glass into another part of "
-                        "the room, at (%g, %g, %g); expected it outside",
+                        "reveal: is %g m deep, which puts the glass inside another "
+                        "part of the room, at (%g, %g, %g); expected it outside",
                         opening->reveal_m, point.x, point.y, point.z);
         return;
     }

@@ -109,7 +109,7 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
         }
         pp_mistakes_add(r->mistakes, faces[c->edges[end - 1].face].line,
                         "face: its edge from (%g, %g, %g) to (%g, %g, %g) belongs to "
-                        "%d faces, first to that of line %d; expected two",
+                        "%d faces, the first in line %d; expected two",
                         edge->from.x, edge->from.y, edge->from.z, edge->to.x,
                         edge->to.y, edge->to.z, end - i, faces[edge->face].line);
     }
@@ -259,7 +259,7 @@ static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *er
                 continue;
             r->watertight = false;
             pp_mistakes_add(r->mistakes, world->surfaces[i].line,
-                            "face: intersects that of line %d at (%g, %g, %g); "
+                            "face: intersects the face of line %d at (%g, %g, %g); "
                             "expected faces to meet at their edges only",
                             world->surfaces[k].line, where.x, where.y, where.z);
         }

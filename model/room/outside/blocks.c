@@ -111,7 +111,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     if (overlaps) {
         pp_mistakes_add(r->mistakes, block->line,
                         "block: overlaps the room; expected it outside (x %g, y %g, "
-                        "base %g is its lower corner, the centre of its rotation)",
+                        "base %g is its lower corner, about which it is rotated)",
                         block->corner.x, block->corner.y, block->corner.z);
         return PP_OK;
     }

@@ -320,13 +320,13 @@ static enum pp_status check_sides(const struct settling *site, struct pp_error *
     }
     if (on[0] < 0 && on[1] < 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "no room with a place exists both before and after; expected "
+                       "no room with a position exists both before and after; expected "
                        "rooms with x, y, z or rotate to mirror");
     if (on[0] < 0 || on[1] < 0)
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "the rooms \"%.60s\" and \"%.60s\" are on two sides of the line "
-                   "from (%g, %g) to (%g, %g); expected all on one side",
+                   "the rooms \"%.60s\" and \"%.60s\" are on opposite sides of the "
+                   "line from (%g, %g) to (%g, %g); expected all on one side",
                    site_room_name(site, on[0]), site_room_name(site, on[1]),
                    line->from[0], line->from[1], line->to[0], line->to[1]);
 }

@@ -129,7 +129,7 @@ static bool check_depth(struct pp_resolver *r, const struct facade_site *site)
 {
     if (site->depth_m > depth_most_m) {
         pp_mistakes_add(r->mistakes, site->part->line,
-                        "facade: its depth is %g m; expected %g m at most",
+                        "facade: its depth is %g m; expected at most %g m",
                         site->depth_m, depth_most_m);
         return false;
     }
@@ -140,7 +140,7 @@ static bool check_depth(struct pp_resolver *r, const struct facade_site *site)
             continue;
         pp_mistakes_add(r->mistakes, site->part->line,
                         "facade: its depth of %g m is less than the reveal of %g m of "
-                        "the opening in line %d; expected no less",
+                        "the opening in line %d; expected at least the reveal",
                         site->depth_m, opening->reveal_m, opening->line);
         return false;
     }
@@ -154,10 +154,10 @@ static bool check_wall(struct pp_resolver *r, const struct pp_facade_part *part,
     const struct pp_world *world = r->world;
     for (int i = 0; i < world->facade_count; i++)
         if (world->facades[i].face == face) {
-            pp_mistakes_add(r->mistakes, part->line,
-                            "facade: the wall already has a facade, in line %d; "
-                            "expected one at most",
-                            world->facades[i].line);
+            pp_mistakes_add(
+                r->mistakes, part->line,
+                "facade: the wall already has a facade, in line %d; expected only one",
+                world->facades[i].line);
             return false;
         }
     if (fabs(world->surfaces[face].outline.normal.z) > PP_LEVEL_RAD) {
@@ -178,8 +178,8 @@ static bool check_others(struct pp_resolver *r, const struct facade_site *site)
             || !meets_sheet(site, other->corners, 4))
             continue;
         pp_mistakes_add(r->mistakes, site->part->line,
-                        "facade: overlaps that of line %d, whose wall is in the same "
-                        "plane; expected one facade for both walls",
+                        "facade: overlaps the facade of line %d, whose wall is in the "
+                        "same plane; expected one facade for both walls",
                         other->line);
         return false;
     }

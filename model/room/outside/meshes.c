@@ -120,7 +120,7 @@ static enum pp_status add_mesh(struct pp_resolver *r, const struct pp_mesh_part 
     made->side_count = world->surface_count - made->first_side;
     if (status == PP_OK && is_far_away(&made->bounds))
         say(r, part,
-            "extends beyond 100000 m; expected a \"scale\" in metres for one unit, and "
+            "extends beyond 100000 m; expected a \"scale\" in metres per unit, and "
             "\"x\", \"y\" and \"z\" near the room");
     return status;
 }
@@ -137,7 +137,7 @@ enum pp_status pp_build_meshes(struct pp_resolver *r, struct pp_error *err)
     if (triangles > PP_MESH_MOST) {
         pp_mistakes_add(
             r->mistakes, room->line,
-            "room: the meshes outside have %.0f triangles; expected %d at most",
+            "room: the external meshes have %.0f triangles; expected at most %d",
             triangles, PP_MESH_MOST);
         return PP_OK;
     }

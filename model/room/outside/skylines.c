@@ -77,28 +77,29 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
         if (world->skylines[i].face == face) {
             pp_mistakes_add(r->mistakes, part->line,
                             "skyline: the wall already has a skyline, in line %d; "
-                            "expected one at most",
+                            "expected only one",
                             world->skylines[i].line);
             return false;
         }
     if (!(part->angle_rad >= 0.0 && part->angle_rad < PP_PI / 2.0)) {
-        pp_mistakes_add(r->mistakes, part->line,
-                        "skyline: its angle is %g degrees; expected 0 to less than 90",
-                        part->angle_rad / PP_RAD);
+        pp_mistakes_add(
+            r->mistakes, part->line,
+            "skyline: its angle is %g degrees; expected 0 or more and less than 90",
+            part->angle_rad / PP_RAD);
         return false;
     }
     struct pp_vec3 n = world->surfaces[face].outline.normal;
     if (hypot(n.x, n.y) < PP_LEVEL_RAD) {
         pp_mistakes_add(
             r->mistakes, part->line,
-            "skyline: its wall is horizontal; expected one that faces sideways");
+            "skyline: its wall is horizontal; expected a wall that faces sideways");
         return false;
     }
     double reach = reach_outside(world, face);
     if (part->distance_m < reach + PP_SAME_M) {
         pp_mistakes_add(r->mistakes, part->line,
                         "skyline: its distance is %g m, but the room or its openings "
-                        "extend %.4g m beyond that wall; expected more",
+                        "extend %.4g m beyond that wall; expected a larger distance",
                         part->distance_m, reach);
         return false;
     }

@@ -406,8 +406,8 @@ static bool count_is_good(const struct pp_element_rule *rule,
             first = c->line;
         if (child->most == 1 && count == 2)
             pp_mistakes_add(mistakes, c->line,
-                            "%s: there is a second <%s>, after that of line %d; "
-                            "expected one at most",
+                            "%s: there is a second <%s>, after the one of line %d; "
+                            "expected only one",
                             rule->name, name, first);
         else if (child->most > 1 && count == child->most + 1)
             pp_mistakes_add(mistakes, c->line,
@@ -415,8 +415,9 @@ static bool count_is_good(const struct pp_element_rule *rule,
                             rule->name, child->most, name);
     }
     if (count < child->least && !may_be_fewer) {
-        pp_mistakes_add(mistakes, element->line, "%s: %d <%s>; expected at least %d",
-                        rule->name, count, name, child->least);
+        pp_mistakes_add(mistakes, element->line,
+                        "%s: there are %d <%s>; expected at least %d", rule->name,
+                        count, name, child->least);
         return false;
     }
     return child->most == 0 || count <= child->most;

@@ -41,10 +41,9 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
         return;
     }
     if (form.country && strcmp(form.country, "UK") == 0) {
-        pp_mistakes_add(
-            r->mistakes, e->line,
-            "site: country is \"UK\", which is no code of ISO 3166; did you "
-            "mean \"GB\"?");
+        pp_mistakes_add(r->mistakes, e->line,
+                        "site: country is \"UK\", which is not a code of ISO 3166; did "
+                        "you mean \"GB\"?");
         return;
     }
     enum pp_work by_place = form.surroundings == PP_INDUSTRIAL ? PP_DIRTY : PP_CLEAN;
@@ -354,11 +353,10 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
                                  .sky = pp_sky_words_copy(&common->sky)};
         read_room(r, room, c, false);
         if (room->placement.given && ++placed == PP_ROOM_PLACED_MOST + 1)
-            pp_mistakes_add(
-                r->mistakes, room->line,
-                "room: the building has more than %d placed rooms; expected "
-                "%d at most, and blocks for the others",
-                PP_ROOM_PLACED_MOST, PP_ROOM_PLACED_MOST);
+            pp_mistakes_add(r->mistakes, room->line,
+                            "room: the building has more than %d placed rooms; "
+                            "expected at most %d, and blocks for the others",
+                            PP_ROOM_PLACED_MOST, PP_ROOM_PLACED_MOST);
         if (room->placement.given && !isnan(room->north_rad))
             pp_mistakes_add(r->mistakes, room->line,
                             "room: has its own north, but is placed in the building; "

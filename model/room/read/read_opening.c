@@ -35,7 +35,8 @@ static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
         return true;
     pp_mistakes_add(
         r->mistakes, e->line,
-        "%s: glazing and transmittance are both given; expected one of them", e->name);
+        "%s: glazing and transmittance are both given; expected only one of them",
+        e->name);
     return false;
 }
 

@@ -32,17 +32,17 @@ static const char *roof_fault(const struct pp_plan_form *form, int vertices)
 {
     bool is_flat = form->roof == PP_ROOF_FLAT;
     if (is_flat && !isnan(form->pitch_rad))
-        return "has a pitch, but a flat roof; expected a roof that is \"mono\", "
+        return "has a pitch but a flat roof; expected a roof that is \"mono\", "
                "\"gable\", \"hip\" or \"saw-tooth\"";
     if (is_flat)
         return NULL;
     if (vertices > 0)
-        return "has a roof, and vertices; expected width and depth, because roofs are "
+        return "has a roof and vertices; expected width and depth, because roofs are "
                "for rectangles";
     if (isnan(form->pitch_rad))
         return "pitch is missing; expected a number of degrees above 0, up to 85";
     return form->teeth && form->roof != PP_ROOF_SAW_TOOTH
-               ? "has teeth; expected them with a \"saw-tooth\" roof only"
+               ? "has teeth; expected teeth only for a \"saw-tooth\" roof"
                : NULL;
 }
 
@@ -145,10 +145,10 @@ void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e)
             && !pp_element_form_matches(c, &pp_rule_envelope))
             continue;
         if (outline && strcmp(outline->name, c->name) != 0) {
-            pp_mistakes_add(
-                r->mistakes, c->line,
-                "room: has <%s> and the <%s> of line %d; expected one of them", c->name,
-                outline->name, outline->line);
+            pp_mistakes_add(r->mistakes, c->line,
+                            "room: has both <%s> and the <%s> of line %d; expected "
+                            "only one of them",
+                            c->name, outline->name, outline->line);
             return;
         }
         outline = outline ? outline : c;

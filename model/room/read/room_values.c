@@ -181,7 +181,7 @@ const struct pp_value_kind pp_room_values_sky_type = {
     .words = pp_sky_words};
 
 const struct pp_value_kind pp_room_values_scale = {
-    PP_VALUE_NUMBER, "a number of metres for one unit, from 1e-9 to 1e9", 1e-9, 1e9,
+    PP_VALUE_NUMBER, "a number of metres per unit, from 1e-9 to 1e9", 1e-9, 1e9,
     .unit = 1.0};
 static const char *const up_words[] = {"z", "y", NULL};
 const struct pp_value_kind pp_room_values_up = {

@@ -345,8 +345,8 @@ static enum pp_status change_tree(char **changed, size_t *changed_length,
         status = lenient ? PP_OK : refuse_address(&match, change->address, root, err);
     else if (match.is_named && match.count > 1)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "\"%.100s\": %d parts have this address; expected one, such "
-                         "as room.NAME.%.100s",
+                         "\"%.100s\": %d parts have this address; expected only one, "
+                         "such as room.NAME.%.100s",
                          change->address, match.count, change->address);
     else
         status = check_attribute(&match, change->address, err);

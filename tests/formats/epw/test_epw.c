@@ -169,7 +169,7 @@ static void a_leap_day_against_the_header_is_a_mistake(void **state)
     epw_header(&made, "No", "1,1,Data,Monday,2/28,3/1");
     epw_day(&made, 1991, 2, 28, "1");
     epw_day(&made, 1991, 2, 29, "1");
-    assert_refused(&made, 33, "1991 is not a leap year, according to line 5");
+    assert_refused(&made, 33, "1991 is not a leap year according to line 5");
 
     epw_begin(&made);
     epw_header(&made, "Yes", "1,1,Data,Monday,2/28,3/1");
@@ -191,8 +191,9 @@ static void a_period_may_end_on_a_day_that_is_not_there(void **state)
     epw_header(&made, "", "2,1,Winter,Monday,2/28,2/29,Summer,Friday,6/2,6/2");
     epw_day(&made, 1991, 2, 28, "1");
     epw_day(&made, 1991, 6, 1, "1");
-    assert_refused(&made, 33,
-                   "this is a record of 1 June, hour 1; expected 2 June, hour 1");
+    assert_refused(
+        &made, 33,
+        "this is a record of 1 June, hour 1, but 2 June, hour 1 was expected");
 
     epw_begin(&made);
     epw_header(&made, "", "2,1,Winter,Monday,2/28,2/29,Spring,Friday,3/1,3/1");
@@ -303,7 +304,9 @@ static void a_file_that_is_cut_off_is_refused(void **state)
     epw_header(&made, "No", "1,1,Data,Monday,1/1,12/31");
     epw_day(&made, 2001, 1, 1, "0");
     epw_day(&made, 2001, 1, 2, "0");
-    assert_refused(&made, 56, "expected a record of 3 January, hour 1: it is cut off");
+    assert_refused(
+        &made, 56,
+        "but a record of 3 January, hour 1 was expected: the file is cut off");
 
     epw_begin(&made);
     epw_header(&made, "No", "1,1,Data,Monday,1/1,12/31");
@@ -325,9 +328,9 @@ static void hours_out_of_order_are_refused(void **state)
     epw_header(&made, "No", "1,1,Data,Monday,1/1,12/31");
     epw_day(&made, 2001, 1, 1, "0");
     epw_record(&made, 2001, 1, 2, 2, 0, "0", "0", "0", "0");
-    assert_refused(&made, 33,
-                   "this is a record of 2 January, hour 2; expected 2 January, "
-                   "hour 1");
+    assert_refused(
+        &made, 33,
+        "this is a record of 2 January, hour 2, but 2 January, hour 1 was expected");
 
     epw_begin(&made);
     epw_header(&made, "No", "1,1,Data,Monday,1/1,1/1");
@@ -339,7 +342,7 @@ static void hours_out_of_order_are_refused(void **state)
     epw_header(&made, "No", "1,2,Data,Monday,1/1,1/1");
     epw_record(&made, 2001, 1, 1, 1, 30, "0", "0", "0", "0");
     epw_record(&made, 2001, 1, 1, 1, 30, "0", "0", "0", "0");
-    assert_refused(&made, 10, "minute 30 (field 5) after minute 30");
+    assert_refused(&made, 10, "minute 30 (field 5) follows minute 30");
 }
 
 static void numbers_that_are_none_are_named(void **state)
@@ -408,7 +411,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
         {EPW_LOCATION, "1,1,D,Moonday,1/1,1/1", 2, "starts on \"Moonday\""},
         {EPW_LOCATION, "1,1,D,,1/32,1/1", 2, "from \"1/32\" to \"1/1\""},
         {EPW_LOCATION, "1,1,D,,1/1,1.Jan", 2, "expected two days as MONTH/DAY"},
-        {EPW_LOCATION, "1,1,D,,1/1/2001,1/1/2000", 2, "ends before it starts"},
+        {EPW_LOCATION, "1,1,D,,1/1/2001,1/1/2000", 2, "ends before it begins"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct made_epw made;
@@ -422,7 +425,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);
     epw_day(&made, 2001, 1, 1, "0");
-    assert_refused(&made, 2, "the records start here; expected a line DATA PERIODS");
+    assert_refused(&made, 2, "the records begin here; expected a line DATA PERIODS");
 
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);

@@ -283,7 +283,7 @@ static void what_is_taken_and_left_out_is_said(void **state)
     char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_non_null(strstr(notes, "WindowType \"bare\" has no visible transmittance"));
     assert_non_null(strstr(notes, "of type \"NonSlidingDoor\" is not a window"));
-    assert_non_null(strstr(notes, "surface \"Shade\" is left out"));
+    assert_non_null(strstr(notes, "surface \"Shade\" is ignored"));
     assert_non_null(strstr(notes, "frame-factor 1"));
     assert_non_null(strstr(xml, "glazing=\"clear-double\" name=\"q\""));
     static const char shaded[] =
@@ -305,7 +305,7 @@ static void others_are_refused_with_a_reason(void **state)
         {"", "the file is empty; expected a <gbXML>"},
         {"<gbXML", "the file ends inside the tag"},
         {"<gbXML lengthUnit='Meters'><Campus></gbXML>",
-         "there is </gbXML>; expected </Campus>, to close line 1"},
+         "there is </gbXML>; expected </Campus> to close line 1"},
         {"<room version='1'/>", "expected <gbXML>"},
         {"<!DOCTYPE gbXML [<!ENTITY a 'aaaa'>]><gbXML lengthUnit='Meters'/>",
          "DOCTYPE"},

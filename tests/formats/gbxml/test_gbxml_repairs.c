@@ -159,12 +159,13 @@ static void cut_at_all_sides_and_at_each_other(void **state)
         void (*inside)(struct made_gbxml *file);
         double glass_m2;
         const char *noted; /* NULL: nothing */
-    } cases[] = {{plain_window, 2 * 1.5, NULL},
-                 {over_top, 2 * 2, "0.01 of its 4.01 m2 are cut off"},
-                 {under_foot, 2 * 1, "0.04 of its 2.04 m2 are cut off"},
-                 {beyond_ends, 6 * 1, "0.01 of its 6.01 m2 are cut off"},
-                 {overlapping, 3 * 1.5, "1.5 of its 3 m2 are cut off"},
-                 {nested, 3 * 1.5, "or overlaps other openings; treated as wall"}};
+    } cases[] = {
+        {plain_window, 2 * 1.5, NULL},
+        {over_top, 2 * 2, "0.01 of its 4.01 m2 are cut off"},
+        {under_foot, 2 * 1, "0.04 of its 2.04 m2 are cut off"},
+        {beyond_ends, 6 * 1, "0.01 of its 6.01 m2 are cut off"},
+        {overlapping, 3 * 1.5, "1.5 of its 3 m2 are cut off"},
+        {nested, 3 * 1.5, "or overlaps other openings; it is treated as wall"}};
     for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++) {
         char notes[2000];
         struct sizes sizes = room_with(3.0, 0.0, 0.0, cases[i].inside, notes);
@@ -303,7 +304,7 @@ static void other_sizes_are_noted(void **state)
     end_space(&file);
     char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_near(sizes_of(xml, 0).floor_m2, 24.0, 1e-6);
-    assert_non_null(strstr(notes, "the floor is 24 m2, its Area says 30 m2"));
+    assert_non_null(strstr(notes, "the floor has 24 m2, but its Area is 30 m2"));
     assert_null(strstr(notes, "its Volume"));
     free(xml);
 }
@@ -377,7 +378,7 @@ static void grid_and_working_plane_fit(void **state)
     made_gbxml_end(&file, "");
     char notes[2000], *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_int_equal(sizes_of(xml, 0).points, 199 * 159);
-    assert_non_null(strstr(notes, "200 m by 160 m, with a grid of 1 m"));
+    assert_non_null(strstr(notes, "200 m by 160 m and gets a grid of 1 m"));
     free(xml);
     made_gbxml_begin(&file, "Meters", 1.0, "");
     made_gbxml_space(&file, "a", "");

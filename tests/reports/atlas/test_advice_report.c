@@ -97,7 +97,7 @@ static void corrected_figures_stand_with_the_average_and_the_points(void **state
     json_object_put(object);
     items[0].of_average = true;
     words = words_of(&advice, &widest);
-    assert_non_null(strstr(words, "For the average use exact+bre, corrected by the "
+    assert_non_null(strstr(words, "Use exact+bre for the average, corrected by the "
                                   "median of its range: 2.5 %. In 417 similar rooms"));
     free(words);
 }
@@ -109,13 +109,13 @@ static void a_bias_is_said_with_the_factor_that_takes_it_away(void **state)
     struct pp_advice_item items[] = {item_of("exact+bre", 1.25)};
     size_t widest;
     char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
-    assert_non_null(
-        strstr(words, "its values are low there; 1.25 times the value is better"));
+    assert_non_null(strstr(words, "the method tends to be too low there; 1.25 times "
+                                  "its value is a better estimate"));
     free(words);
     items[0] = item_of("exact+bre", 0.8);
     words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
-    assert_non_null(
-        strstr(words, "its values are high there; 0.80 times the value is better"));
+    assert_non_null(strstr(words, "the method tends to be too high there; 0.80 times "
+                                  "its value is a better estimate"));
     free(words);
     items[0] = item_of("exact+bre", 1.02);
     words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
@@ -130,15 +130,15 @@ static void formula_and_assumption_stand_apart_and_the_next_best_behind(void **s
     items[0].of_average = true;
     size_t widest;
     char *words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
-    assert_non_null(strstr(words, "For the average use exact+bre"));
+    assert_non_null(strstr(words, "Use exact+bre for the average"));
     assert_non_null(strstr(words, "0.90 to 1.20 times the method's in 95 %"));
-    assert_non_null(strstr(words, "the formula contributes 1.10 to 1.50"));
-    assert_non_null(strstr(words, "ground and surroundings 0.97 to 1.03"));
+    assert_non_null(strstr(words, "the formula alone accounts for 1.10 to 1.50"));
+    assert_non_null(strstr(words, "ground and surroundings for 0.97 to 1.03"));
     assert_non_null(strstr(words, "Next: exact+sphere 0.50 to 1.75"));
     free(words);
     items[0].best.entry.formula.low = NAN;
     words = words_of(&(struct pp_advice){.items = items, .count = 1}, &widest);
-    assert_null(strstr(words, "the formula contributes"));
+    assert_null(strstr(words, "the formula alone accounts for"));
     free(words);
 }
 

@@ -365,8 +365,7 @@ static void areas_that_see_sky_agree(void **state)
         assert_null(field(beyond, "verdict"));
         assert_finding(&rooms[i], "sky-line", "working plane", 100.0 * see / points,
                        1.5, 80.0, false);
-        struct json_object *enclosed =
-            finding(&rooms[i], "rights-of-light", "adequately lit area");
+        struct json_object *enclosed = finding(&rooms[i], "rights-of-light", "adequ");
         assert_near(json_object_get_double(field(enclosed, "figure")),
                     (double)lit / points * area, 0.015 * area);
         assert_finding(&rooms[i], "rights-of-light", "share", 100.0 * lit / points, 1.5,

@@ -131,7 +131,7 @@ static void a_reveal_may_not_reach_into_the_other_wing(void **state)
         "reveal=\"0.4\"/>\n"
         "<window wall=\"6\" left=\"2.1\" sill=\"1\" width=\"0.5\" height=\"1\" "
         "reveal=\"0.2\"/>\n</room>",
-        "3 into another part of the room");
+        "3 inside another part of the room");
 }
 
 static void a_block_keeps_clear_of_the_glass(void **state)
@@ -249,8 +249,8 @@ static void faces_meet_in_their_edges_only(void **state)
                                                          V("0", "0",
                                                            "3") "</face>\n"
                                                                 "</envelope></room>",
-        "4 intersects that of line 3", "5 intersects that of line 3",
-        "6 intersects that of line 3", "7 intersects that of line 3");
+        "4 intersects the face of line 3", "5 intersects the face of line 3",
+        "6 intersects the face of line 3", "7 intersects the face of line 3");
 #undef V
 #undef TIP
 }

@@ -324,7 +324,7 @@ static void a_boundary_through_the_building_has_no_mirror_image(void **state)
         struct pp_mirror_line line;
         const char *why;
     } lines[] = {{{{-9.0, 1.0}, {9.0, 1.1}}, "crosses the room \"A\""},
-                 {{{5.0, 0.0}, {5.0, 3.0}}, "are on two sides"}};
+                 {{{5.0, 0.0}, {5.0, 3.0}}, "are on opposite sides"}};
     static const char xml[] =
         "<building version='1'><room name='A' x='0'>" ROOM
         "</room><room name='B' x='7' y='4'>" ROOM "</room></building>";

@@ -208,7 +208,7 @@ static void malformed_xml_is_named_with_its_line(void **state)
         {"<room version='1'>\n<plan width='4' width='5'/></room>", 2,
          "the attribute \"width\" is given twice"},
         {"<room version='1'>\n<plan width='&#xFFFFFFFF;'/></room>", 2,
-         "this reference &#...;"},
+         "this character reference &#...;"},
         {"<room version='1'>\r\n\r\n<plan width='4'\r\n depth='x' height='2'/></room>",
          4, "depth is \"x\""},
         {"<room version='1'>\n<plan width='&#49;\n'\n depth='x' height='2'/></room>", 4,
