@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
+#include "model/geometry/tolerance.h"
 #include "model/room/room_parts.h"
 
 static bool outline_is_upright(const struct pp_polygon *outline)
@@ -44,13 +45,40 @@ static enum pp_status try_facade(struct pp_room *room, struct pp_facade_part fac
     return status;
 }
 
+/* True if the wall, extended at its left or right end as seen from outside, would be in
+ * front of a window in another wall: that window is round a corner of the house. */
+static bool hides_a_window(const struct pp_world *world, const struct pp_surface *wall,
+                           bool to_the_right, double reach_m)
+{
+    const struct pp_vec3 up = {0.0, 0.0, 1.0};
+    const struct pp_vec3 along =
+        pp_vec_scale(pp_vec_cross(wall->outline.normal, up), to_the_right ? 1.0 : -1.0);
+    struct pp_vec3 end = wall->outline.vertices[0];
+    for (int i = 1; i < wall->outline.count; i++)
+        if (pp_vec_dot(wall->outline.vertices[i], along) > pp_vec_dot(end, along))
+            end = wall->outline.vertices[i];
+    end = pp_vec_add(end, pp_vec_scale(along, reach_m));
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_polygon *other = &world->openings[i].outer;
+        const struct pp_vec3 from = pp_vec_sub(end, other->vertices[0]);
+        if (&world->surfaces[world->openings[i].face] != wall
+            && outline_is_upright(other)
+            && pp_vec_dot(from, other->normal) < -PP_TOUCH_M)
+            return true;
+    }
+    return false;
+}
+
 /* Adds a facade to the wall. Tries both sides, then one, then none: a wall cannot
- * extend beyond an inner corner. */
-static enum pp_status extend(struct pp_room *room, const char *wall, double reach_m,
-                             double up_m, int *added, struct pp_error *err)
+ * extend beyond an inner corner, nor beyond an outer one with a window round it. */
+static enum pp_status extend(struct pp_room *room, const struct pp_world *world,
+                             const struct pp_surface *wall, double reach_m, double up_m,
+                             int *added, struct pp_error *err)
 {
     static const double sides[][2] = {{1, 1}, {1, 0}, {0, 1}, {0, 0}};
-    struct pp_facade_part facade = {.wall = strdup(wall),
+    const bool blocked[] = {hides_a_window(world, wall, false, reach_m),
+                            hides_a_window(world, wall, true, reach_m)};
+    struct pp_facade_part facade = {.wall = strdup(wall->name),
                                     .up_m = up_m,
                                     .down_m = reach_m,
                                     .depth_m = NAN,
@@ -61,6 +89,8 @@ static enum pp_status extend(struct pp_room *room, const char *wall, double reac
     enum pp_status status = PP_OK;
     for (size_t i = 0; i < sizeof sides / sizeof *sides && !good && status == PP_OK;
          i++) {
+        if ((sides[i][0] > 0.0 && blocked[0]) || (sides[i][1] > 0.0 && blocked[1]))
+            continue;
         facade.left_m = sides[i][0] * reach_m;
         facade.right_m = sides[i][1] * reach_m;
         status = try_facade(room, facade, &good, err);
@@ -81,7 +111,7 @@ enum pp_status pp_room_facades_add(struct pp_room *room, const struct pp_world *
         const struct pp_surface *wall = &world->surfaces[world->openings[i].face];
         if (wall->name && outline_is_upright(&wall->outline)
             && !has_facade(room, wall->name))
-            status = extend(room, wall->name, reach_m, up_m, added, err);
+            status = extend(room, world, wall, reach_m, up_m, added, err);
     }
     return status;
 }

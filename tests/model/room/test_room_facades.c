@@ -27,7 +27,9 @@ static struct pp_room *in_a_house(const char *xml, int *added)
 #define BOX "<room version='1'><plan width='4' depth='5' height='2.7'/>"
 #define SOUTH "<window wall='south' left='1' sill='0.8' width='2' height='1.5'/>"
 
-static void walls_with_windows_go_on_to_all_sides(void **state)
+/* Beyond the corner between south and east each wall would be in front of the other's
+ * windows. Seen from outside the corner is right of the south wall, left of the east. */
+static void walls_with_windows_go_on_but_not_round_a_corner(void **state)
 {
     (void)state;
     int added;
@@ -41,10 +43,26 @@ static void walls_with_windows_go_on_to_all_sides(void **state)
     for (int i = 0; i < 2; i++) {
         const struct pp_facade_part *facade = &room->facades[i];
         assert_string_equal(facade->wall, i ? "east" : "south");
-        assert_near(facade->left_m, 20.0, 0.0);
-        assert_near(facade->right_m, 20.0, 0.0);
+        assert_near(facade->left_m, i ? 0.0 : 20.0, 0.0);
+        assert_near(facade->right_m, i ? 20.0 : 0.0, 0.0);
         assert_near(facade->up_m, 20.0, 0.0);
         assert_near(facade->down_m, 20.0, 0.0);
+    }
+    pp_room_destroy(room);
+}
+
+static void walls_of_opposite_windows_go_on_to_all_sides(void **state)
+{
+    (void)state;
+    int added;
+    struct pp_room *room = in_a_house(
+        BOX SOUTH "<window wall='north' left='1' sill='0.8' width='1' height='1.5'/>"
+                  "</room>",
+        &added);
+    assert_int_equal(added, 2);
+    for (int i = 0; i < 2; i++) {
+        assert_near(room->facades[i].left_m, 20.0, 0.0);
+        assert_near(room->facades[i].right_m, 20.0, 0.0);
     }
     pp_room_destroy(room);
 }
@@ -102,7 +120,8 @@ static void beside_an_inner_corner_a_wall_ends(void **state)
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(walls_with_windows_go_on_to_all_sides),
+        cmocka_unit_test(walls_with_windows_go_on_but_not_round_a_corner),
+        cmocka_unit_test(walls_of_opposite_windows_go_on_to_all_sides),
         cmocka_unit_test(a_wall_of_which_the_file_speaks_stays_as_it_is),
         cmocka_unit_test(above_a_rooflight_there_is_no_house),
         cmocka_unit_test(beside_an_inner_corner_a_wall_ends),
