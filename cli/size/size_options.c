@@ -219,7 +219,7 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     if (stray)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "--%s is for --obstruction or --envelope; expected one of these, too",
+            "--%s needs --obstruction or --envelope; expected one of these as well",
             stray);
     if (!options->request.criterion
         && (options->request.grid.largest || options->request.grid.spacing_m > 0.0))

@@ -39,9 +39,9 @@ struct upright_set {
 
 static const struct pp_formula_quantity of_primary[] = {
     {"p_u", PP_UNIT_DAYLIGHT_FACTOR,
-     "primary scale for a receiver facing the window, at the upper edge"},
+     "primary scale at the upper edge, for a receiver facing the window"},
     {"p_l", PP_UNIT_DAYLIGHT_FACTOR,
-     "primary scale for a receiver facing the window, at the lower edge"},
+     "primary scale at the lower edge, for a receiver facing the window"},
     {"q_u", PP_UNIT_DAYLIGHT_FACTOR,
      "primary scale for a receiver side-on to the window, at the upper edge"},
     {"q_l", PP_UNIT_DAYLIGHT_FACTOR,

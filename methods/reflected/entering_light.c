@@ -34,7 +34,7 @@ const struct pp_formula pp_entering_light_C_of_well = {
     .symbol = "C",
     .sum = "C_hv (1 - alpha / 90) N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "light from above the horizon that passes the foot of a well",
+    .what = "light from above the horizon through the foot of a well",
     .quantities = of_C_of_well,
     .fixed = true,
 };
@@ -65,7 +65,7 @@ const struct pp_formula pp_entering_light_C_g_of_well = {
     .symbol = "C_g",
     .sum = "100 rho_g (1 - cos(beta)) / 2 N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "light from the ground that passes the foot of a well",
+    .what = "ground-reflected light through the foot of a well",
     .quantities = of_C_g_of_well,
     .fixed = true,
 };
@@ -128,9 +128,8 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *lig
                      pp_sky_on_plane(&light->sky, outward), "C_hv",
                      "illuminance on glass of this slope from the open sky");
     if (pp_well_is(opening))
-        pp_worksheet_work(
-            sheet, &pp_entering_light_C_of_well,
-            "light from above the horizon that passes the foot of the well");
+        pp_worksheet_work(sheet, &pp_entering_light_C_of_well,
+                          "light from above the horizon through the foot of the well");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C,
                           "illuminance on the glass from above the horizon");
@@ -161,7 +160,7 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                      "slope of the glass");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_g_of_well,
-                          "light from the ground that passes the foot of the well");
+                          "ground-reflected light through the foot of the well");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C_g,
                           "illuminance on the glass from the ground");

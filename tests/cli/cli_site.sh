@@ -178,7 +178,7 @@ check "cells are an envelope's" refuses 2 "csv is for --envelope only" \
 check "a window has a line of CSV" shows "file,room,method,change" size -t 2% --by-hand -f csv "$site"
 check "a height in metres" refuses 2 "expected a height from 1 to 1000 m" \
     size --envelope Tower --highest 0 "$site"
-check "nothing higher without a block" refuses 2 "--highest is for --obstruction or --envelope" \
+check "nothing higher without a block" refuses 2 "--highest needs --obstruction or --envelope" \
     size -t 2% --highest 9 "$site"
 check "a plot by its name" refuses 1 "did you mean Tower?" size --envelope Towr "$site"
 check "a block by its name" refuses 1 "did you mean Tower?" size --obstruction Towr "$site"
