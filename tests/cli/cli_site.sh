@@ -151,7 +151,7 @@ check "27 % is enough" shows "or 27 %" size --obstruction Tower --enough 27% --r
 check "of a room there is no such share" refuses 2 "a lit area belongs to a room" \
     size --obstruction Tower --of lit-area --enough 27% "$site"
 check "vsc or lit-area" refuses 2 "expected vsc or lit-area" size --obstruction Tower --of apsh "$site"
-check "what is kept, of a block" refuses 2 "is for --obstruction" size -t 2% --of lit-area "$site"
+check "what is kept, of a block" refuses 2 "needs --obstruction" size -t 2% --of lit-area "$site"
 check "no higher than asked" shows "at a height of 5 m, every window" \
     size --obstruction Tower --highest 5 "$site"
 
@@ -186,7 +186,7 @@ check "a window by its name" refuses 1 'no vertical window is named "W9"' \
     size --obstruction Tower --window-name W9 "$site"
 check "no target with it" refuses 2 "and --obstruction exclude each other" \
     size --obstruction Tower --target 2% "$site"
-check "no share without it" refuses 2 "is for --obstruction" size --target 2% --keep 80% "$site"
+check "no share without it" refuses 2 "needs --obstruction" size --target 2% --keep 80% "$site"
 check "a file without names" refuses 1 "no block in it has a name" size --obstruction Tower "$deep"
 # Each window counts once in the table's head: met, by 27 % or 0.8, of the lines of former-sky.
 counts_agree() {

@@ -134,7 +134,7 @@ check "in words too" shows "full-height windows: at 1.6 m" \
     size --envelope Tower $french "$scratch/french.xml"
 check "a lit area has no such point" refuses 2 "--vsc-point-french is for windows" \
     size --obstruction Tower --of lit-area $french "$scratch/french.xml"
-check "nor has a window to be sized" refuses 2 "--vsc-point-french is for --obstruction" \
+check "nor has a window to be sized" refuses 2 "--vsc-point-french needs --obstruction" \
     size --target 2% $french "$scratch/french.xml"
 check "nor a plan" refuses 2 "is for a site, an elevation or a diagram" \
     chart plan $french "$scratch/french.xml" -o "$scratch/x.pdf"
