@@ -23,7 +23,7 @@ check "the room's own latitude" \
     shows "overcast sky all year" availability "$examples/office.xml"
 sed '/<site/d' "$deep" >"$scratch/nowhere.xml"
 check "a room that has none" refuses 1 "--latitude DEG" availability "$scratch/nowhere.xml"
-check "a median of a year" shows "4380 hours" availability --latitude 51 "$deep"
+check "a median of a year" shows "median diffuse illuminance" availability --latitude 51 "$deep"
 check "no median of four days" shows "less than a year" availability -w "$days" "$deep"
 check "JSON" shows '"pepperpot-availability-1"' availability -w "$days" -f json "$deep"
 check "a building is a list" shows "[" availability --latitude 51 -f json \
@@ -153,5 +153,5 @@ check "a plan has no weather" \
     refuses 2 "availability" chart plan -w "$days" -o "$scratch/x.pdf" "$deep"
 check "a weather file that is wrong" refuses 1 "cut.epw:50" \
     chart availability -w "$scratch/cut.epw" -o "$scratch/x.pdf" "$deep"
-check_words "a room's figures are text" "$scratch/room.pdf" "need .* lx outside"
+check_words "a room's figures are text" "$scratch/room.pdf" "require .* lx outside"
 tap_done

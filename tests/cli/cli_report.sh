@@ -36,7 +36,7 @@ check "what the methods' figures contain" grep -q "bre</td>.*\[BRE310\]</td>.*>c
 check "and the works that it names" grep -q "\[BR209\]</td><td class=\"w\">Littlefair" "$page"
 check "its contents lead to the chapters" test \
     "$(grep -oc '<li><a href="#chapter-' "$page")" -eq "$(grep -c '<h2 id="chapter-' "$page")"
-check "and its limits are in words" grep -q "A window counts once" "$page"
+check "and its limits are in words" grep -q "Each window counts once" "$page"
 check "windows and rooms are counted once" \
     grep -q 'class="verdict">1 of 5 windows and 4 of 4 rooms meet BR 209' "$page"
 "$pepperpot" assess --by-hand --for uk-planning --table "$site" >"$scratch/table"
@@ -93,7 +93,7 @@ check "with its plan and section, and none of a site" \
     "<figcaption>Plan <figcaption>Section "
 check "a picture is no report" refuses 2 "expected a name that ends in .html or .pdf" \
     report "$deep" -o "$scratch/r.svg"
-check "nor is what some other program writes" refuses 2 'not in ".docx"' \
+check "nor is what some other program writes" refuses 2 'instead of ".docx"' \
     report "$deep" -o "$scratch/r.docx"
 check "a name without an ending is a page" sh -c "
     '$pepperpot' report --by-hand -c vsc '$deep' -o '$scratch/r' && grep -q '^<h1>' '$scratch/r'"

@@ -50,7 +50,7 @@ check "the sheet names picture and illuminance" \
 sed 's|<plan |<sky type="picture" file="clear.pfm" illuminance="9000"/><plan |' \
     "$deep" >"$scratch/room.xml"
 check "a room file names one, relative to itself" \
-    shows "picture clear.pfm, 9000 lx" df --points 1.5,2 "$scratch/room.xml"
+    shows "photograph clear.pfm, 9000 lx" df --points 1.5,2 "$scratch/room.xml"
 check "traced, it gives the sky component as the formula does" \
     gives df -m exact --points 1.5,2 -s --error 2% --format csv "$scratch/room.xml"
 traced=$(awk -F, '$3 == "point" && $10 == "sc" && $11 == "traced" { print $12 }' \
@@ -67,7 +67,7 @@ check "an overlay has crosses of equal light of it" quietly chart overlay --show
 check "which are not those of the overcast sky" quietly chart overlay --show dots \
     -o "$scratch/other.svg"
 check "but others" test -n "$(cmp "$scratch/overlay.svg" "$scratch/other.svg" 2>&1)"
-check "a protractor can't be drawn for it" refuses 2 "the same in all" \
+check "a protractor can't be drawn for it" refuses 2 "depend on azimuth" \
     chart protractor --sky "picture,$scratch/clear.pfm" -o "$scratch/protractor.svg"
 check "a sky without its file" refuses 2 "expected picture,FILE" \
     df --sky picture "$deep"
@@ -77,7 +77,7 @@ check "a room file for a picture" refuses 2 "expected a Radiance picture" \
     df --sky "picture,$deep" "$deep"
 check "an angle that no lens has" refuses 2 "view-angle is \"400\"" \
     df --sky "picture,$scratch/overcast.hdr,view-angle=400" "$deep"
-check "an option that there is not" refuses 2 'has no "zoom"' \
+check "an option that there is not" refuses 2 'has no attribute "zoom"' \
     df --sky "picture,$scratch/overcast.hdr,zoom=2" "$deep"
 head -c 3000 "$scratch/overcast.hdr" >"$scratch/cut.hdr"
 check "a picture that is cut off" refuses 2 "cut.hdr: row" \
