@@ -89,8 +89,8 @@ const struct pp_option pp_assess_words_choice[] = {
     {"room", 0, "NAME", "Assess only the room of that name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",
-     "Assess the site as existing or as proposed. The default for a file with both is "
-     "the proposed state, with the losses.",
+     "Assess only the existing, the proposed or the cumulative state of the site. By "
+     "default the proposed state is compared with the others.",
      pp_room_options_read_state, PLACE(room.state)},
     {0},
 };

@@ -70,20 +70,11 @@ static void count_room(struct pp_br209_count *count, const struct pp_assessment 
     count->rooms_met += judged && met;
 }
 
-static bool any_before(const struct pp_assessment *rooms, int count)
-{
-    for (int i = 0; i < count; i++)
-        if (rooms[i].before)
-            return true;
-    return false;
-}
-
 struct pp_br209_count pp_br209_count_of(const struct pp_assessment *rooms, int count)
 {
     struct pp_br209_count sum = {0};
-    const bool compared = any_before(rooms, count);
     for (int i = 0; i < count; i++) {
-        if (compared && rooms[i].is_new)
+        if (rooms[i].is_new)
             continue;
         count_windows(&sum, &rooms[i]);
         count_room(&sum, &rooms[i]);
@@ -147,10 +138,9 @@ static enum pp_status add_house(struct pp_br209_group **groups, int *group_count
                                 int count, struct pp_error *err)
 {
     const int first = *group_count;
-    const bool compared = any_before(rooms, count);
     enum pp_status status = PP_OK;
     for (int i = 0; i < count && status == PP_OK; i++)
-        if (strcmp(house_of(&rooms[i]), house) == 0 && !(compared && rooms[i].is_new))
+        if (strcmp(house_of(&rooms[i]), house) == 0 && !rooms[i].is_new)
             status = add_to_floor(groups, first, group_count, &rooms[i], err);
     const int floors = *group_count - first;
     if (status != PP_OK || floors < 2)
