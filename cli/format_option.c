@@ -1,4 +1,4 @@
-/* format_option.c - reads text, json or csv. */
+/* format_option.c - parses the value of --format: text, json or csv. */
 #include "cli/format_option.h"
 
 #include <string.h>

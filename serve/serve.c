@@ -17,8 +17,7 @@
 #include "serve/stores/weather_store.h"
 #include "serve/work/work_line.h"
 
-/* Seconds for work to finish, and for answers to be sent, after the server was
- * stopped. */
+/* After a stop: seconds allowed to finish work, and then to send answers. */
 static const double work_grace_s = 1.0, sending_grace_s = 0.3;
 
 static enum pp_status fail_serve(struct pp_error *err, const char *what)
@@ -96,9 +95,9 @@ static int count_work(const struct pp_server *server)
     return pp_work_line_count(server->studies) + pp_work_line_count(server->programs);
 }
 
-/* Stops accepting requests, gives running work time to finish, stops the rest, and
- * sends the available answers. False if work in this process did not stop in time; it
- * then ends with the process. */
+/* Stops accepting requests, gives running work time to finish, cancels the rest, and
+ * sends the answers that are ready. False if work in this process did not stop in time;
+ * it then runs until the process ends. */
 static bool end_server(struct pp_server *server)
 {
     MHD_socket listening = MHD_quiesce_daemon(server->daemon);

@@ -1,8 +1,8 @@
 /* serve.h - the drawing board's web server: one page and a JSON interface.
  *
- * The server uses pepperpot.h; functions missing there run in the program itself as a
- * child process. docs/http.md describes the interface. Requests leave no data, except
- * weather files, in a temporary folder, and the results of jobs.
+ * The server calls the library (pepperpot.h). Functions that the library lacks run as a
+ * child process of pepperpot. docs/http.md describes the interface. Requests leave no
+ * data behind, except weather files, in a temporary folder, and the results of jobs.
  */
 #ifndef PP_SERVE_SERVE_H
 #define PP_SERVE_SERVE_H
@@ -15,7 +15,7 @@ struct pp_serve_options {
     const char *address; /* numeric address to listen on: "127.0.0.1", "::1",
                           * "0.0.0.0" */
     int port;            /* 0: any free port */
-    const char *token;   /* required of every API request; NULL: none */
+    const char *token;   /* every API request must have it; NULL: no token */
     const char
         *hosts[PP_SERVE_HOSTS_MOST]; /* further names of the server, behind a proxy */
     int host_count;
@@ -23,7 +23,8 @@ struct pp_serve_options {
     const char *program; /* path of pepperpot, for child processes */
     const char *room;    /* room file that the page opens first; NULL: none */
     size_t room_length;
-    const char *key; /* token of the page for this room; NULL: the general token */
+    const char *key; /* token required to fetch `room` (/api/room); NULL: the general
+                      * token */
 
     /* Called once the server listens on a port. */
     void (*ready)(void *data, int port);

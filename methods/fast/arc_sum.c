@@ -1,5 +1,5 @@
-/* arc_sum.c - divides edges for which one rule would be inaccurate, and places nodes
- * along the parts. */
+/* arc_sum.c - divides edges that are too long for one quadrature rule, and places the
+ * nodes of a rule along each part. */
 #include "methods/fast/arc_sum.h"
 
 #include <stddef.h>
@@ -66,10 +66,10 @@ static void add_nodes(struct arc_walk *walk, const struct arc_end *a,
     walk->sum += walk->potential(walk->context, &nodes);
 }
 
-/* Arc's length over the longest for which eight nodes suffice. The bounds were chosen
- * by trial over random windows: along one arc |axis.u| of a bend may change by twice
- * the sum of its width and its least value, and an arc near the cusp may be as long as
- * its distance from it plus 0.1. */
+/* Length of an arc over the longest for which eight nodes are sufficient. The bounds
+ * were chosen by trial over random windows. Along one arc, |axis.u| of a bend may
+ * change by twice the sum of its width and its least value. An arc near the cusp may be
+ * as long as its distance from it plus 0.1. */
 static double stretch_of(const struct pp_arc_spacing *spacing, const struct arc_end *a,
                          const struct arc_end *b, double chord)
 {
@@ -137,7 +137,7 @@ static int find_cuts(double cuts[2], const struct pp_arc_spacing *spacing,
     return count;
 }
 
-/* Edges with a chord shorter than this need no cuts: their nodes are close enough. */
+/* An edge with a chord shorter than this is not cut: its nodes are close enough. */
 #define CUT_LEAST 0.25
 
 static void add_arc_edge(struct arc_walk *walk, const struct arc_end *a,

@@ -1,20 +1,21 @@
 /* arc_sum.h - the light of a polygon as a sum over its edges, for any luminance.
  *
- * About an axis a, a function of direction has an antiderivative along the meridians.
- * With theta the angle from the axis and psi that round it,
+ * A function f of direction is integrated along meridians about an axis a. With theta
+ * the angle from the axis and psi the angle around it,
  *
  *     A(theta, psi) = integral from 0 to theta of f sin theta' dtheta'
  *     B = A / sin^2 theta
  *
  *     integral of f over a polygon = sum over its edges of integral A dpsi
- *                                  = sum over its edges of (a.G) integral B ds         (1)
+ *                                  = sum over its edges of (a.G) integral B ds      (1)
  *
- * G is the unit normal of an edge's plane through the eye and s the arc along the edge.
- * B, the potential, is as smooth as f, on the axis too; it is singular opposite to the
- * axis only, where no polygon may be. Only B is evaluated, not f.
+ * G is the unit normal of an edge's plane through the eye, and s the arc length along
+ * the edge. B is the potential. It is as smooth as f, also on the axis. It is singular
+ * only opposite to the axis, where no polygon may be. Only B is evaluated, not f.
  *
- * An arc from r to r' is r + t (r' - r) over its length, t from 0 to 1, and (a.G) ds =
- * a.(r x r') dt / |r + t (r' - r)|^2, by a Gauss-Legendre rule in t.
+ * An arc from r to r' is r + t (r' - r) over its length, with t from 0 to 1, and (a.G)
+ * ds = a.(r x r') dt / |r + t (r' - r)|^2. The integral uses a Gauss-Legendre rule in
+ * t.
  */
 #ifndef PP_METHODS_FAST_ARC_SUM_H
 #define PP_METHODS_FAST_ARC_SUM_H
@@ -37,8 +38,8 @@ struct pp_arc_nodes {
 /* The sum over the nodes of weight times a.across times B. */
 typedef double pp_arc_potential(const void *context, const struct pp_arc_nodes *nodes);
 
-/* A plane through the eye, perpendicular to `axis`, near which the potential bends:
- * within about `width` of axis.u = 0. */
+/* A plane through the eye, perpendicular to `axis`. The potential changes its slope
+ * quickly within about `width` of it (of axis.u = 0). */
 struct pp_arc_bend {
     struct pp_vec3 axis;
     double width;

@@ -1,4 +1,5 @@
-/* axial_table.c - integrates the moments from node to node of the cells, and fits. */
+/* axial_table.c - integrates the moments from node to node of each cell, and fits a
+ * polynomial to each cell. */
 #include "methods/fast/axial_table.h"
 
 #include <string.h>
@@ -142,7 +143,7 @@ static inline __attribute__((always_inline)) void moments_at(
     int cell = (int)at;
     double t = 2.0 * (at - cell) - 1.0;
     cell += coarse ? 0 : table->coarse_cells;
-    if (cell >= PP_AXIAL_CELLS) { /* by rounding */
+    if (cell >= PP_AXIAL_CELLS) { /* beyond the last cell by rounding */
         t += 2.0 * (cell - PP_AXIAL_CELLS + 1);
         cell = PP_AXIAL_CELLS - 1;
     }
@@ -154,9 +155,9 @@ static inline __attribute__((always_inline)) void moments_at(
             k[m] = k[m] * t + powers[p][m];
 }
 
-/* is_square: p is 0, and the axis is perpendicular to q, n and g, whose products with
- * it are then 0. Inlined twice, so that each version evaluates only its own
- * functions. */
+/* is_square: p is 0 and the axis is perpendicular to q, n and g, so that their products
+ * with it are 0. The function is inlined twice, and each copy evaluates only the
+ * functions that it needs. */
 static inline __attribute__((always_inline)) double potential_of(
     const struct pp_axial_light *axial, const struct pp_arc_nodes *nodes, double along,
     double n, double g, bool is_square)

@@ -1,18 +1,19 @@
-/* axial_table.h - the light of a polygon where the luminance depends on the angle to one
- * axis and, besides, on direction only as a polynomial: glass under graded skies, a
- * gradation about the zenith, the circumsolar part of a clear sky.
+/* axial_table.h - the light of a polygon with a luminance that is a function of the
+ * angle to one axis, times a polynomial in direction. Examples: glass under graded
+ * skies, a gradation about the zenith, the circumsolar part of a clear sky.
  *
- *     f(u) = F(a.u) [ p + q.u + (n.u)(g.u) ]                                         (1)
+ *     f(u) = F(a.u) [ p + q.u + (n.u)(g.u) ]                                        (1)
  *
- * With c = a.u, s^2 = 1 - c^2, N = n.u - c n.a and likewise for q and g, the potential of
- * arc_sum.h about the axis a is
+ * With c = a.u, s^2 = 1 - c^2, N = n.u - c n.a, and Q and G likewise for q and g, the
+ * potential of arc_sum.h about the axis a is
  *
  *     B = p k1 + (q.a) kc + Q ks
- *         + (n.a)(g.a) kcc + [(n.a) G + (g.a) N] kcs + N G kss                       (2)
+ *         + (n.a)(g.a) kcc + [(n.a) G + (g.a) N] kcs + N G kss                      (2)
  *     kij = 1/s^(j+2) integral from c to 1 of F(c') c'^i s'^j dc'
  *
- * six functions of c alone, smooth at c = 1, which are tabulated as piecewise polynomials of
- * degree 5 in rho = sqrt(1 - c). The table serves for all receivers, windows and planes.
+ * The six functions k depend on c alone and are smooth at c = 1. They are tabulated as
+ * piecewise polynomials of degree 5 in rho = sqrt(1 - c). One table serves all
+ * receivers, windows and planes.
  */
 #ifndef PP_METHODS_FAST_AXIAL_TABLE_H
 #define PP_METHODS_FAST_AXIAL_TABLE_H
@@ -40,7 +41,7 @@ void pp_axial_table_init(struct pp_axial_table *table, pp_axial_function *functi
  * of F, F c and F s / s, so that their integrals over a whole meridian are 0 and the
  * potential is regular opposite to the axis, too: k1, kc and ks then belong to
  *
- *     F(c) p - balance[0] p + (q.a) (F(c) c - balance[1]) + Q (F(c) - balance[2])    (3)
+ *     F(c) p - balance[0] p + (q.a) (F(c) c - balance[1]) + Q (F(c) - balance[2])   (3)
  *
  * The other three are not filled. */
 void pp_axial_table_init_balanced(struct pp_axial_table *table,
@@ -59,8 +60,8 @@ struct pp_axial_light {
 /* The potential (2) about the light's axis, for pp_arc_sum. */
 double pp_axial_table_potential(const void *light, const struct pp_arc_nodes *nodes);
 
-/* The light of a ring within half-spaces, for a table of pp_axial_table_init: along
- * arcs no longer than `longest`. width: F changes fast where |a.u| is below it. */
+/* Light of a ring within half-spaces, from a table of pp_axial_table_init. longest:
+ * longest arc for one rule. width: F changes fast where |a.u| is below it. */
 double pp_axial_table_sum(const struct pp_axial_light *light, double longest,
                           double width, const struct pp_vec3 *vertices, int count,
                           const struct pp_vec3 *half_spaces, int half_space_count);

@@ -1,5 +1,5 @@
-/* beam.c - projects the clipped pieces of beam_pieces.c along a direction, and overlays
- * them. */
+/* beam.c - projects the pieces of beam_pieces.c along one direction on to the opening's
+ * face, and overlays them. */
 #include "methods/fast/beam.h"
 
 #include <math.h>
@@ -72,9 +72,9 @@ struct face_extent {
     double low[2], high[2];
 };
 
-/* True if the contents of a box in the beam's axes, projected along the direction (a,
- * b, 1), lie beside the extent. Uses the operations of project(), each monotonic in
- * rounding: never true for a piece whose projection meets the extent. */
+/* True if a box in the beam's axes, projected along the direction (a, b, 1), is
+ * entirely outside the extent. It uses the operations of project(), which are monotonic
+ * in rounding, so it is never true for a piece whose projection meets the extent. */
 static bool lies_beside(const struct face_extent *extent, const struct pp_vec3 *low,
                         const struct pp_vec3 *high, double a, double b)
 {
@@ -100,7 +100,8 @@ static struct face_extent fragments_face_extent(const struct pp_fragments *fragm
     return extent;
 }
 
-/* The depth z at which the direction (a, b, 1) from (x, y) in the face meets a plane. */
+/* Sets the coefficients of depth: the z at which a line in the direction (a, b, 1) from
+ * (x, y) in the face meets a plane. */
 static void set_depth(struct pp_fragment_ring *ring, struct pp_vec3 normal,
                       double offset, double facing)
 {
@@ -200,8 +201,8 @@ struct beam_look {
     struct face_extent open;
 };
 
-/* Puts the pieces of a leaf in front of the open part into rings, and their light into
- * lights; returns their number. */
+/* Projects the pieces of a leaf that may hide the open part: their outlines go to
+ * rings, their reflectance and exitance to lights. Returns their number. */
 static int find_leaf(const struct beam_look *look, const struct beam_node *leaf,
                      struct pp_fragment_ring *rings, double (*xy)[2],
                      double (*lights)[2])
@@ -238,7 +239,8 @@ static const struct beam_node *next_leaf(struct beam_look *look)
     return NULL;
 }
 
-/* The skylines of the opening's wall without a distance as rings; returns their number. */
+/* Projects those skylines of the opening's wall that have no distance; returns their
+ * number. */
 static int find_skylines(const struct beam_look *look, struct pp_fragment_ring *rings,
                          double (*xy)[2], double (*lights)[2])
 {
@@ -267,7 +269,7 @@ bool pp_beam_budget_exhausted(const struct pp_beam_space *space)
     return space->work_budget > 0 && space->work > space->work_budget;
 }
 
-/* Removes the parts hidden by any obstruction from the open part, until nothing is
+/* Removes the parts hidden by any obstruction from the open part; stops when nothing is
  * left. */
 static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space *space,
                                    struct pp_error *err)

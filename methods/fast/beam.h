@@ -1,20 +1,21 @@
 /* beam.h - parallel light through an opening on to the working plane.
  *
- * Light from one direction u that reaches the plane comes through a part of the
- * opening. That part is found by plane geometry: the opening's outlines, the plane and
- * all obstructions inside and outside are projected along u on to the opening's face.
- * For a luminance that depends on the direction only, the mean over the plane is an
- * integral over directions
+ * Light from a direction u that reaches the plane comes through a part of the opening.
+ * That part is found by plane geometry: the opening's outlines, the plane and all
+ * obstructions inside and outside are projected along u on to the opening's face. For a
+ * luminance that depends only on direction, the mean over the plane is an integral over
+ * directions
  *
  *     1/A integral over A of integral L(u) (n.u) domega dA
  *         = 1/A integral L(u) (w.u) a(u) domega
  *
- * with a(u) the area of that part and w the opening's normal: clipping in space is done
- * once for an opening and a plane, and one direction costs a clip in the plane.
+ * where a(u) is the area of that part and w the opening's normal. Polygons in space are
+ * clipped once for each opening and plane. Each direction then needs only clipping in
+ * the face's plane.
  *
  * The conventions are those of visible.h: obstructions inside remove light,
  * obstructions outside add light by their reflectance and exitance, and the nearest
- * counts.
+ * obstruction counts.
  */
 #ifndef PP_METHODS_FAST_BEAM_H
 #define PP_METHODS_FAST_BEAM_H
@@ -31,8 +32,9 @@ struct pp_beam_space {
     double (*xy)[2];
     struct pp_fragment_ring *rings;
     double (*lights)[2]; /* reflectance and exitance of the rings */
-    /* Number of ring-fragment comparisons so far, in all directions: nearly all of the
-     * computing time. Beyond the budget (0: unlimited) no more areas are calculated. */
+    /* Number of ring-fragment comparisons so far, in all directions; they take nearly
+     * all of the computing time. Once the number exceeds work_budget (0: unlimited), no
+     * more areas are calculated. */
     long long work, work_budget;
 };
 
@@ -43,8 +45,8 @@ struct pp_beam_areas {
     double emitting;   /* sum over obstructions of area times exitance */
 };
 
-/* *beam is the caller's, and refers to world. Without `with_outside`, obstructions and
- * skylines are left out. */
+/* Makes a beam, owned by the caller; it refers to world. with_outside = false: without
+ * obstructions and skylines. */
 enum pp_status pp_beam_create(struct pp_beam **beam, const struct pp_world *world,
                               const struct pp_opening *opening, bool with_outside,
                               struct pp_error *err);

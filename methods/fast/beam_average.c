@@ -1,10 +1,10 @@
-/* beam_average.c - divides the directions in which an opening faces, and integrates over
- * each part by hcubature. */
+/* beam_average.c - divides the directions that an opening faces into parts, and
+ * integrates over each part by cubature. */
 #include "methods/fast/beam_average.h"
 
 #include <cubature.h>
 
-/* Directions: bearing relative to the opening's own, and altitude (radians). */
+/* Range of bearings (relative to the opening's own) or of altitudes, radians. */
 struct bearing_range {
     double low, high;
 };
@@ -74,9 +74,9 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
     return 0;
 }
 
-/* Number of parts of the directions. They are uneven, so that no cut falls on the
- * middle of a window: in a symmetrical room the error estimates would then be too
- * small. */
+/* Numbers of parts into which the directions are divided. The parts are unequal, so
+ * that no cut is at the middle of a window: in a symmetrical room the error estimates
+ * would then be too small. */
 enum { FRONT = 4, BACK = 2, LAYERS = 3, PARTS = (FRONT + BACK) * LAYERS };
 static const double bearings[FRONT + BACK + 1] = {-1.0, -0.43, 0.09, 0.55,
                                                   1.0,  1.93,  3.0};

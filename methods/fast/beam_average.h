@@ -1,5 +1,5 @@
 /* beam_average.h - the mean light through an opening over the working plane, as an
- * integral over directions (view/beam.h). */
+ * integral over directions (beam.h). */
 #ifndef PP_METHODS_FAST_BEAM_AVERAGE_H
 #define PP_METHODS_FAST_BEAM_AVERAGE_H
 

@@ -1,5 +1,5 @@
-/* beam_pieces.c - the opening's outlines, the working plane, and the surfaces before and
- * behind them, as convex pieces in the opening's own axes. */
+/* beam_pieces.c - divides the opening's outlines, the working plane, and the surfaces
+ * inside and outside into convex pieces in the opening's axes. */
 #include "methods/fast/beam_pieces.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include "model/geometry/clipper.h"
 #include "model/geometry/convex_parts.h"
 
-/* Half-spaces normal.v > offset that a piece is cut to. */
+/* A half-space normal.v > offset, to which a piece is clipped. */
 struct beam_limit {
     struct pp_vec3 normal;
     double offset;

@@ -1,5 +1,5 @@
-/* beam_tree.h - a hierarchy of the pieces outside, which limits the test of one
- * direction to the pieces that may be in front of the opening along it. For beam.c and
+/* beam_tree.h - a bounding box hierarchy of the pieces outside. It limits the test of
+ * one direction to pieces that may hide the opening along it. For beam.c and
  * beam_pieces.c only. */
 #ifndef PP_METHODS_FAST_BEAM_TREE_H
 #define PP_METHODS_FAST_BEAM_TREE_H

@@ -1,4 +1,5 @@
-/* beams.c - each beam with a table of its areas by direction. */
+/* beams.c - stores the beams of openings, each with a hash table of its areas by
+ * direction. */
 #include "methods/fast/beams.h"
 
 #include <math.h>
@@ -18,8 +19,8 @@ enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
 enum { GLASSES = 4 }; /* number of glasses whose means are kept */
 
-/* Work budget of an opening, one to two seconds. In front of a terrain of 100,000
- * triangles 12,000 directions use 1/200 of it; in front of 100,000 leaves 400
+/* Work budget of an opening, one to two seconds of computing. With a terrain of 100,000
+ * triangles outside, 12,000 directions use 1/200 of it; with 100,000 leaves, 400
  * directions use all of it. */
 static const long long work_budget = 200000000;
 

@@ -1,10 +1,10 @@
-/* beams.h - the beams of a world's openings, and the areas along directions already
- * evaluated.
+/* beams.h - the beams of a world's openings, with the areas of all directions evaluated
+ * so far.
  *
  * Methods that average over the working plane weight the same areas by different
- * lights. The methods exact, waldram and pepper-pot in all their forms use mostly the
- * same directions, because their adaptive subdivisions begin in the same way. Each area
- * is calculated once, and so is a mean that two methods have in common.
+ * lights. The methods exact, waldram and pepper-pot, in all variants, mostly use the
+ * same directions, since their adaptive subdivisions begin in the same way. Each area
+ * is calculated once, and so is a mean that two methods share.
  */
 #ifndef PP_METHODS_FAST_BEAMS_H
 #define PP_METHODS_FAST_BEAMS_H
@@ -13,8 +13,8 @@
 
 struct pp_beams;
 
-/* Beams of all openings; each is made when first used. *beams is the caller's, and
- * refers to world. plain: averages are integrals over points instead
+/* Makes the store; a beam is made when it is first used. The caller owns *beams, which
+ * refers to world. plain: averages are integrated over points instead
  * (plane_light.h). */
 enum pp_status pp_beams_create(struct pp_beams **beams, const struct pp_world *world,
                                bool plain, struct pp_error *err);

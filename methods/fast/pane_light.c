@@ -1,18 +1,20 @@
-/* pane_light.c - chooses the table, and adds up the rings of a patch. */
+/* pane_light.c - chooses the table for a part of a view, and sums over the rings of its
+ * patch. */
 #include "methods/fast/pane_light.h"
 
 #include <stdlib.h>
 
-/* Longest arc (chord) of one rule for glass, and the width about grazing incidence
- * where arcs are shorter, chosen by trial. Over 1,800 random windows at 1 mm to 8 m the
- * worst error was 9e-10 of the open sky, with the rough values 4e-8. */
+/* For glass: longest arc (its chord) for one quadrature rule, and width about grazing
+ * incidence within which arcs are shorter. Chosen by trial: over 1,800 random windows
+ * at 1 mm to 8 m the worst error was 9e-10 of the open sky, with the rough values
+ * 4e-8. */
 #define LONGEST_FINE 0.8
 #define LONGEST_ROUGH 1.2
 #define BEND_FINE 0.02
 #define BEND_ROUGH 0.05
 
-/* Width about the horizon where arcs are shorter: a gradation is flat at the horizon
- * and changes above it. */
+/* Width about the horizon within which arcs are shorter: the gradation is constant
+ * below the horizon and changes above it. */
 #define BEND_GRADATION 0.1
 
 static const struct pp_vec3 pane_axis = {0.0, 0.0, 1.0};

@@ -1,5 +1,6 @@
-/* pane_light.h - the light of a patch through a pane from tables that were made for many
- * points: sums over the patch's edges (arc_sum.h) in place of a quadrature over it. */
+/* pane_light.h - the light of a patch through a pane, from tables that serve many
+ * points. It is a sum over the patch's edges (arc_sum.h) instead of a quadrature over
+ * its area. */
 #ifndef PP_METHODS_FAST_PANE_LIGHT_H
 #define PP_METHODS_FAST_PANE_LIGHT_H
 

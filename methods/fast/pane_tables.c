@@ -1,4 +1,4 @@
-/* pane_tables.c - makes each table once. */
+/* pane_tables.c - makes the tables; equal openings share one. */
 #include "methods/fast/pane_tables.h"
 
 #include <stdlib.h>
@@ -108,7 +108,7 @@ static enum pp_status add_sky(struct pp_pane_tables *tables,
     return status;
 }
 
-/* Makes the table of one opening. */
+/* Makes the tables of one opening, or shares those of an equal opening. */
 static enum pp_status add_pane_table(struct pp_pane_tables *tables,
                                      const struct pp_world *world,
                                      const struct pp_sky *sky,

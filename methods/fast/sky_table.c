@@ -1,4 +1,5 @@
-/* sky_table.c - fills the table meridian by meridian, and reads it along arcs. */
+/* sky_table.c - fills the table meridian by meridian, and interpolates it along
+ * arcs. */
 #include "methods/fast/sky_table.h"
 
 #include <stdlib.h>

@@ -19,7 +19,7 @@ struct pp_curve_list {
     struct pp_curve *list;
 };
 
-void pp_curve_list_clear(struct pp_curve_list *curves); /* leaves none */
+void pp_curve_list_clear(struct pp_curve_list *curves); /* the list is then empty */
 
 /* Appends a point, unless it equals the last one; the curve must have space. */
 void pp_curve_add_point(struct pp_curve *curve, const double xy[2]);

@@ -28,7 +28,8 @@ struct pp_region {
 
 enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *region,
                               struct pp_error *err);
-void pp_region_clear(struct pp_region *region); /* leaves the empty figure */
+void pp_region_clear(struct pp_region *region); /* the region is then the empty
+                                                 * figure */
 
 /* Twice the area of the triangle a, b, c; positive for a left turn. */
 static inline double pp_region_turn(const double a[2], const double b[2],

@@ -56,7 +56,7 @@ bool pp_answer_program_import(struct pp_task *task)
                             ? json_object_get_string(text)
                             : NULL;
     const char *first = bytes ? bytes + strspn(bytes, " \t\r\n\xEF\xBB\xBF") : "";
-    /* Other scene formats may refer to files of the server. */
+    /* Only gbXML is accepted: other scene formats may refer to files on the server. */
     if (*first != '<' || !strstr(first, "<gbXML")) {
         pp_task_fail(task, MHD_HTTP_UNPROCESSABLE_CONTENT,
                      "expected { \"gbxml\": TEXT } with a gbXML file");

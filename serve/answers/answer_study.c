@@ -69,8 +69,8 @@ bool pp_answer_study_df(struct pp_task *task)
 
 /* ---- plan ---- */
 
-/* Answers with { "scene": ..., "plan": ... } of two JSON texts. If plan is NULL the
- * answer has null, and the reason in "why". */
+/* Answers with { "scene": ..., "plan": ... }, made from two JSON texts. If plan is
+ * NULL, the answer has "plan": null and the reason in "why". */
 static void answer_plan(struct pp_task *task, const char *scene, const char *plan,
                         const struct pp_error *err)
 {

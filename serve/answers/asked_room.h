@@ -19,17 +19,17 @@ struct pp_asked_room {
  * `names` (NULL-terminated). If false, the error answer is set. */
 bool pp_asked_room_options(struct pp_task *task, const char *const *names);
 
-/* Gets an option; *option is NULL if it is missing. False if it has another JSON type;
- * the error answer is then set. */
+/* Gets an option; *option is NULL if it is missing. If it has another JSON type,
+ * returns false and sets the error answer. */
 bool pp_asked_room_option(struct json_object **option, struct pp_task *task,
                           const char *name, enum json_type type);
 
-/* True if the sky needs no file, as a photograph would; NULL is allowed. If false, the
- * error answer is set. */
+/* True if the sky can be used without reading a file, unlike a sky photograph. NULL is
+ * allowed. If false, the error answer is set. */
 bool pp_asked_room_sky(struct pp_task *task, const char *sky);
 
-/* Gets a number from `least` to `most`; `usual` if the option is missing. False if it
- * is invalid; the error answer is then set. */
+/* Gets an option that is a number from `least` to `most`; `usual` if it is missing. If
+ * it is invalid, returns false and sets the error answer. */
 bool pp_asked_room_number(double *number, struct pp_task *task, const char *name,
                           double usual, double least, double most);
 

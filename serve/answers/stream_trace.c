@@ -11,8 +11,8 @@
 
 #include "serve/answers/asked_room.h"
 
-/* Time (s) between checks whether the client is still connected; shorter at first, for
- * an early first estimate. */
+/* Duration of a slice of work (s), after which an estimate is sent and the connection
+ * is checked. The first slice is shorter, for an early first estimate. */
 static const double first_slice_s = 0.01, slice_s = 0.04;
 
 struct trace {
@@ -27,7 +27,8 @@ static void free_trace(void *state)
     free(trace);
 }
 
-/* Writes per cent with 6 digits: the rounding error is far below the standard error. */
+/* Writes a factor in per cent with 6 digits, which is far more accurate than its
+ * standard error. */
 static void put_per_cent(FILE *out, double factor)
 {
     if (isfinite(factor))

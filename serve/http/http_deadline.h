@@ -1,9 +1,9 @@
-/* http_deadline.h - ends connections whose requests take too long. Inside serve/
- * only.
+/* http_deadline.h - closes connections whose requests take too long to arrive. Inside
+ * serve/ only.
  *
- * A client that sends a byte a second is never idle, so a limit on idle time does not
- * end it. Each connection has a fixed time from its beginning, or from the end of its
- * last answer, to the end of its next request.
+ * A limit on idle time is not enough: a client that sends one byte a second is never
+ * idle. Each connection therefore has a fixed time, from its beginning or the end of
+ * its last answer to the end of its next request.
  */
 #ifndef PP_SERVE_HTTP_HTTP_DEADLINE_H
 #define PP_SERVE_HTTP_HTTP_DEADLINE_H
@@ -21,8 +21,8 @@ void pp_http_deadline_list_destroy(struct pp_http_deadlines *list);
 /* Registers a connection on that socket; NULL if there are too many. */
 struct pp_http_deadline *pp_http_deadline_begin(struct pp_http_deadlines *list,
                                                 int socket);
-/* waits: starts the time for the connection's next request; else stops it, when a
- * request is complete. */
+/* waits = true: starts the time limit for the connection's next request; false: stops
+ * it, when a request is complete. */
 void pp_http_deadline_wait(struct pp_http_deadlines *list, struct pp_http_deadline *one,
                            bool waits);
 void pp_http_deadline_end(struct pp_http_deadlines *list, struct pp_http_deadline *one);

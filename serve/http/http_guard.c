@@ -12,7 +12,8 @@
 
 enum { HOST_BYTES = 256 };
 
-/* The host without its port: "[::1]:80" gives "::1". False if it is no host. */
+/* Extracts the host without its port: "[::1]:80" gives "::1". False if the text is not
+ * a valid host. */
 static bool bare_host(char bare[HOST_BYTES], const char *host)
 {
     size_t length;
@@ -73,7 +74,7 @@ static bool is_own_origin(const char *origin, const char *host)
     return scheme_end && host && strcasecmp(scheme_end + 3, host) == 0;
 }
 
-/* True if the media types are equal, apart from parameters of `given`. */
+/* True if the media types are equal; parameters of `given` are ignored. */
 static bool is_of_type(const char *given, const char *wanted)
 {
     size_t length = strlen(wanted);

@@ -13,18 +13,18 @@ struct pp_http_headers {
 };
 
 /* True if the Host header is allowed: 127.0.0.1, localhost, [::1], the server's address
- * and the names in `hosts`. Unless the server is a loopback server, any numeric address
- * is allowed too: a DNS rebinding attack needs a name. The port is not compared, since
- * a proxy may have another one. */
+ * or a name in `hosts`. If the server is not limited to loopback, any numeric address
+ * is allowed too, since a DNS rebinding attack needs a name. The port is ignored, since
+ * a proxy may use another one. */
 bool pp_http_guard_host(const struct pp_serve_options *options, const char *host);
 
 /* True if the texts are equal, or wanted is NULL. Constant time: its duration does not
  * depend on the position of a difference. */
 bool pp_http_guard_same(const char *wanted, const char *given);
 
-/* Returns 0 if the request is accepted, else the HTTP status of the refusal, with its
- * reason in *why. is_page: the path is a file of the page, which is public. token:
- * required by the path; NULL: none. */
+/* Returns 0 if the request is accepted, else the HTTP status of the refusal and its
+ * reason in *why. is_page: the path is a file of the web page, which is public. token:
+ * the token that the path requires; NULL: none. */
 unsigned pp_http_guard_check(const struct pp_serve_options *options,
                              const struct pp_http_headers *headers,
                              const char *body_type, bool is_page, const char *token,

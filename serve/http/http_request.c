@@ -22,7 +22,7 @@ struct http_request {
 
 /* ---- answers ---- */
 
-/* Scripts, images and connections are limited to the page's own. */
+/* The page may load scripts and images, and connect, only from this server. */
 static const char content_policy[] =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: "
     "blob:; "

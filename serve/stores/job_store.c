@@ -53,7 +53,7 @@ static bool write_state(const struct pp_task *task, const char *name, const char
     return good;
 }
 
-/* Runs the job; the request that began it is already answered. */
+/* Runs the job. The request that started it has already been answered. */
 static bool run_job(struct pp_task *task)
 {
     const char *name = task->state;

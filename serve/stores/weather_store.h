@@ -1,7 +1,7 @@
-/* weather_store.h - uploaded weather files, by their hash. Inside serve/ only.
+/* weather_store.h - stores uploaded weather files by their hash. Inside serve/ only.
  *
- * The store keeps the last files used, in a temporary folder that is removed when the
- * server stops.
+ * The store keeps the most recently used files in a temporary folder, which is removed
+ * when the server stops.
  */
 #ifndef PP_SERVE_STORES_WEATHER_STORE_H
 #define PP_SERVE_STORES_WEATHER_STORE_H
@@ -14,8 +14,9 @@ struct pp_weather_store *pp_weather_store_create(void);        /* NULL on failur
 void pp_weather_store_destroy(struct pp_weather_store *store); /* NULL is allowed */
 void pp_weather_store_empty(struct pp_weather_store *store);   /* removes the folder */
 
-/* Path of the file with that hash; NULL if there is none. The string is valid while the
- * store lives. The file may be removed meanwhile; the command then reports that. */
+/* Path of the file with that hash; NULL if there is none. The string is valid as long
+ * as the store. The file may be removed before a command opens it; the command then
+ * reports an error. */
 const char *pp_weather_store_path(struct pp_weather_store *store, const char *hash);
 
 /* Stores a weather file; answers with { "hash": "...", "place": "..." }. */

@@ -16,8 +16,9 @@
 extern char **environ;
 
 static const size_t output_most = (size_t)48 << 20, errors_most = (size_t)64 << 10;
-static const rlim_t memory_most = (rlim_t)4 << 30; /* address space, with threads and
-                                                    * fonts */
+static const rlim_t memory_most = (rlim_t)4 << 30; /* limit on the child's address
+                                                    * space, which includes its threads'
+                                                    * stacks and the fonts */
 
 struct pipes {
     int in[2], out[2], err[2];
@@ -87,8 +88,9 @@ static bool spawn_child(pid_t *child, const struct pp_task *task,
     return true;
 }
 
-/* Reads the available output; closes the pipe at its end. False if there is too much
- * output, or without memory. */
+/* Appends one block of output to *bytes. Closes the pipe at the end of the file or
+ * after a read error. False if the output exceeds `most` bytes, or if memory runs
+ * out. */
 static bool take_output(int *pipe, char **bytes, size_t *length, size_t most)
 {
     enum { BLOCK = 64 << 10 };
@@ -112,7 +114,7 @@ static double child_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Writes the input and reads both outputs until they end. */
+/* Writes the input and reads both outputs until both are at their end. */
 static enum pp_child_end pump(struct pp_child_result *result, struct pp_task *task,
                               struct pipes *pipes, const char *input, size_t left)
 {

@@ -1,9 +1,9 @@
 /* child.h - runs the program as a child process, for functions that pepperpot.h lacks.
  * Inside serve/ only.
  *
- * The child's standard input is a text; its output and errors are kept. It has limits
- * on time, memory and output, a low priority and an empty working directory. It ends
- * when the task is cancelled.
+ * The child's standard input is a given text; its output and error output are returned.
+ * Its time, memory and output are limited, its priority is low, and its working
+ * directory is empty. It is ended when the task is cancelled.
  */
 #ifndef PP_SERVE_WORK_CHILD_H
 #define PP_SERVE_WORK_CHILD_H
@@ -16,7 +16,7 @@ enum pp_child_end {
     PP_CHILD_DONE,      /* exited; see `status` */
     PP_CHILD_CANCELLED, /* the client is no longer connected */
     PP_CHILD_LIMIT,     /* exceeded the limit on time or output */
-    PP_CHILD_FAILED     /* could not be started, or died */
+    PP_CHILD_FAILED     /* could not be started, or was ended by a signal */
 };
 
 struct pp_child_result {

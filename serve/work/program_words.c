@@ -8,8 +8,8 @@
 #include "serve/answers/asked_room.h"
 #include "serve/stores/weather_store.h"
 
-/* A command, the options that a request may set (separated by blanks), and its formats,
- * the default first. No option may name a file. */
+/* For each command: the options that a request may set, separated by blanks, and its
+ * formats, the default first. No option in this list may name a file. */
 static const struct {
     const char *command, *options, *formats;
 } commands[] = {

@@ -69,7 +69,7 @@ void pp_task_cancel(struct pp_task *task)
     pthread_mutex_unlock(&task->lock);
 }
 
-/* Needs the lock. */
+/* The caller holds the task's lock. */
 static void wake_connection(struct pp_task *task)
 {
     if (!task->is_suspended)

@@ -1,10 +1,10 @@
 /* task.h - the work for a request, and its answer. Inside serve/ only.
  *
- * A task belongs to the thread that reads requests until it is submitted to a queue
- * (work_line.h). Then a worker runs it, in slices, while its connection is suspended.
- * The answer is sent as a whole, or is a stream of events that begins before the work
- * ends. The request and the queue both own the task; the last owner that releases it
- * frees it.
+ * A new task belongs to the thread that reads requests, until it is submitted to a
+ * queue (work_line.h). A worker then runs it in slices, while its connection is
+ * suspended. The answer is sent as a whole, or as a stream of events that begins before
+ * the work ends. The request and the queue both own the task; the last of them to
+ * release it frees it.
  */
 #ifndef PP_SERVE_WORK_TASK_H
 #define PP_SERVE_WORK_TASK_H
@@ -71,7 +71,8 @@ void pp_task_fail(struct pp_task *task, unsigned status, const char *format, ...
 void pp_task_fail_with(struct pp_task *task, const struct pp_error *err);
 
 /* Adds an event to the stream, and begins the stream if necessary; data may have
- * several lines. A client that does not read is cancelled. */
+ * several lines. If the client does not read, and too many bytes are unsent, the task
+ * is cancelled. */
 void pp_task_event(struct pp_task *task, const char *name, const char *data);
 
 /* Marks the answer as complete and resumes the connection. */

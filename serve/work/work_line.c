@@ -101,7 +101,8 @@ enum pp_work_line_verdict pp_work_line_submit(struct pp_work_line *line,
     else if (own >= PP_WORK_LINE_CLIENT_MOST)
         verdict = PP_WORK_LINE_CLIENT_FULL;
     if (verdict == PP_WORK_LINE_TAKEN) {
-        task->owners++; /* safe without its lock: no other thread has the task yet */
+        task->owners++; /* safe without the task's lock: no other thread has the task
+                         * yet */
         join_line(line, task);
         pthread_cond_signal(&line->wake);
     }

@@ -1,4 +1,4 @@
-/* control_variate.c - a radiosity solution read at a point. */
+/* control_variate.c - reads the radiosity solution at a point, by interpolation. */
 #include "simulate/fast/control_variate.h"
 
 #include <stdlib.h>

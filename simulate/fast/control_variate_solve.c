@@ -1,5 +1,5 @@
-/* control_variate_solve.c - patches laid out, lit by the openings along sampled directions,
- * and the exchange between them iterated. */
+/* control_variate_solve.c - lays out patches, samples their light from the openings,
+ * and iterates the exchange of light between them. */
 #include "simulate/fast/control_variate_solve.h"
 
 #include <math.h>
@@ -32,7 +32,7 @@ struct variate_patch {
                                     * E */
     double exchanged;              /* own plus interreflected light, before smoothing */
     int seen[LOBE_SAMPLES];        /* indices of patches that its rays meet; -1: none */
-    int sides[OPENING_SAMPLES];    /* niche sides met by directions to mouths, */
+    int sides[OPENING_SAMPLES];    /* niche sides that directions to openings meet, */
     double worth[OPENING_SAMPLES]; /* and the share of their exitance that the patch
                                     * receives */
     int side_count;
@@ -141,14 +141,15 @@ static const struct pp_material *patch_material(const struct pp_light_scene *sce
     return &scene->materials[scene->parts[patch->part].material[patch->back]];
 }
 
-/* A patch, and the solution in which the niche sides that it sees are patches. */
+/* Data of the callback below: a patch, and the solution in which the niche sides are
+ * patches. */
 struct noting {
     struct variate_patch *patch;
     const struct pp_control_variate *variate;
 };
 
-/* Callback: records a niche side. Returns 0, as light of sides is added by the
- * exchange. */
+/* Callback: records a niche side that the patch sees. Returns 0, since the light of
+ * sides is added later, by the exchange. */
 static double note_side(void *of, const struct pp_light_hit *side, double worth)
 {
     const struct noting *noting = of;
@@ -159,7 +160,8 @@ static double note_side(void *of, const struct pp_light_hit *side, double worth)
     return 0.0;
 }
 
-/* The irradiance of the patch by the openings, and the patches that its rays meet. */
+/* Computes the irradiance of the patch by the openings, and finds the patches that its
+ * rays meet. */
 static void light_patch(struct variate_patch *patch,
                         const struct pp_control_variate *variate,
                         const struct pp_light_scene *scene,

@@ -1,5 +1,5 @@
-/* gather_cells.c - cells laid out on the faces of a convex room, and vectorised sums
- * over them. */
+/* gather_cells.c - divides the faces of a convex room into cells, and sums over them
+ * with vector instructions. */
 #include "simulate/fast/gather_cells.h"
 
 #include <math.h>
@@ -15,12 +15,12 @@
 static const double RAYS_WEIGHED = 32.0;
 enum { PATCHES_ALONG = 2 };
 
-/* Cells with at most this many times the area of their face fill it; allows for
- * rounding. */
+/* If the area of the cells is at most this many times that of their face, they fill it
+ * exactly; allows for rounding. */
 static const double FILLED = 1.0 + 1e-9;
 
-/* Arrays of a net: coordinates, and G above its level; each an array of as many numbers
- * as there are lanes. */
+/* Arrays of a net: coordinates of the points, and G less its lower bound. Each array
+ * has one number for each lane. */
 enum { X, Y, Z, GUESS, ARRAYS };
 
 struct cell_face {

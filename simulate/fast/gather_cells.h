@@ -1,23 +1,24 @@
-/* gather_cells.h - the control variate of path.h, integrated by area sampling of cells
- * of the room's surfaces, combined with cosine sampling by the balance heuristic.
+/* gather_cells.h - integrates the control variate of path.h over the room's surfaces,
+ * by one random point in each of many cells, combined with cosine sampling by the
+ * balance heuristic.
  *
  * The contribution of G to a receiver at x is its mean over the cosine lobe, or the
- * integral over the room's surfaces of G(y) k(x, y), k = cos cos' / (pi r2). Rays of
- * the lobe meet small, distant and bright areas only by chance, such as the floor near
- * the window seen from the back of a room. A point in each cell of the surfaces, of
- * area A, always samples them. Near the receiver, however, k is large and varies within
- * a cell. The cells therefore gather
+ * integral over the room's surfaces of G(y) k(x, y), with k = cos cos' / (pi r2). Rays
+ * of the lobe rarely meet small, distant and bright areas, such as the floor near the
+ * window seen from the back of a room. A point in each cell always samples them. Near
+ * the receiver, however, k is large and varies within a cell. The cells, of area A,
+ * therefore sum
  *
- *     (G - g) / (1 + c k A)                                                            (1)
+ *     (G - g) / (1 + c k A)                                                         (1)
  *
- * and the rest of G is left to the lobe's rays, by the balance heuristic of [VG95] with
- * c rays per cell. g is the least value of G: a uniform part causes no noise in the
- * lobe. The sum is unbiased for all c and g. The points of one randomisation have the
- * same relative position in all cells, mirrored from cell to cell, which cancels linear
- * errors; the values of G at these points are used by all receivers.
+ * and the rays of the lobe sample the rest of G. This is the balance heuristic of
+ * [VG95] with c rays per cell. g is the least value of G: a uniform part causes no
+ * noise in the lobe. The result is unbiased for all c and g. The points of one
+ * randomisation have the same relative position in all cells, mirrored from cell to
+ * cell, which cancels linear errors. All receivers use the values of G at these points.
  *
- * Used only in rooms where shared_density.h is used, because all points are visible
- * from each other there. Sides of niches have no cells.
+ * Cells are used only in rooms that use shared_density.h, since all points see each
+ * other there. Sides of niches have no cells.
  */
 #ifndef PP_SIMULATE_FAST_GATHER_CELLS_H
 #define PP_SIMULATE_FAST_GATHER_CELLS_H
@@ -53,8 +54,9 @@ bool pp_gather_cells_are_on(const struct pp_gather_cells *cells, int part);
 double pp_gather_cells_taken(const struct pp_gather_cells *cells, const double *net,
                              struct pp_vec3 point, struct pp_vec3 normal);
 
-/* The part of a value G (`guess`, over Eh) that (1) leaves to a ray of the lobe that
- * reaches the point directly; all of it if the surface has no cells. */
+/* The part of a value G (`guess`, over Eh) that the cells do not cover, for a ray of
+ * the lobe that reaches the point directly. It is the whole value if the surface has no
+ * cells. */
 double pp_gather_cells_left(const struct pp_gather_cells *cells,
                             const struct pp_light_ray *ray,
                             const struct pp_light_hit *met, double guess);

@@ -1,4 +1,4 @@
-/* path.c - two estimators of path.h, which take a step: direct light, and gathering of the
+/* path.c - the first two estimators of path.h: direct light, and gathering of the
  * control variate. */
 #include "simulate/fast/path_parts.h"
 
@@ -170,8 +170,8 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     }
 }
 
-/* G at the end of the ray, if that is a surface to be gathered; with `cells`, the part
- * left over by the cells. */
+/* G at the end of the ray if it meets a surface directly; with `cells`, only the part
+ * that cells do not cover. */
 static double gathered(struct pp_path_state *state, const struct pp_light_ray *ray,
                        const struct pp_convex_nearest *nearest, bool cells)
 {

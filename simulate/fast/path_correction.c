@@ -1,5 +1,5 @@
-/* path_correction.c - the third estimator of path.h: paths from surface to surface, which
- * correct the control variate. */
+/* path_correction.c - the third estimator of path.h: follows paths from surface to
+ * surface, which correct the control variate. */
 #include <stddef.h>
 
 #include "simulate/sampling/lobe.h"
@@ -22,13 +22,13 @@ enum {
     MOST_BOUNCES = 1 << 14
 };
 
-/* Probability with which a path continues, relative to the remaining share of the
- * importance at its first surface. Measured: 0.6 and 1 are equally good without shared
- * points; with shared points 1 takes 8 % longer. */
+/* Russian roulette: probability that a path continues, over the ratio of its importance
+ * to that at its first surface. Measured without shared points: 0.6 and 1 are equally
+ * good; with shared points 1 takes 8 % longer. */
 static const double GOING_ON = 0.6;
 
-/* Defensive sampling: in the choice of an arm, G counts as at least this share of its
- * mean over the arms of the fan. */
+/* Defensive sampling: when an arm is chosen, its G counts as at least this share of the
+ * mean over the fan's arms. */
 static const double LEAST_SHARE = 0.5;
 
 /* An arm: a path on its way to a surface of the room. */

@@ -6,12 +6,13 @@
 #include "simulate/fast/path.h"
 #include "simulate/transport/light_path.h"
 
-/* The point, where the random numbers of `vertex` begin with two for a direction. */
+/* Start point of a path. u: the first two random numbers of `vertex`, for a
+ * direction. */
 struct pp_vec3 pp_path_begin(const struct pp_path_state *state,
                              const struct pp_start *start, int vertex, double u[2]);
 
-/* The longest run that may begin at the index and ends at `end` or before; `most` is a
- * power of two. */
+/* Length of the longest run of path indices that may begin at `index` and ends at `end`
+ * or before; `most` is a power of two. */
 static inline int pp_path_run_from(uint32_t index, uint32_t end, uint32_t most)
 {
     uint32_t count = most;
@@ -29,8 +30,8 @@ static inline double pp_path_guess(const struct pp_path_state *state,
                : 0.0;
 }
 
-/* A light path along a ray, from `vertex` on, without openings that are sampled
- * directly. */
+/* A light path along a ray, from `vertex` on. It excludes light of openings that are
+ * sampled directly. */
 static inline struct pp_light_path pp_path_of_ray(const struct pp_path_state *state,
                                                   const struct pp_light_ray *ray,
                                                   int vertex)

@@ -1,4 +1,5 @@
-/* shared_density.c - a density by the patches of the control variate. */
+/* shared_density.c - a density that is constant on each patch of the control
+ * variate. */
 #include "simulate/fast/shared_density.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* shared_light.c - nets of points, each with the residual of the control variate
+/* shared_light.c - draws sets of points, each with the residual of the control variate
  * there. */
 #include "simulate/fast/shared_light.h"
 

@@ -1,5 +1,5 @@
-/* tracer.c - the tracer's points as a sampler of the estimators of path.h, and of the
- * light that they share. */
+/* tracer.c - connects the estimators of path.h, and the shared light, to the sampler of
+ * simulate/estimate. */
 #include "simulate/fast/tracer.h"
 
 #include <math.h>
@@ -24,7 +24,7 @@ enum {
     SUM_GATHER = 3,
     SUM_CORRECTION = 4,
     SUM_SHARED = 5,
-    SUM_CELLS = 6 /* gathered by cells, not a sum over paths */
+    SUM_CELLS = 6 /* light gathered by cells, which is not a sum over paths */
 };
 
 /* Points that receivers share in one randomisation. At least 64 are used, since fewer
@@ -39,12 +39,12 @@ static const double SHARED_VARIANCE = 0.0033;
  * work of 8, 17 or 384 by about a tenth. */
 static const double SHARED_COST = 1.0;
 
-/* Share of the inside surface below which openings light it in spots that few paths
- * find: a small pilot misses them and plans too few paths. Pilot and least number of
- * paths are then multiplied as for a room with the second share, by at most
- * SPOTTED_MOST. In three rooms with slits of 0.05 to 0.1 m, up to half of the averages
- * had over twice the target error of 0.5 %; now 5 of 90 do, for half as much time
- * again. */
+/* If openings are a smaller share of the inside surfaces than SPOTTED_SHARE, they light
+ * small spots that few paths find. A small pilot would miss them and plan too few
+ * paths. The pilot and the least number of paths are then multiplied, as far as a room
+ * with SPOTTED_LIKE needs, by at most SPOTTED_MOST. In three rooms with slits of 0.05
+ * to 0.1 m, up to half of the averages had over twice the target error of 0.5 %; now 5
+ * of 90 do, for half as much time again. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
@@ -60,9 +60,10 @@ struct pp_tracer {
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
     struct pp_control_variate *variate;
-    struct pp_shared_density *density; /* NULL: each point's correction is its own */
-    struct pp_gather_cells *cells;     /* NULL there too, */
-    struct pp_shared_lights *shared;   /* and this */
+    struct pp_shared_density *density; /* NULL: every point samples its whole correction
+                                        * itself */
+    struct pp_gather_cells *cells;     /* NULL if density is */
+    struct pp_shared_lights *shared;   /* NULL if density is */
     struct pp_sobol sobol;
     struct traced_point *points; /* the receivers, then the average if requested */
     int point_count, receiver_count;

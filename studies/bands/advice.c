@@ -9,13 +9,13 @@
 #include "model/base/array.h"
 #include "studies/bands/report_bands.h"
 
-/* Ratios (in logarithms) to the narrowest band: a band at most this much wider is still
- * preferred if its method comes earlier in the report, or if it is the best over all
- * points. */
+/* Limits on a band's width over the narrowest one's (widths of logarithms). A band
+ * within about_as_narrow is preferred if its method comes earlier in the report. A band
+ * within narrow_enough is preferred if its method is the best over all points. */
 static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 
-/* The band records of the daylight factors at a place, in the order of the report;
- * space for all columns. */
+/* Records of the bands of daylight factors at a point, in the order of the report's
+ * columns; with space for all columns. */
 struct ranking {
     struct pp_band_index index;
     struct pp_band_record *list;
@@ -35,7 +35,7 @@ static double figure_of(const struct pp_column *column, int index)
     return index < 0 ? column->average.value : column->points[index].value;
 }
 
-/* Looks up the bands of all methods at a point, or (-1) of the average. */
+/* Looks up the bands of all methods at a point; index -1: of the average. */
 static void look_up(struct ranking *ranking, const struct pp_report *report,
                     double features[PP_BAND_FEATURES], int index)
 {
@@ -158,7 +158,7 @@ static enum pp_status add_item(struct pp_advice *advice, const struct ranking *r
     return PP_OK;
 }
 
-/* Appends the figure times the median ratio of its band. */
+/* Appends the corrected figure: the figure times the median ratio of its band. */
 static enum pp_status add_corrected(struct pp_advice_item *item, int count,
                                     double figure, struct pp_error *err)
 {
@@ -170,7 +170,8 @@ static enum pp_status add_corrected(struct pp_advice_item *item, int count,
     return status;
 }
 
-/* Adds a point to the item of its best method, or a new one for it. */
+/* Adds a point to the item of its best method; makes a new item if there is none
+ * yet. */
 static enum pp_status add_point(struct pp_advice *advice, const struct ranking *ranking,
                                 int best, int index, double figure,
                                 struct pp_error *err)

@@ -1,9 +1,9 @@
-/* advice.h - recommends a method for the average and for each point of a room: the
- * method whose band in the atlas is narrowest.
+/* advice.h - recommends a method for the average and for each point of a room: the one
+ * whose band in the atlas is narrowest.
  *
- * If bands are about equally narrow, the first method is chosen. At points the method
- * with the narrowest bands over all points is chosen, unless the band of another method
- * at the point is narrower by a fifth (in logarithms of high over low).
+ * If bands are about equally narrow, the method that comes first is chosen. At points
+ * this is the method with the narrowest bands over all points, unless another method's
+ * band at the point is narrower by a fifth (in logarithms of high over low).
  */
 #ifndef PP_STUDIES_BANDS_ADVICE_H
 #define PP_STUDIES_BANDS_ADVICE_H
@@ -13,11 +13,11 @@
 
 enum { PP_ADVICE_OTHERS = 3 };
 
-/* The points (or the average) for which a method in one regime is the best. */
+/* The points, or the average, for which one method in one regime is the best. */
 struct pp_advice_item {
     struct pp_band_record best;
-    struct pp_band_record others[PP_ADVICE_OTHERS]; /* the next best at the first of
-                                                     * the points */
+    struct pp_band_record others[PP_ADVICE_OTHERS]; /* the next best methods at the
+                                                     * first of the points */
     int other_count;
     bool of_average;
     int *points; /* indices of receivers; owned */
@@ -33,8 +33,8 @@ struct pp_advice {
     char why_not[256]; /* reason if there is no advice, else empty */
 };
 
-/* Recommends methods by the daylight factors of a report, which must have all methods
- * to choose from. The caller clears *advice in any case. */
+/* Recommends methods from the daylight factors of a report, which must have columns of
+ * all the methods to choose from. The caller clears *advice in any case. */
 enum pp_status pp_advice_of(struct pp_advice *advice, struct pp_report *report,
                             struct pp_error *err);
 void pp_advice_clear(struct pp_advice *advice);

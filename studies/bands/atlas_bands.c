@@ -26,8 +26,8 @@ static int find_atlas_column(const struct pp_atlas_table *table, const char *pre
     return pp_atlas_table_find(table, whole);
 }
 
-/* Column of a feature; -1: none. Also -1 if it depends on the slope of the glass alone,
- * like the light on openings under an overcast sky, which differs under ISO 15469. */
+/* Column of a feature; -1: none, or the feature depends only on the slope of the glass.
+ * Under an overcast sky the light on openings does, but not under ISO 15469's skies. */
 static int feature_column(const struct pp_atlas_table *table, int feature)
 {
     bool by_slope =
@@ -144,8 +144,8 @@ static enum pp_status add_band_column(struct pp_atlas_bands *bands,
 
 /* ---- the table ---- */
 
-/* True if this ("df.exact+bre") is the name of a hand column. *name: the part after the
- * point. */
+/* True if a heading such as "df.exact+bre" is that of a hand column. *name: the part
+ * after the point. */
 static bool is_hand(const char *heading, enum pp_component *component,
                     const char **name)
 {

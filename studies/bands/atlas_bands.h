@@ -1,5 +1,5 @@
-/* atlas_bands.h - the bands of all columns of an atlas, and their test on rooms held
- * out. */
+/* atlas_bands.h - fits the bands of all columns of an atlas, and tests them on rooms
+ * that were not used for the fit. */
 #ifndef PP_STUDIES_BANDS_ATLAS_BANDS_H
 #define PP_STUDIES_BANDS_ATLAS_BANDS_H
 
@@ -15,7 +15,7 @@ struct pp_atlas_column {
     int entry_count;
     struct pp_band_trial *trials; /* from half of the rooms, tested on the others */
     int trial_count;
-    double inside; /* share of all points (averages) tried that were in their bands */
+    double inside; /* share of all tested points (or averages) inside their bands */
 };
 
 /* Span of a feature over the rooms of the atlas. */
@@ -37,8 +37,8 @@ enum pp_status pp_atlas_bands_fit(struct pp_atlas_bands *bands,
                                   const struct pp_atlas_table *table,
                                   struct pp_error *err);
 /* True if the share of a trial's points inside the band differs from 95 % by more than
- * trial->limit. A share that is too large is tested without the band's ends. The second
- * function counts these trials. */
+ * trial->limit. If the share is too large, it is tested again without points on the
+ * band's ends. pp_atlas_bands_outside counts such trials. */
 bool pp_atlas_bands_is_outside(const struct pp_band_trial *trial);
 int pp_atlas_bands_outside(const struct pp_atlas_bands *bands);
 

@@ -1,4 +1,4 @@
-/* band_features.c - names of features, and shares of a figure's components in it. */
+/* band_features.c - names of features, and the shares of components in a figure. */
 #include "studies/bands/band_features.h"
 
 #include <stdio.h>

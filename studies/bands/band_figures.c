@@ -1,4 +1,4 @@
-/* band_figures.c - a table to which rows are added one by one. */
+/* band_figures.c - stores rows of figures, and divides them into two halves by room. */
 #include "studies/bands/band_figures.h"
 
 #include <stdint.h>
@@ -62,7 +62,7 @@ enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
     return PP_OK;
 }
 
-/* SplitMix64's. */
+/* The constant and the hash are those of SplitMix64. */
 int pp_band_figures_side(int room)
 {
     return (int)(pp_hash_mix64(((uint64_t)room + 1) * UINT64_C(0x9e3779b97f4a7c15))

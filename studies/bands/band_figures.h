@@ -11,7 +11,7 @@
 
 #include "model/base/error.h"
 
-/* The place of a column's figures. */
+/* Kind of place that a column's figures are for. */
 enum pp_band_place { PP_BAND_POINT, PP_BAND_AVERAGE, PP_BAND_PLACES };
 extern const char *const pp_band_figures_places[]; /* "point", "average" */
 
@@ -39,9 +39,9 @@ struct pp_band_row {
 enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
                                    const struct pp_band_row *row, struct pp_error *err);
 
-/* The half of the atlas, 0 or 1, to which a room belongs, by a hash of its number. Even
- * and odd numbers would not do: in a Sobol sequence they are in different halves of the
- * first dimension. */
+/* The half of the atlas, 0 or 1, to which a room belongs, from a hash of its number.
+ * Even and odd numbers are not suitable: in a Sobol sequence they are in different
+ * halves of the first dimension. */
 int pp_band_figures_side(int room);
 
 /* Adds the rows whose rooms are in that half. */

@@ -1,5 +1,5 @@
-/* band_fit.c - the ratios of a column, their regimes, and the test of the bands of each
- * half on the other half. */
+/* band_fit.c - fits the bands of a column in each regime, and tests the bands of one
+ * half of the rooms on the other. */
 #include "studies/bands/band_fit.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static double ratio_of(const struct pp_band_figures *figures, int row, enum rati
     return pp_band_regime_ratio(above, below, PP_BAND_OFFSET);
 }
 
-/* The sample of a ratio; its list of ratios is the caller's to free. */
+/* Makes the sample of one kind of ratio; the caller frees its list of ratios. */
 static bool take_sample(struct pp_band_sample *sample, double **ratios,
                         const struct pp_band_figures *figures, enum ratio which)
 {
@@ -145,8 +145,7 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
 
 /* ---- halves ---- */
 
-/* Tests each entry on the rooms; *inside: the share of all points that are in their
- * bands. */
+/* Tests each entry on the rooms. *inside: share of all points inside their bands. */
 static enum pp_status test_entries(struct pp_band_trial *trials, int count,
                                    double *inside,
                                    const struct pp_band_figures *figures,

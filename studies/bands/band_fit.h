@@ -26,7 +26,7 @@
 
 /* A regime and the bands of a column in it. */
 struct pp_band_entry {
-    struct pp_band_regime regime; /* with the ratio of simulated to hand figures */
+    struct pp_band_regime regime; /* its band is that of simulated to hand figures */
     double spread; /* half the distance between its quantiles of 16 and 84 % */
     struct pp_band_quantiles formula, assumption; /* NAN if the values in the method's
                                                    * own world are unknown */
@@ -49,8 +49,9 @@ struct pp_band_trial {
     double limit;   /* largest permitted difference of `inside` from 0.95, from (2) */
 };
 
-/* Fits the rooms of one half (band_figures.h) and tests the others. *inside: the share
- * of all tested rooms in their bands, over all regimes. The caller frees the list. */
+/* Fits bands to one half of the rooms (band_figures.h) and tests them on the other.
+ * *inside: share of all tested points inside their bands, over all regimes. The caller
+ * frees the list. */
 enum pp_status pp_band_fit_try(struct pp_band_trial **trials, int *count,
                                double *inside, const struct pp_band_figures *figures,
                                const struct pp_band_rules *rules, int side,

@@ -31,7 +31,7 @@ struct pp_band_regime {
     struct pp_band_condition conditions[PP_BAND_CONDITIONS];
     int condition_count; /* 0: all rooms and points */
     struct pp_band_quantiles ratio;
-    int rooms; /* behind it */
+    int rooms; /* number of rooms that it was fitted to */
 };
 
 /* True if a point's features fit the regime. */

@@ -14,7 +14,7 @@ static int compare_sampled_ratios(const void *a, const void *b)
     return (x->ratio > y->ratio) - (x->ratio < y->ratio);
 }
 
-/* Position after the rows of the room that row `first` of the list belongs to. */
+/* Position in `rows` after the last row of the room that row `first` belongs to. */
 static int room_end(const struct pp_band_sample *sample, const int *rows, int count,
                     int first)
 {
@@ -53,7 +53,8 @@ static double quantile(const struct weighted *list, int count, double total, dou
     return list[count - 1].ratio;
 }
 
-/* The rows' ratios in rising order, to be freed; NULL when memory is out. */
+/* The ratios of the rows in ascending order, freed by the caller; NULL: out of
+ * memory. */
 static struct weighted *sorted(const struct pp_band_sample *sample, const int *rows,
                                int count, int *rooms)
 {

@@ -1,4 +1,4 @@
-/* band_table.c - rows of the printed tables, turned into records. */
+/* band_table.c - converts rows of the compiled-in tables to records. */
 #include "studies/bands/band_table.h"
 
 #include <assert.h>
@@ -7,8 +7,8 @@
 
 #include "model/base/text.h"
 
-/* Row of the CSV file. The words are stored in the row itself: pointers would be 12,000
- * relocations at each start. */
+/* Row of the CSV file. Texts are arrays, since pointers would be 12,000 relocations at
+ * every start. */
 struct row {
     char place[8], component[4], column[28]; /* place "span": of the feature `column` */
     int rooms;
@@ -82,7 +82,7 @@ static void add_condition(struct pp_band_regime *regime,
         feature, isnan(from) ? -INFINITY : from, isnan(to) ? INFINITY : to};
 }
 
-/* `before` is the record of another row. */
+/* Converts a row. `before` is the record of an earlier row, or zeros. */
 static struct pp_band_record record_of(const struct row *row,
                                        const struct pp_band_record *before)
 {

@@ -37,7 +37,8 @@ struct pp_band_index {
 void pp_band_table_index(struct pp_band_index *index,
                          const struct pp_band_table *table);
 
-/* The regimes of one column, at points and of averages; none if the atlas has none. */
+/* The regimes of one column, at points and of averages; counts are 0 if the atlas lacks
+ * the column. */
 enum { PP_BAND_REGIMES = 20 };
 struct pp_band_regimes {
     int count[PP_BAND_PLACES];

@@ -67,8 +67,8 @@ static double two_digits(double value)
     return atof(text);
 }
 
-/* Finite values of a feature (or, feature -1, logarithms of ratios) of evenly chosen rows,
- * in rising order; returns how many. */
+/* Finite values of a feature (feature -1: logarithms of the ratios) of evenly chosen
+ * rows, in ascending order; returns their number. */
 static int sample_feature_values(double values[LOOKED_AT],
                                  const struct pp_band_sample *sample, int feature)
 {
@@ -118,7 +118,8 @@ static void fill_bins(struct tree *tree)
     }
 }
 
-/* The steps span all but one in a thousand of the ratios at each end. */
+/* Chooses the steps so that they span all ratios except the lowest and the highest
+ * thousandth. */
 static void fill_steps(struct tree *tree)
 {
     double values[LOOKED_AT];
@@ -134,8 +135,8 @@ static void fill_steps(struct tree *tree)
 
 /* ---- scores ---- */
 
-/* Sum over the weights of (s - q) p for steps s from the quantile q of share p up, and of
- * (q - s)(1 - p) below it: least at the quantile. */
+/* Loss of a quantile q of share p: the sum over the weights of (s - q) p for steps s
+ * above q, and of (q - s)(1 - p) for those below. It is least at the true quantile. */
 static double quantile_loss(const double weights[STEPS], double total, double moment,
                             double p)
 {
@@ -165,8 +166,9 @@ static double histogram_score(const double weights[STEPS])
     return score;
 }
 
-/* Weights of a node's rows by bin of a feature and step of the ratio, and its rooms by the
- * lowest and by the highest bin of their rows. */
+/* Histogram of a node: weights of its rows by bin of a feature and step of the ratio.
+ * lowest, highest: number of its rooms by the lowest and by the highest bin of their
+ * rows. */
 struct counts {
     double weights[BINS][STEPS];
     int lowest[BINS], highest[BINS];
@@ -257,7 +259,7 @@ static void find_split(struct node *node, const struct tree *tree,
             try_feature(node, counts, tree, f);
 }
 
-/* Narrows a regime to values at or above (or below) the bound. */
+/* Adds a condition to a regime: values at or above (or below) the bound. */
 static void narrow(struct pp_band_regime *regime, struct split split, bool above)
 {
     int i = 0;

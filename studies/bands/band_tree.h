@@ -16,10 +16,11 @@
 #include "studies/bands/band_sample.h"
 
 struct pp_band_rules {
-    int rooms_least; /* least number of rooms in a regime; smaller ones are not split
-                      * off */
+    int rooms_least; /* least number of rooms in a regime; a split into smaller ones is
+                      * rejected */
     int regimes_most;
-    double gain_least; /* share of the score of all rows that a split has to save */
+    double gain_least; /* least reduction by a split, as a share of the score of all
+                        * rows */
 };
 
 /* Rules of the program's table: 300 rooms, 20 regimes, 0.4 %. With 200 rooms, a regime

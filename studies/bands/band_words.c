@@ -1,4 +1,4 @@
-/* band_words.c - the words for each feature, and the bounds behind them. */
+/* band_words.c - texts for features and for the bounds of regimes. */
 #include "studies/bands/band_words.h"
 
 #include <math.h>

@@ -59,7 +59,8 @@ static const char *why_not(const struct pp_world *world,
                                    : NULL;
 }
 
-/* Compares printed values; the ends of a span are rounded. */
+/* True if a value is in a span; with a tolerance, since the ends of a span are
+ * rounded. */
 static bool is_within(double value, double from, double to)
 {
     double slack = 1e-3 * fmax(fabs(from), fabs(to));
@@ -133,7 +134,8 @@ bool pp_report_bands_has(const struct pp_report *report, const struct pp_column 
 
 enum { OF_POINT = PP_ROOM_FEATURES - PP_ROOM_OF_POINTS };
 
-/* Features of a point; false: no point of the atlas is in a similar place. */
+/* Features of a point. known: false if the atlas has no points in a similar
+ * position. */
 struct place {
     bool known;
     double features[OF_POINT];

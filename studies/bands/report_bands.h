@@ -1,8 +1,8 @@
-/* report_bands.h - adds the band of the atlas to each hand figure of a report.
+/* report_bands.h - adds the band from the atlas to each hand figure of a report.
  *
- * Bands hold for rooms like those of the atlas: under an overcast sky or one of ISO
- * 15469 (band_table.h), with features within the ranges of its rooms, empty, and with a
- * convex plan.
+ * A room has bands if it is like the rooms of the atlas: empty, with a convex plan,
+ * under an overcast sky or one of ISO 15469 (band_table.h), and with features within
+ * the ranges of the atlas.
  */
 #ifndef PP_STUDIES_BANDS_REPORT_BANDS_H
 #define PP_STUDIES_BANDS_REPORT_BANDS_H

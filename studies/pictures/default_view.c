@@ -1,5 +1,5 @@
-/* default_view.c - chooses the best of many view points towards a window, and cut
- * planes. */
+/* default_view.c - chooses the view point with the best score from a grid of trial
+ * points, and the planes of plan and section. */
 #include "studies/pictures/default_view.h"
 
 #include <math.h>
@@ -12,10 +12,11 @@ enum {
     RAYS = 24,   /* rays across the picture */
 };
 
-/* Distance from walls (m), if the room is large enough. */
+/* Preferred distance of the view point from walls (m); kept if the room is large
+ * enough. */
 static const double clear_m = 0.4;
 
-/* Below this slope an opening is a rooflight. */
+/* An opening with a slope up to this counts as a rooflight. */
 static const double upright_rad = 45.0 * PP_RAD;
 
 /* A view is horizontal if the window is at most level_rad above the eye. Otherwise it
@@ -24,8 +25,8 @@ static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
 
-/* The largest opening by the area of its outline; those that are vertical or nearly so
- * first; -1: there is none. */
+/* Index of the opening with the largest outline area; -1: there are no openings.
+ * Openings steeper than upright_rad take precedence over all others. */
 static int largest_window(const struct pp_world *world)
 {
     int largest = -1;
@@ -48,7 +49,7 @@ static struct pp_vec3 polygon_middle(const struct pp_polygon *polygon)
     return sum;
 }
 
-/* Distance of the nearest surface in a direction; INFINITY: there is none. */
+/* Distance to the nearest surface in the direction `to`; INFINITY: no surface. */
 static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
                        struct pp_vec3 to)
 {
@@ -57,8 +58,7 @@ static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
     return pp_light_scene_first(scene, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* Distance to the nearest surface in the horizontal plane of a place, limited to
- * `most`. */
+/* Distance to the nearest surface at the height of `place`, at most `most`. */
 static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place,
                         double most)
 {
@@ -69,7 +69,7 @@ static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place
     return most;
 }
 
-/* Penalty of a view point from which the target is hidden. */
+/* Penalty in a view point's score if the target is not visible from it. */
 static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
                      struct pp_vec3 target)
 {
@@ -81,8 +81,9 @@ static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
     return free_m < 0.98 * distance_m - 0.02 ? 1e3 : 0.0;
 }
 
-/* Harmonic mean of the free distances across the picture in the horizontal plane, in
- * which a near wall on one side has the weight of the view that it obstructs. */
+/* Harmonic mean of the free distances across the picture, in the horizontal plane of
+ * `place`. The harmonic mean gives most weight to near walls, since they block the
+ * view. */
 static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
                        struct pp_vec3 target)
 {
@@ -95,9 +96,10 @@ static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
     return RAYS / sum;
 }
 
-/* Best of many view points at that height: with a far view, the target near the middle,
- * clear of all surfaces and, among equal ones, the farthest back along `back` (zero:
- * any direction). If there is none, the middle of the scene's box. */
+/* Best of PLACES x PLACES view points at that height. A good view point has a far view,
+ * sees the target near the middle of the picture, and is clear of all surfaces. Points
+ * farther back along `back` are preferred slightly (zero: in any direction). If no
+ * point is indoors, the middle of the scene's bounding box. */
 static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                  struct pp_vec3 target, struct pp_vec3 back,
                                  double height_m)
@@ -152,7 +154,7 @@ static void look_at_window(struct pp_view_place *place,
             level * tan(fmin(fmax(altitude - level_rad, 0.0), raised_most_rad));
 }
 
-/* Sets the view along the longer side, in a room without windows. */
+/* Sets the view for a room without openings: along the longer side. */
 static void look_along(struct pp_view_place *place, const struct pp_light_scene *scene,
                        const struct pp_world *world)
 {
@@ -168,7 +170,8 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
     place->toward = pp_vec_scale(back, -1.0);
 }
 
-/* Point of the working plane that is farthest from its edge. */
+/* Point of the working plane that is clear of all surfaces and closest to the middle of
+ * the room. */
 static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
                                       const struct pp_world *world)
 {
@@ -215,8 +218,8 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
     struct pp_vec3 size = pp_vec_sub(high, low);
     place->eye = pp_bounds3_middle(&room);
     place->down_m = size.z;
-    /* Looks into the room perpendicular to the window, which is at the right in the
-     * drawing. */
+    /* `right` is the direction to the right of the drawing: from the window into the
+     * room, so that the window is on the left. */
     struct pp_vec3 right =
         size.y >= size.x ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
     if (window >= 0) {
@@ -226,7 +229,7 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
         in.z = 0.0;
         if (opening->slope_rad > upright_rad && pp_vec_length(in) > 0.0)
             right = pp_vec_unit(in);
-        /* Places the eye in the cut plane, midway along the room. */
+        /* Puts the cut plane through the middle of the window. */
         double along = pp_vec_dot(pp_vec_sub(place->eye, middle), right);
         struct pp_vec3 at = pp_vec_along(middle, along, right);
         place->eye = pp_vec(at.x, at.y, place->eye.z);

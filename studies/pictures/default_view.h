@@ -1,13 +1,13 @@
-/* default_view.h - views of a room if the user chooses none.
+/* default_view.h - standard views of a room, for when the user does not give one.
  *
- * A perspective looks towards the largest window, from a point from which the window is
- * visible and most of the picture shows a far view, with the window not far from its
- * middle. The point is 0.4 m clear of walls and of objects in the room, if the room is
- * large enough. In an L-shaped room it is not behind the corner. It is at eye height,
- * and the view is level unless the window is far above the eye: verticals stay
- * vertical. A fisheye is the view of a light meter on the working plane in the middle
- * of the room. Plan and section are parallel views of the whole room, cut as in
- * drawings.
+ * Perspective: looks towards the largest window from a point at eye height, 0.4 m clear
+ * of walls and objects if the room is large enough. The window is visible near the
+ * middle of the picture, and most of the picture shows distant surfaces. In an L-shaped
+ * room the point is not behind the corner. The view is level, so that verticals stay
+ * vertical, unless the window is far above the eye.
+ *
+ * Fisheye: looks up from the working plane, in the middle of the room. Plan and
+ * section: parallel views of the whole room, cut as in drawings.
  */
 #ifndef PP_STUDIES_PICTURES_DEFAULT_VIEW_H
 #define PP_STUDIES_PICTURES_DEFAULT_VIEW_H
@@ -17,7 +17,7 @@
 #include "simulate/scene/light_scene.h"
 
 #define PP_EYE_HEIGHT_M 1.6
-#define PP_PERSPECTIVE_DEG 75.0 /* across the picture */
+#define PP_PERSPECTIVE_DEG 75.0 /* horizontal angle of view */
 #define PP_PLAN_CUT_M 1.2
 
 /* Kind of view of a room. */
@@ -30,8 +30,8 @@ enum pp_room_view {
 };
 
 struct pp_view_place {
-    struct pp_vec3 eye, toward, up; /* directions not unit */
-    double across_m, down_m;        /* size of plan and section; else 0 */
+    struct pp_vec3 eye, toward, up; /* directions need not be unit vectors */
+    double across_m, down_m;        /* size of plan and section (m); otherwise 0 */
 };
 
 /* `scene` must be made from `world`. */

@@ -1,29 +1,30 @@
-/* view_grid.c - lines are traced point by point through the camera's projection, and cut
- * where a point is not in the picture.
- */
+/* view_grid.c - projects the points of each line by the camera. A line is interrupted
+ * where its points are outside the picture. */
 #include "studies/pictures/view_grid.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Steps around a full circle, steps along an edge, and most labels of a picture. */
+/* Points on a full circle, points on an edge of an opening, and most labels of a
+ * picture. */
 enum { STEPS = 180, EDGE_STEPS = 24, WORDS_MOST = 16 };
 
 /* Labels lie within this share of the picture's radius, so that all letters are inside;
  * chosen by trial. */
 static const double RIM = 0.95;
 
-/* The sheet that lines are added to, and the line that is being traced. */
+/* The sheet to which lines are added, and the line being drawn. */
 struct tracing {
     struct pp_picture_sheet *sheet;
     const struct pp_camera *camera;
-    struct pp_curve curve; /* the line; `space`: number of points for which its xy has
-                            * memory */
+    struct pp_curve curve; /* points of the line so far; `space`: allocated number of
+                            * points */
     int space;
 };
 
-/* The pixel in which a point is seen; false: the point is not in the picture. */
+/* Pixel of the picture that shows the point; false: the point is outside the
+ * picture. */
 static bool project(const struct tracing *tracing, struct pp_vec3 point, double xy[2])
 {
     double x, y, distance_m;
@@ -35,7 +36,7 @@ static bool project(const struct tracing *tracing, struct pp_vec3 point, double 
     return true;
 }
 
-/* Adds the line that is being traced to the sheet, if it has two points or more. */
+/* Adds the finished line to the sheet if it has at least two points. */
 static enum pp_status end_line(struct tracing *tracing, struct pp_error *err)
 {
     struct pp_curve curve = tracing->curve;
@@ -62,7 +63,8 @@ static enum pp_status add_point(struct tracing *tracing, struct pp_vec3 point,
     return PP_OK;
 }
 
-/* The point one metre from the eye in a direction; bearing clockwise from north. */
+/* Point one metre from the eye in the given direction. The bearing is clockwise from
+ * north. */
 static struct pp_vec3 towards(const struct tracing *tracing, double north_rad,
                               double bearing_rad, double altitude_rad)
 {

@@ -1,6 +1,5 @@
-/* view_grid.h - lines of altitude and azimuth, points of the compass and outlines of
- * openings as a fisheye camera sees them, to lay over its picture.
- */
+/* view_grid.h - a grid to lay over a fisheye picture: lines of altitude and azimuth,
+ * points of the compass, and outlines of openings. */
 #ifndef PP_STUDIES_PICTURES_VIEW_GRID_H
 #define PP_STUDIES_PICTURES_VIEW_GRID_H
 

@@ -32,9 +32,11 @@ enum pp_block_height_verdict {
 struct pp_block_height {
     enum pp_block_height_verdict verdict;
     double now_m;    /* as in the file */
-    double height_m; /* found; most_m if any height will do, NAN if none */
+    double height_m; /* the result: most_m if every height is possible, NAN if none
+                      * is */
     struct pp_retained_sky retained;
-    int deciding; /* index of the place with the least surplus; -1: none counts */
+    int deciding; /* index of the window or room with the least surplus; -1: none is
+                   * assessed */
 };
 
 /* PP_BAD_INPUT if no window or room counts, or a room is invalid at some height (the

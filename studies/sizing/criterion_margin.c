@@ -11,7 +11,7 @@
 
 enum { NAME_BYTES = 64 };
 
-static const double most_share = 1e6; /* ratio for an upper bound if the figure is 0 */
+static const double most_share = 1e6; /* ratio of an upper bound to a figure of 0 */
 
 /* Standard errors between a figure and its one-sided limit of 95 % (PP_SURE). */
 static const double sure_errors = 1.6449;
@@ -23,7 +23,7 @@ static void requirement_name(char name[NAME_BYTES], const char *words)
     snprintf(name, NAME_BYTES, "%.*s", (int)strcspn(words, ":"), words);
 }
 
-/* Text after the colon; empty: all findings. */
+/* The text after the colon; empty if all findings count. */
 static const char *beginning_of(const char *words)
 {
     const char *colon = strchr(words, ':');
@@ -64,7 +64,8 @@ static double finding_share(const struct pp_finding *finding)
     return fmin(share, most_share);
 }
 
-/* Writes that no finding begins so, and lists the existing ones. */
+/* Writes the message that no finding has this beginning, with a list of those that
+ * exist. */
 static void say_none(char *why, size_t why_bytes,
                      const struct pp_finding_list *findings, const char *beginning)
 {

@@ -148,7 +148,7 @@ static enum pp_status clearer_glazing(struct pp_room **changed, struct pp_gain *
 
 /* ---- Windows ---- */
 
-/* The indices of all windows; *windows is the caller's to free. */
+/* Lists the indices of all windows; the caller frees *windows. */
 static enum pp_status windows_of(int **windows, int *count, const struct pp_room *room,
                                  struct pp_error *err)
 {
@@ -163,8 +163,8 @@ static enum pp_status windows_of(int **windows, int *count, const struct pp_room
     return PP_OK;
 }
 
-/* Enlarges all windows by that number of steps of one kind of change, or as far as they
- * can grow. *changed stays NULL if they cannot grow. */
+/* Enlarges all windows by that number of steps of one kind of change, or as far as
+ * possible. *changed stays NULL if no window can grow. */
 static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *room,
                               enum pp_size_change change, int steps,
                               struct pp_error *err)
@@ -185,7 +185,8 @@ static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *ro
     return status;
 }
 
-/* The largest distance by which a head, or else a sill, has moved (m). */
+/* Largest distance by which a head has moved, or a sill if the change is of sills
+ * (m). */
 static double largest_move(const struct pp_room *room, const struct pp_room *changed,
                            enum pp_size_change change)
 {
@@ -214,7 +215,8 @@ static enum pp_status higher_heads(struct pp_room **changed, struct pp_gain *gai
     return status;
 }
 
-/* Sills down to the working plane at most: lower ones change little on it. */
+/* Lowers sills, at most to the working plane: glass below it adds little light
+ * there. */
 static enum pp_status lower_sills(struct pp_room **changed, struct pp_gain *gain,
                                   const struct pp_room *room,
                                   const struct pp_world *world, struct pp_error *err)
@@ -236,7 +238,7 @@ static enum pp_status lower_sills(struct pp_room **changed, struct pp_gain *gain
     return status;
 }
 
-/* Width of all windows together (m). */
+/* Total width of all windows (m). */
 static double width_of(const struct pp_room *room)
 {
     double sum = 0.0;
@@ -258,7 +260,7 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
         if (opening.kind == PP_WINDOW)
             widest = fmax(widest, opening.place.width_m);
     }
-    /* The widest window by a quarter, the others in proportion. */
+    /* Widens the widest window by a quarter, and the others in proportion. */
     enum pp_status status = enlarge(changed, room, PP_CHANGE_WIDTH,
                                     (int)round(widest / 4.0 / PP_SIZE_GRID_M), err);
     if (*changed)

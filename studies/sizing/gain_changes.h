@@ -21,8 +21,8 @@ struct pp_gain_kind {
     bool of_design;
 };
 
-/* All kinds of change; of equal gains the earlier kind ranks first. make is NULL at the
- * end. */
+/* All kinds of change; of equal gains, the earlier kind ranks first. The last entry has
+ * make = NULL. */
 extern const struct pp_gain_kind pp_gain_kinds[];
 
 #endif

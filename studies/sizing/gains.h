@@ -1,11 +1,11 @@
 /* gains.h - the changes to a room that would raise its daylight factors most.
  *
- * Each change is made to a copy of the room, whose daylight factors are computed by the
- * same method as the room's own: nothing is estimated. pp_gains_simulate simulates the
- * room and the most promising changes, from the same seed, and ranks them again. The
- * average is over the working plane; the darkest point is that of EN 17037's largest
- * grid (pp_plane_grid_largest), of which a room may have none. The method is exact+bre,
- * or exact+split-flux in rooms that exact+bre does not cover.
+ * Each change is made to a copy of the room, and the daylight factors of the copy are
+ * computed by the same method as those of the room. pp_gains_simulate simulates the
+ * room and the most promising changes with the same seed, and ranks these changes
+ * again. The average is over the working plane. The darkest point is that of EN 17037's
+ * largest grid (pp_plane_grid_largest), which some rooms do not have. The method is
+ * exact+bre, or exact+split-flux in rooms that exact+bre does not cover.
  */
 #ifndef PP_STUDIES_SIZING_GAINS_H
 #define PP_STUDIES_SIZING_GAINS_H
@@ -26,8 +26,8 @@ struct pp_gain_values {
 struct pp_gain {
     char change[128]; /* "a ceiling of reflectance 0.85 instead of 0.6" */
     const char
-        *lacks;     /* the fault that the change mends: "a dark ceiling"; static; NULL:
-                     * the change mends no fault of the room */
+        *lacks;     /* fault that the change corrects: "a dark ceiling"; static; NULL:
+                     * it corrects no fault of the room */
     bool of_design; /* the designer can make the change; false for obstructions */
     struct pp_gain_values values; /* values of the changed room */
     int kind;                     /* index in the list of kinds (gain_changes.h) */

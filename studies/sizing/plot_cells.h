@@ -24,7 +24,7 @@ enum pp_status pp_plot_cells_lay(struct pp_plot_cells *cells,
                                  const struct pp_building *building, const char *block,
                                  struct pp_error *err);
 
-/* Corner k, from 0 to 3, counter-clockwise, at the base. */
+/* Corner k of the cell's base, 0 to 3, counter-clockwise. */
 struct pp_vec3 pp_plot_cells_corner(const struct pp_building_cell *cell, int k);
 
 void pp_plot_cells_clear(struct pp_plot_cells *cells);

@@ -6,7 +6,7 @@
 
 #include "studies/sizing/root_bracket.h"
 
-static const double lowest_m = 0.002; /* almost no height, but still a block */
+static const double lowest_m = 0.002; /* height of the lowest cell tried: almost none */
 static const double share_tolerance = 1e-6;
 static const double angle_tolerance_rad = 1e-8, factor_tolerance = 1e-8;
 static const double steepest_rad = 89.0 * PP_RAD;
@@ -15,7 +15,7 @@ enum { DOUBLINGS_MOST = 20 };
 struct envelope_search {
     struct pp_plot_envelope *found;
     const struct pp_plot_envelope_task *task;
-    double *tangents; /* tan a_i; INFINITY: the window sets no limit */
+    double *tangents; /* tan(a_i) of each window; INFINITY: the window sets no limit */
     double *planes;   /* planes of the trial: the tangents times the factor, or a
                        * single one */
     int number;       /* index of the window whose plane is searched */
@@ -66,7 +66,7 @@ static void set_planes(const struct envelope_search *search, double tangent)
         search->planes[i] = tangent;
 }
 
-/* Surplus of the window if only its own plane, with that altitude, limits the cells. */
+/* Surplus of one window if only its own plane, at that altitude, limits the cells. */
 static enum pp_status alone_at(void *context, double altitude_rad, double *value,
                                struct pp_error *err)
 {
@@ -107,8 +107,8 @@ static enum pp_status together_at(void *context, double factor, double *value,
     return surplus(search, value, err);
 }
 
-/* tan a_i of each window. A window with its required value when all cells are at most_m
- * sets no limit. */
+/* Finds tan(a_i) of each window. A window that keeps its required value with all cells
+ * at most_m sets no limit. */
 static enum pp_status find_alone(struct envelope_search *search, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -161,8 +161,8 @@ static enum pp_status find_together(struct envelope_search *search,
 static enum pp_status look_before(struct envelope_search *search, struct pp_error *err)
 {
     const struct pp_plot_envelope_task *task = search->task;
-    set_planes(search, 0.0); /* nothing above any window's centre, so no sky is
-                              * hidden */
+    set_planes(search, 0.0); /* no cell is higher than the centre of a window, so no sky
+                              * is hidden */
     enum pp_status status =
         pp_building_has_states(task->building)
             ? pp_building_set_state(task->building, PP_STATE_EXISTING, err)
@@ -196,7 +196,7 @@ static enum pp_status search_all(struct envelope_search *search, struct pp_error
     return status == PP_OK ? find_together(search, err) : status;
 }
 
-/* Sets the results from the cells and planes of the last trial. */
+/* Fills in the results from the cells and planes of the last trial. */
 static void settle_plot_envelope(struct pp_plot_envelope *found,
                                  const struct envelope_search *search)
 {

@@ -1,26 +1,28 @@
 /* plot_envelope.h - the largest envelope on a plot that leaves every window around it
  * its required share of the sky (retained_sky.h).
  *
- * As in building codes, a plane for each window rises over the plot from the window's
- * centre, at z_i, away from its wall. The envelope is the space below all planes, in
- * cells (plot_cells.h), each as high as the planes allow at its nearest corner:
+ * As in building codes, each window has a plane that rises over the plot from the
+ * window's centre, at the height z_i, away from its wall. The envelope is the space
+ * below all planes. It is divided into cells (plot_cells.h), each as high as the planes
+ * allow at its nearest corner:
  *
  *     h(cell) = min over i of  z_i + s tan(a_i) max(d_i, 0) - base
  *
- *     d_i  distance of the cell before window i's wall; behind it the window sets no
- *          limit
- *     a_i  altitude at which the plane of window i alone would leave that window just
- *          its required value
- *     s    1 or more: the greatest common factor at which every window has its required
- *          value
+ *     d_i  distance of the cell before window i's wall; behind the wall the window sets
+ *          no limit
+ *     a_i  altitude at which window i just keeps its required value if only its own
+ *          plane limits the cells
+ *     s    1 or more: the greatest common factor with which every window keeps its
+ *          required value
  *
- * so that one of them has just that: the largest envelope of this family. There is no
- * largest of all: a metre more on a tower at the altitude g hides, straight ahead of a
- * window,
+ * At least one window then has exactly its required value: this is the largest envelope
+ * of this family. There is no largest envelope of any shape. An extra metre on a tower
+ * that a window sees straight ahead at the altitude g hides, apart from a constant
+ * factor,
  *
- *     (1 + 2 sin g) cos^4 g        of the overcast sky, apart from a constant factor
+ *     (1 + 2 sin g) cos^4 g        of the overcast sky
  *
- * which decreases above 17 degrees, so the greatest volume would be that of thin towers
+ * which decreases above 17 degrees. The greatest volume would therefore be thin towers
  * of unlimited height.
  */
 #ifndef PP_STUDIES_SIZING_PLOT_ENVELOPE_H

@@ -12,8 +12,8 @@
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/lit_line.h"
 
-static const double next_to_nothing = 1e-6; /* values below this before are not
-                                             * retained */
+static const double next_to_nothing = 1e-6; /* a value before building up to this is
+                                             * practically 0, and has no due */
 
 const char *const pp_retained_sky_words[] = {"vsc", "lit-area", NULL};
 

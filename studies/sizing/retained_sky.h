@@ -1,12 +1,14 @@
-/* retained_sky.h - light from the sky that windows or rooms around a site retain, and
- * the share that they have to retain.
+/* retained_sky.h - sky light that the windows or rooms around a site retain when a
+ * building changes, and the share of it that they must retain.
  *
  * The value of a window is its vertical sky component
- * (criteria/windows/vertical_sky.h), that of a room the area of its working plane that
- * sees sky, before the no-sky line (studies/lit_line.h). Each has to retain a share of
- * its value before building; a sufficient value is enough in any case:
+ * (criteria/windows/vertical_sky.h). The value of a room is the area of its working
+ * plane that can see the sky (studies/lit_line.h). After building, each must have at
+ * least `due`:
  *
- *     due = min(keep before, enough)       [BR209]: keep = 0.8; of VSC, enough = 27 %
+ *     due = min(keep x before, enough)
+ *
+ * [BR209] has keep = 0.8 and, for the vertical sky component, enough = 27 %.
  */
 #ifndef PP_STUDIES_SIZING_RETAINED_SKY_H
 #define PP_STUDIES_SIZING_RETAINED_SKY_H
@@ -21,14 +23,14 @@ extern const char *const pp_retained_sky_words[];
 
 struct pp_retained_sky_rule {
     enum pp_retained_sky_of of;
-    const char *room;   /* counts only rooms of that name; NULL: all */
-    const char *window; /* counts only windows of that name, for VSC; NULL: all */
+    const char *room;   /* only rooms of that name count; NULL: all */
+    const char *window; /* only windows of that name count, for VSC; NULL: all */
     double keep;        /* share to retain, above 0, below 1 */
     double french_m;    /* as for pp_vertical_sky_at_point (vertical_sky.h); 0: none */
     double enough;      /* value that is sufficient in any case; INFINITY: none */
 };
 
-/* A vertical window, or a room, that counts. */
+/* A vertical window, or a room, that is assessed. */
 struct pp_retained_sky_place {
     char room[64],
         window[64]; /* names, cut to fit; may be empty; window: empty for a room */
@@ -36,10 +38,11 @@ struct pp_retained_sky_place {
     int place, line; /* place: of the room in its building; line: of the window in the
                       * file, 0 for a room */
     struct pp_vec3 middle,
-        outward;               /* of the window's outside, or where its component is
-                                * taken, in the building's axes; of a room 0 */
-    double before, now, after; /* VSC (a fraction) or area (m2): before, as in the file,
-                                * and with the result */
+        outward;               /* centre of the window's outer face, or the French VSC
+                                * point; outward normal; in the building's axes. Both 0
+                                * for a room */
+    double before, now, after; /* VSC (a fraction) or area (m2): before building; in the
+                                * state listed; with the result */
 };
 
 struct pp_retained_sky {
@@ -47,15 +50,16 @@ struct pp_retained_sky {
     int count;
 };
 
-/* Lists the windows or rooms that count in the building in its present state, with
- * their `now`, and without before and after. PP_BAD_INPUT if none count, or a room is
- * invalid. The caller clears *retained in any case. */
+/* Lists the windows or rooms selected by the rule, with the building in its present
+ * state. Fills in `now`; `before` and `after` stay NAN. PP_BAD_INPUT if the rule
+ * selects none, or if a room is invalid. The caller clears *retained in any case. */
 enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
                                     const struct pp_retained_sky_rule *rule,
                                     struct pp_building *building, struct pp_error *err);
 
-/* Fills in `before` or `after`: the values with the building in its present state,
- * which may differ from that of the list. Windows or rooms that do not exist have 0. */
+/* Fill in `before` or `after` with the building in its present state, which need not be
+ * the state of the list. A window or room that does not exist in this state has the
+ * value 0. */
 enum pp_status pp_retained_sky_before(struct pp_retained_sky *retained,
                                       const struct pp_retained_sky_rule *rule,
                                       struct pp_building *building,
@@ -71,13 +75,13 @@ enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int n
                                          struct pp_building *building,
                                          struct pp_error *err);
 
-/* Surplus of a place: its value after over its due, less 1; INFINITY if it had nothing
- * before. */
+/* Surplus of a place: after / due - 1, with `due` from the head of this file. INFINITY
+ * if `before` is practically 0 (at most 1e-6). */
 double pp_retained_sky_surplus_of(const struct pp_retained_sky_place *due,
                                   const struct pp_retained_sky_rule *rule);
 
-/* Least ratio of after to due, less 1, over all that had anything before; INFINITY if
- * none had. *deciding is its index, -1: none. */
+/* Least surplus of all places; INFINITY if `before` is practically 0 in all of them.
+ * *deciding: index of the place with the least surplus; -1: none. */
 double pp_retained_sky_surplus(const struct pp_retained_sky *retained,
                                const struct pp_retained_sky_rule *rule, int *deciding);
 

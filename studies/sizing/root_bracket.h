@@ -1,7 +1,7 @@
-/* root_bracket.h - the largest argument at which a falling function is not below 0.
+/* root_bracket.h - the largest argument at which a falling function is 0 or more.
  *
- * Illinois variant of false position. Where the function jumps through 0 the interval shrinks
- * to the jump, and its lower end is the answer.
+ * Method: the Illinois variant of false position. If the function jumps from above 0 to
+ * below 0, the interval shrinks to the jump, and its lower end is the result.
  */
 #ifndef PP_STUDIES_SIZING_ROOT_BRACKET_H
 #define PP_STUDIES_SIZING_ROOT_BRACKET_H
@@ -18,7 +18,7 @@ struct pp_root_bracket_range {
     double near_argument; /* arguments that differ by at most this count as equal */
 };
 
-/* The last call of the function is that at *found. */
+/* Finds the argument. The last call of the function is at *found. */
 enum pp_status pp_root_bracket_find(double *found,
                                     const struct pp_root_bracket_range *range,
                                     pp_root_bracket_value *value_at, void *context,

@@ -7,25 +7,27 @@
 
 #include "model/room/building.h"
 
-/* The numbers of scanned sizes, and both tolerances below, were chosen by trial. */
+/* The numbers of sizes, and both tolerances below, were chosen by trial. */
 enum {
-    SCANNED = 9,         /* sizes over the whole range, both ends included */
-    SCANNED_SAMPLED = 4, /* number of sizes for sampled values, which take long */
-    REFINED_MOST = 3,    /* refinements of the grid: down to a micrometre */
+    SCANNED = 9,         /* sizes scanned over the whole range, both ends included */
+    SCANNED_SAMPLED = 4, /* the same for sampled values, which take longer */
+    REFINED_MOST = 3,    /* refinements of the grid at most: down to a micrometre */
 };
 
-/* Largest relative excess over the target of a value that is neither counted nor
- * sampled. */
+/* A value within this relative distance above the target ends the search, unless it is
+ * a count or sampled. */
 static const double near_share = 0.0025;
 
-/* Largest distance of a sampled value from the target, in its standard errors. */
+/* A sampled value within this number of standard errors of the target ends the
+ * search. */
 static const double near_errors = 0.5;
 
-/* Largest relative excess of the lower limit of a sampled value over the target. */
+/* The lower limit of a sampled value within this relative distance above the target
+ * ends the search. */
 static const double near_limit = 0.01;
 
-/* A value within this relative distance below the target differs by rounding only, and
- * reaches it. */
+/* A value below the target by at most this relative distance counts as equal to it: the
+ * difference is rounding. */
 static const double rounding_share = 1e-9;
 
 /* The value at one size. */
@@ -40,7 +42,8 @@ struct search {
     struct pp_size_answer *answer;
 };
 
-/* Makes the world of a changed room; the room's mistakes become the message. */
+/* Makes the world of a changed room. If the room is invalid, its mistakes become the
+ * error message. */
 static enum pp_status world_of(struct pp_world **world, const struct pp_room *room,
                                struct pp_error *err)
 {
@@ -197,8 +200,8 @@ static enum pp_status scan_range(const struct search *search, struct size_trial 
     return status;
 }
 
-/* Searches numbers of windows: every number from the smallest on, as there are
- * few. */
+/* Searches for the smallest sufficient number of windows: tries every number in
+ * ascending order, since there are few. */
 static enum pp_status search_numbers(const struct search *search,
                                      struct size_trial *found, struct pp_error *err)
 {
@@ -229,7 +232,7 @@ static enum pp_status search_numbers(const struct search *search,
     return PP_OK;
 }
 
-/* Searches sizes. */
+/* Searches for the smallest sufficient size. */
 static enum pp_status search_sizes(const struct search *search,
                                    struct size_trial *found, struct pp_error *err)
 {

@@ -17,7 +17,7 @@
 const char *const pp_size_room_change_words[] = {"width", "height", "head",
                                                  "sill",  "number", NULL};
 
-/* Inputs for the value of a room. */
+/* Data needed to compute the value of a room. */
 struct valuation {
     const struct pp_size_request *request;
     const struct pp_study_room *room;
@@ -199,7 +199,7 @@ static enum pp_status set_down_edits(struct pp_size_room_result *result,
     return PP_OK;
 }
 
-/* Finds the text of the room in its file. */
+/* Stores the text of the room's file. */
 static void find_text(struct pp_size_room_result *result)
 {
     struct pp_building *building = result->room->building;
@@ -304,7 +304,8 @@ static bool falls_short(const struct pp_reading *traced, double target)
     return traced->value + noise < target;
 }
 
-/* Searches again by simulated values, as the answer by hand was not confirmed. */
+/* Repeats the search with simulated values, after a result by hand was not
+ * confirmed. */
 static enum pp_status search_traced(struct pp_size_room_result *result,
                                     struct pp_size_task *task,
                                     struct valuation *valuation, struct pp_error *err)

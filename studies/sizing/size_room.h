@@ -17,8 +17,8 @@ struct pp_size_request {
     const struct pp_study_options *study; /* for points and simulation; not owned */
     double target;                        /* a fraction; 0: not given */
     const char
-        *criterion; /* used instead of target, as in criterion_margin.h, with a target
-                     * margin of 1; NULL: none */
+        *criterion; /* target used instead of a value, as in criterion_margin.h: its
+                     * margin must reach 1; NULL: none */
     struct pp_grid_choice grid; /* grid on which a criterion is judged */
     const char *by; /* a method, a pair, or "traced"; NULL: one that covers the room */
     bool traced;    /* by is "traced" */

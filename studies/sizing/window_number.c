@@ -51,7 +51,7 @@ double pp_window_number_wall_length(const struct pp_world *world, int opening)
     return high - low;
 }
 
-/* Length of the wall of a room whose world does not exist yet. */
+/* Length of a wall of a room for which no world has been made yet. */
 static enum pp_status wall_length(double *length_m, const struct pp_room *room,
                                   int index, struct pp_error *err)
 {

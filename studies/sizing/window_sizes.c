@@ -10,11 +10,11 @@
 #include "studies/sizing/window_number.h"
 #include "model/base/array.h"
 
-/* An edge that cannot move by this is blocked (m): more than the gap that rounding to
- * the grid leaves between adjoining windows. */
+/* An edge that cannot move by this distance is blocked (m). It exceeds the gap that
+ * rounding to the grid leaves between adjoining windows. */
 static const double blocked_m = 0.0035;
 
-/* Difference of lengths that counts as rounding (m). */
+/* Lengths that differ by at most this are equal except for rounding (m). */
 static const double slack_m = 1e-6;
 
 struct pp_window_sizes {
@@ -23,15 +23,15 @@ struct pp_window_sizes {
     int *openings; /* openings that change */
     int opening_count;
 
-    /* All changes but PP_CHANGE_NUMBER: positions of the edges at stations from the
-     * smallest size to the largest. Edge 2 i is the low one of opening i, 2 i + 1 its
-     * high one. */
-    bool upright;      /* sill and head move, else the sides */
+    /* For all changes except PP_CHANGE_NUMBER: positions of the edges at stations from
+     * the smallest size to the largest. Edge 2 i is the lower (or left) edge of opening
+     * i, edge 2 i + 1 its upper (or right) one. */
+    bool upright;      /* true: sill and head move; false: the sides */
     double **stations; /* 2 opening_count edges each */
     int station_count;
     int fineness; /* steps per millimetre of the grid */
 
-    /* PP_CHANGE_NUMBER: the numbers of windows that fit in the wall, rising. */
+    /* For PP_CHANGE_NUMBER: the numbers of windows that fit in the wall, ascending. */
     int *numbers;
     int number_count;
 };
@@ -45,7 +45,7 @@ static struct pp_opening_place sized_opening_place(const struct pp_window_sizes 
     struct pp_opening_place place =
         pp_room_opening_at(sizes->room, sizes->openings[i]).place;
     double low = edges[2 * i], high = edges[2 * i + 1];
-    /* The length of an opening that does not move stays the same, bit for bit. */
+    /* The length of an opening that does not move stays identical bit for bit. */
     double *first = sizes->upright ? &place.sill_m : &place.left_m;
     double *length = sizes->upright ? &place.height_m : &place.width_m;
     if (low != *first || high != *first + *length) {
@@ -119,8 +119,9 @@ static void move_edges(double *moved, const double *edges, const double *way, do
         moved[e] = edges[e] + by * way[e];
 }
 
-/* Largest `by` (m of the fastest edge) by which all edges can move together: by
- * doubling and halving, down to slack_m. `moved` is scratch. */
+/* Finds the largest `by`, the movement of the fastest edge (m), by which all edges can
+ * move together: by doubling and halving, to within slack_m. `moved` is working
+ * space. */
 static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
                                struct pp_room *trial, const double *edges,
                                const double *way, double *moved, struct pp_error *err)
@@ -294,7 +295,8 @@ static double growth(const struct pp_window_sizes *sizes, int station, int openi
     return fabs(to[0] - from[0]) + fabs(to[1] - from[1]);
 }
 
-/* Steps between a station and the next: the largest growth over the grid's width. */
+/* Number of steps between a station and the next: the largest growth of an opening,
+ * divided by the grid's width. */
 static int steps_between(const struct pp_window_sizes *sizes, int station)
 {
     double most = 0.0;

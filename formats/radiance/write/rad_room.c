@@ -184,7 +184,9 @@ static enum pp_status add_half(struct rad_room_builder *b, const char *name,
                : status;
 }
 
-/* Adds the sun as in Radiance's sky generators: a disc of 0.533 degrees. */
+/* Adds the sun as a disc 0.533 degrees in diameter, as gendaylit does (gensky uses
+ * 0.5). The radiance is set by the sun's irradiance, so the diameter changes only the
+ * shadows' edges. */
 static enum pp_status add_solar(struct rad_room_builder *b)
 {
     static const double HALF_RAD = 0.2665 * PP_RAD;

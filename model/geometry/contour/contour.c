@@ -1,5 +1,5 @@
-/* contour.c - joins the crossings of a level (level_crossing.h) to curves, and these
- * with the figure's edge to outlines. */
+/* contour.c - joins the crossings of a level (level_crossing.h) to curves, and joins
+ * curves and parts of the figure's edge to outlines. */
 #include "model/geometry/contour/contour.h"
 
 #include <float.h>
@@ -11,8 +11,8 @@
 #include "model/geometry/contour/level_crossing.h"
 #include "model/geometry/min_max.h"
 
-/* True if the level could cross the triangle, or come near it: between corners the
- * function may exceed their range by half of it. */
+/* True if the level may cross the triangle. Between its corners the function is assumed
+ * to exceed their range by up to half of it. */
 static bool is_near(const struct pp_field *field, int triangle)
 {
     const int *t = field->mesh.triangles[triangle];
@@ -64,8 +64,8 @@ static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
-/* Finds the crossings of all triangles, then halves triangles longer than least_m that
- * the curve leaves midway. *again: there were such triangles. */
+/* Finds the crossings of all triangles. Then halves triangles longer than least_m that
+ * the curve leaves and re-enters. *again: there were such triangles. */
 static enum pp_status cross_triangles(struct pp_field *field, double least_m,
                                       bool *again, struct pp_error *err)
 {
@@ -89,8 +89,8 @@ static enum pp_status cross_triangles(struct pp_field *field, double least_m,
 }
 
 /* Finds the crossings of a level. Triangles that the curve leaves and re-enters are
- * halved, down to 1/64 of the coarse size: the curve has corners at a crease of the
- * function. */
+ * halved, down to 1/64 of the coarse size: at a crease of the function the curve has
+ * corners. */
 static enum pp_status find_crossings(struct pp_field *field, double level,
                                      struct pp_error *err)
 {

@@ -38,11 +38,11 @@ struct pp_curve_end {
 /* Used only by the files of contour/. */
 struct pp_field {
     struct pp_mesh mesh;
-    struct pp_region region; /* a copy */
+    struct pp_region region; /* copy of the figure */
     pp_field_function function;
     void *context;
     double tolerance, coarse;
-    double *values; /* by node of the mesh */
+    double *values; /* value at each node of the mesh */
     int value_count, value_room;
     struct pp_known_values known; /* all values evaluated so far */
     long evaluations;
@@ -50,7 +50,7 @@ struct pp_field {
     /* Level that is being traced. */
     double level;
     int stamp;
-    struct pp_curve_end *ends; /* by edge */
+    struct pp_curve_end *ends; /* end on each edge of the mesh */
     int end_count, end_room;
     struct pp_crossing *crossings;
     int crossing_count, crossing_room;
@@ -58,9 +58,9 @@ struct pp_field {
     int between_count, between_room;
 };
 
-/* Creates the mesh and evaluates at its nodes. Lengths are in the figure's unit;
- * tolerance > 0. region is copied; context is not owned and must outlive the field.
- * PP_BAD_INPUT for an empty figure. */
+/* Creates the mesh and evaluates the function at its nodes. tolerance: of the position
+ * of curves, above 0; lengths are in the figure's unit. The region is copied; context
+ * is not owned and must outlive the field. PP_BAD_INPUT for an empty figure. */
 enum pp_status pp_field_create(struct pp_field **field, const struct pp_region *region,
                                pp_field_function function, void *context,
                                double tolerance, struct pp_error *err);
@@ -71,18 +71,18 @@ void pp_field_range(const struct pp_field *field, double *lowest, double lowest_
                     double *highest, double highest_xy[2]);
 
 /* Share of the figure's area with values below the level, from the mean of each
- * triangle's corners. Only accurate enough for a choice of levels. */
+ * triangle's corner values. Accurate enough only to choose levels. */
 double pp_field_share_below(const struct pp_field *field, double level);
 
 /* Number of evaluations of the function. */
 long pp_field_evaluations(const struct pp_field *field);
 
-/* Value at a point. Evaluated values are stored, since a level is traced again for its
- * outlines, after other levels have halved triangles elsewhere. */
+/* Value at a point. Every value is stored and reused. A level may be traced twice, once
+ * for its curves and once for its outlines, and meets the same points again. */
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],
                                  double *value, struct pp_error *err);
 
-/* Evaluates at new nodes. */
+/* Evaluates the function at nodes added to the mesh since the last call. */
 enum pp_status pp_field_fill(struct pp_field *field, struct pp_error *err);
 
 #endif

@@ -133,7 +133,7 @@ static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
         if ((far_value > field->level) != near_high)
             break;
         if (share <= 0.0 || share >= 1.0) {
-            *leaves = true; /* keeps the chord */
+            *leaves = true; /* the chord stays as it is */
             return PP_OK;
         }
         /* Slightly beyond the linear extrapolation to the level. */
@@ -162,9 +162,9 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
     return status;
 }
 
-/* Positions on a chord where the curve is searched: the middle and, on a chord across
- * the whole triangle, a second one, since an S-shaped curve passes through the
- * middle. */
+/* Positions on a chord at which the curve is searched. The middle is always one. A
+ * chord across the whole triangle has a second one, since an S-shaped curve passes
+ * through the middle. */
 static const double asides[] = {0.5, 0.27};
 enum { ASIDES = sizeof asides / sizeof *asides };
 

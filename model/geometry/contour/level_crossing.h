@@ -12,8 +12,8 @@
 #include "model/geometry/contour/field.h"
 
 /* Adds the crossing of field->level through the triangle, if there is one. *leaves: the
- * curve leaves the triangle and re-enters it, which its corners do not show; the
- * crossing is then a chord there. */
+ * curve leaves the triangle and re-enters it, which the values at its corners do not
+ * show; the crossing is then a straight chord there. */
 enum pp_status pp_level_crossing_follow(struct pp_field *field, int triangle,
                                         bool *leaves, struct pp_error *err);
 

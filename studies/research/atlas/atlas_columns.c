@@ -20,7 +20,8 @@ enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
         return pp_fail_memory(err);
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        /* A column over all surfaces has no true value on the plane. */
+        /* This average is over all surfaces, but the simulated value is over the
+         * working plane. */
         if (column->of_all_surfaces || strcmp(column->name, "traced") == 0)
             continue;
         struct pp_atlas_method *method = &columns->methods[columns->count++];
@@ -65,7 +66,7 @@ static void put_per_cent(FILE *out, double fraction)
     put_atlas_value(out, 100.0 * fraction);
 }
 
-/* Value of a column at a point, or of the average for -1. */
+/* Value of a column at a point; point -1: the average. */
 static double atlas_column_value(const struct pp_report *report,
                                  const struct pp_atlas_method *method, int point)
 {

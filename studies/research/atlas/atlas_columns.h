@@ -23,7 +23,8 @@
 
 enum { PP_ATLAS_NAME = 64 }; /* bytes of a column's name at most */
 
-/* The columns of a report: for each the method, and the method's own world. */
+/* The columns of a report: each one's method, and whether it also has a column
+ * simulated in the method's own world. */
 struct pp_atlas_columns {
     int count;
     struct pp_atlas_method {
@@ -39,13 +40,15 @@ enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
                                    struct pp_error *err);
 void pp_atlas_columns_clear(struct pp_atlas_columns *columns);
 
-/* The line of names, with its end. */
+/* Writes the line of column names, with a line end. */
 void pp_atlas_columns_print_names(const struct pp_atlas_columns *columns, FILE *out);
 
-/* Simulated values of a row: fractions, NAN if there is none. */
+/* Simulated values of a row: fractions; NAN if a value is missing. */
 struct pp_atlas_truth {
-    double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* the room's */
-    double *own; /* one for each of the columns, used for those of daylight factors */
+    double value[PP_COMPONENT_COUNT], std_error[PP_COMPONENT_COUNT]; /* of the room as
+                                                                      * it is */
+    double *own; /* daylight factor in each method's own world; only for the columns of
+                  * daylight factors */
 };
 
 /* Provides the simulated values of a row: for a point, or for the average if point is

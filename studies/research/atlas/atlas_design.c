@@ -63,7 +63,8 @@ static void face(struct pp_atlas_layout *room, const char *role, const char *nam
     face(room, role, name, (const double[][3]){__VA_ARGS__},                           \
          sizeof(const double[][3]){__VA_ARGS__} / sizeof(double[3]))
 
-/* The ceiling rises from the south wall to the north one. */
+/* Writes a ceiling with a single slope, rising from the south wall to the north
+ * wall. */
 static void put_mono_pitch(struct pp_atlas_layout *room, double w, double d, double low,
                            double high)
 {
@@ -76,7 +77,7 @@ static void put_mono_pitch(struct pp_atlas_layout *room, double w, double d, dou
          {w, 0, low});
 }
 
-/* The ridge runs from south to north over the middle. */
+/* Writes a ceiling with a ridge from south to north, over the middle of the room. */
 static void put_ridge(struct pp_atlas_layout *room, double w, double d, double low,
                       double high)
 {
@@ -94,7 +95,8 @@ static void put_ridge(struct pp_atlas_layout *room, double w, double d, double l
          {w, 0, low});
 }
 
-/* Rounds lengths as they are printed, so that faces meet exactly. */
+/* Rounds lengths to the digits that are printed, so that adjoining faces of the room
+ * file meet exactly. */
 static void round_shape(struct pp_atlas_layout *room)
 {
     room->width = 0.01 * round(100.0 * room->width);
@@ -142,7 +144,8 @@ static void put_finishes(struct pp_atlas_layout *room)
 
 /* ---- openings ---- */
 
-/* 1 if u is below 0.15, else a value between the ends of the room's range. */
+/* Frame or maintenance factor: 1 if u is below 0.15, else a value in the room's
+ * range. */
 static double clean(const struct pp_atlas_layout *room, double u)
 {
     return u < 0.15 ? 1.0 : pp_between_ends(room->ranges->clean, (u - 0.15) / 0.85);
@@ -232,8 +235,8 @@ static void put_rooflights(struct pp_atlas_layout *room)
     }
 }
 
-/* Puts one or two windows in the slope over the south wall, or in the west one of a
- * ridge: rectangles along the slope. */
+/* Puts one or two rectangular windows in a sloping ceiling: the slope at the south
+ * wall, or the west slope of a ridge. */
 static void put_roof_windows(struct pp_atlas_layout *room)
 {
     double u[6];
@@ -248,7 +251,8 @@ static void put_roof_windows(struct pp_atlas_layout *room)
     double gap = (along - count * width) / (count + 1);
     for (int i = 0; i < count; i++) {
         double a = gap + i * (width + gap), b = a + width;
-        /* Corners along the slope and up it, counter-clockwise from inside. */
+        /* Corners in coordinates along the slope and up it, counter-clockwise as seen
+         * from inside. */
         const double corners[4][2] = {
             {a, from}, {a, from + up}, {b, from + up}, {b, from}};
         PP_SAY(room, "  <opening");

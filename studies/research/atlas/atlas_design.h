@@ -1,23 +1,24 @@
-/* atlas_design.h - the rooms of the atlas: room i of a designed sweep, as a room file.
+/* atlas_design.h - the rooms of the atlas: writes room number i as a room file.
  *
- * Each of a room's numbers is a coordinate of point i of an Owen-scrambled Sobol sequence
- * of fixed seed (simulate/sampling/sobol.h), in groups of up to six: every prefix of the
- * sweep is spread evenly over each group, so that it can be stopped or extended anywhere.
+ * Each property of room i is a coordinate of point i of an Owen-scrambled Sobol
+ * sequence with a fixed seed (simulate/sampling/sobol.h). Coordinates are in groups of
+ * up to six. The first n rooms are evenly spread over each group for any n, so the
+ * atlas can be stopped or extended anywhere.
  *
- *     shape      area, width over depth, height; a flat ceiling, a single slope, a ridge
- *     finishes   of floor, walls, ceiling
+ *     shape      floor area, width over depth, height; a flat ceiling, a single
+ *                slope, a ridge
+ *     finishes   reflectances of floor, walls and ceiling
  *     openings   one to four equal windows in one wall, or also in the next or the
  *                opposite one; clerestories, French windows; rooflights, and windows in
  *                slopes; all kinds of clear glass and none, frames, dirt, reveals
  *     outside    nothing, a skyline far off or near, a street, a light well, a court, a
- *                balcony, the facade alone, a block to one side; the ground, snow on it;
- *                up to five storeys above it
+ *                balcony, the facade alone, a block to one side; bare or snowy ground,
+ *                at the level of the room or up to five storeys below it
  *     points     eight, spread over the working plane to 0.25 m from the walls
  *
- * One half of the rooms are ordinary, the other half unusual: atlas_ranges.h has the ranges
- * of both.
- *
- * Frequencies are a designer's guess of what is met, with enough of what is rare.
+ * Half of the rooms are ordinary, the other half unusual: atlas_ranges.h has the ranges
+ * of both. The frequencies of features are estimates of what occurs in practice, with
+ * rare features raised so that there are enough of them.
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_DESIGN_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_DESIGN_H

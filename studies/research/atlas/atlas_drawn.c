@@ -1,4 +1,5 @@
-/* atlas_drawn.c - from a room's text to its methods' report. */
+/* atlas_drawn.c - reads the text of a room of the atlas and makes the report of all
+ * hand methods. */
 #include "studies/research/atlas/atlas_drawn.h"
 
 #include <string.h>

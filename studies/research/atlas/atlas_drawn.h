@@ -17,12 +17,13 @@ struct pp_atlas_trace {
 struct pp_atlas_drawn {
     struct pp_building *building;
     struct pp_study_room room;
-    struct pp_study_options options; /* by one thread; the room's own seed */
+    struct pp_study_options options; /* options for one thread, with the room's own
+                                      * seed */
     struct pp_report report;         /* report with the figures of all methods */
 };
 
-/* Room `index` of the sweep. To be cleared in any case. PP_BAD_INPUT, with the reason,
- * if the room is invalid, which no room of the sweep is. */
+/* Makes room `index` of the sweep. The caller clears *drawn in any case. PP_BAD_INPUT
+ * if the room is invalid; this would be a fault of atlas_design.c. */
 enum pp_status pp_atlas_drawn_room(struct pp_atlas_drawn *drawn,
                                    const struct pp_atlas_design *design, int index,
                                    const struct pp_atlas_trace *trace,

@@ -9,7 +9,8 @@
 #include "studies/research/atlas/atlas_design.h"
 #include "studies/research/atlas/atlas_ranges.h"
 
-/* Groups of up to six coordinates of a room; each point has two more. */
+/* Groups of coordinates of a room, up to six in each. Every point has two further
+ * coordinates. */
 enum pp_atlas_group {
     PP_ATLAS_SHAPE,
     PP_ATLAS_FINISHES,

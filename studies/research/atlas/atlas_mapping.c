@@ -1,13 +1,12 @@
-/* atlas_mapping.c - sorts an atlas's rows into the classes of a map, and finds the
- * quantiles of each class. */
+/* atlas_mapping.c - sorts the rows of an atlas into the classes of a map, and computes
+ * the quantiles of each class. */
 #include "studies/research/atlas/atlas_mapping.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Largest relative standard error of a simulated value for which a ratio to it is
- * used. */
+/* A simulated value with a larger relative standard error than this is not used. */
 static const double known_to = 0.1;
 
 const char *const pp_atlas_mapping_names[PP_MAP_KINDS] = {
@@ -58,8 +57,8 @@ struct mapping_columns {
     int sky, outside;
 };
 
-/* The method's column: with that whole name, else of the first component that it
- * gives. */
+/* Column of a method: the one of that full name; else, for a method's name, the first
+ * of its components that the table has. */
 static int find_method(const struct pp_atlas_table *table, const char *method)
 {
     static const char *const components[] = {"df", "irc", "sc", "erc"};
@@ -121,8 +120,8 @@ static enum pp_status find_columns(struct mapping_columns *at,
 
 /* ---- rows into classes ---- */
 
-/* Class of a value. A value on an edge is in the class above, on the last edge in the
- * last class; -1: none. */
+/* Class of a value; -1: outside all classes. A value on an edge belongs to the class
+ * above; on the last edge, to the last class. */
 static int class_of(const struct pp_atlas_scale *scale, double value)
 {
     if (!(value >= scale->edges[0] && value <= scale->edges[scale->count]))
@@ -170,7 +169,8 @@ static int by_ratio(const void *a, const void *b)
     return (p->room > q->room) - (p->room < q->room);
 }
 
-/* Shares a weight of 1 among a room's points in each cell, and counts the rooms. */
+/* Gives each room a weight of 1 in every cell, shared equally by its points there, and
+ * counts the rooms of each cell. */
 static void weigh_room_points(struct mapped_ratio *list, int count,
                               struct pp_atlas_quantiles *cells)
 {
@@ -220,9 +220,9 @@ static void take_quantiles(struct mapped_ratio *list, int count,
 
 /* ---- a map ---- */
 
-/* Gathers ratios to the true value in that column, at points or of averages; *blind
- * counts those whose true value is unknown. The true value in a method's own world is
- * as accurate as the room's. */
+/* Lists the ratios of figure to true value in that column, at points or of averages.
+ * *blind: number of rows left out because the true value is unknown. A true value in a
+ * method's own world is as accurate as the room's own. */
 static int gather_mapped_ratios(struct mapped_ratio *list, int *blind,
                                 const struct pp_atlas_map *map,
                                 const struct pp_atlas_table *table,
@@ -259,7 +259,7 @@ static void fill_quantiles(struct pp_atlas_quantiles *cells, struct mapped_ratio
     take_quantiles(list, count, cells);
 }
 
-/* True if the method gives values at points. */
+/* True if the column has values at points, not only averages. */
 static bool says_at_points(const struct pp_atlas_table *table, int said)
 {
     for (int row = 0; row < table->row_count; row++)

@@ -35,7 +35,8 @@ static void put_balcony(struct pp_atlas_layout *room, const double u[6])
            z, low, z);
 }
 
-/* The block opposite, and two that close the sides, with the house's own walls around. */
+/* Writes a court: the block opposite, two blocks that close the sides, and the facade
+ * around the windows. */
 static void put_court(struct pp_atlas_layout *room, double distance, double half,
                       double height, double reflectance)
 {

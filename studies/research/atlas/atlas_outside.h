@@ -10,8 +10,8 @@
 /* Writes the ground and its level, and the sky; sets room->ground. */
 void pp_atlas_outside_site(struct pp_atlas_layout *room);
 
-/* windows: true if the room has windows in walls. To be called after the room's shape
- * and openings are written. */
+/* Writes the obstructions. windows: true if the room has windows in walls. Call this
+ * after the room's shape and openings are written. */
 void pp_atlas_outside_put(struct pp_atlas_layout *room, bool windows);
 
 #endif

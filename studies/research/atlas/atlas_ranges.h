@@ -58,19 +58,20 @@ struct pp_atlas_ranges {
     double area_m2[2]; /* floor area, uniform in the logarithm */
     double ratio[2];   /* width over depth, logarithm */
     double roofs[PP_ATLAS_ROOFS];
-    double height_m[2]; /* height of a flat ceiling; 5 mm more for each m2 of the
+    double height_m[2]; /* height of a flat ceiling; 5 mm are added for each m2 of
                          * floor */
     double floor[2], walls[2], ceiling[2]; /* reflectances */
 
     double places[PP_ATLAS_PLACES];
-    double rooflights; /* share of rooms with windows that have rooflights, too */
+    double rooflights; /* share of the rooms with windows in walls that also have
+                        * rooflights */
     double styles[PP_ATLAS_STYLES];
     double sill_m[2];
-    double least_m;  /* height of a window */
+    double least_m;  /* least height of a window */
     double share[2]; /* share of a wall's length occupied by windows */
     double panes[PP_ATLAS_PANES];
     double transmittance[2];
-    double clean[2]; /* frame factor and maintenance factor, if not 1 */
+    double clean[2]; /* frame factor and maintenance factor, where they are not 1 */
     double reveal_m[2];
 
     double surroundings[PP_ATLAS_SURROUNDINGS];

@@ -1,5 +1,5 @@
-/* atlas_renewal.c - combines simulated values from a table with figures of the
- * methods. */
+/* atlas_renewal.c - combines the simulated values of an existing table with newly
+ * computed figures of the methods. */
 #include "studies/research/atlas/atlas_renewal.h"
 
 #include <math.h>
@@ -25,15 +25,15 @@ enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *t
     return PP_OK;
 }
 
-/* Room whose true values are kept. */
+/* A room whose simulated values are kept. */
 struct kept {
     const struct pp_atlas_columns *columns;
     const struct pp_report *report;
     const struct pp_own_worlds *worlds; /* not traced */
     const struct pp_atlas_table *table;
     int row;     /* first row of the room */
-    int *own_at; /* column of the table for the simulated value in each method's own
-                  * world; -1: none */
+    int *own_at; /* for each method: column of the table with the simulated value in its
+                  * own world; -1: none */
 };
 
 static double value_at(const struct kept *kept, int point, const char *name)
@@ -76,8 +76,7 @@ static bool are_alike(const struct kept *kept, int one, int other)
     return alike;
 }
 
-/* The table's column for a method's own world that has a value in this room; -1:
- * none. */
+/* Column of the table with a value of this room in the method's own world; -1: none. */
 static int own_column(const struct kept *kept, int method)
 {
     char name[PP_ATLAS_NAME];
@@ -101,7 +100,8 @@ static void find_own(struct kept *kept)
     }
 }
 
-/* Checks that the table's points are those of the room, to the printed digits. */
+/* Checks that the points in the table equal those of the room, to the printed
+ * digits. */
 static enum pp_status check_points(const struct kept *kept, int index,
                                    struct pp_error *err)
 {

@@ -1,8 +1,9 @@
-/* atlas_renewal.h - renews a room of an existing atlas with the present methods;
- * simulated values are kept.
+/* atlas_renewal.h - recomputes the hand figures of a room of an existing atlas, and
+ * keeps its simulated values.
  *
- * A method that is new to the file gets the simulated values in its own world from a
- * method with the same world. */
+ * If the atlas has no column of a method yet, the simulated values in its own world are
+ * copied from a method that assumes the same world.
+ */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_RENEWAL_H
 
@@ -15,8 +16,8 @@
 enum pp_status pp_atlas_renewal_rooms(int *rooms, const struct pp_atlas_table *table,
                                       struct pp_error *err);
 
-/* The new rows of room `index`; the caller frees *rows. PP_BAD_INPUT if the points of
- * the table are not the room's. */
+/* Makes the new rows of room `index`; the caller frees *rows. PP_BAD_INPUT if the
+ * points in the table are not those of the room. */
 enum pp_status pp_atlas_renewal_rows(char **rows, size_t *length,
                                      const struct pp_atlas_columns *columns,
                                      const struct pp_atlas_design *design,

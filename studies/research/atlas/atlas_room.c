@@ -1,4 +1,4 @@
-/* atlas_room.c - makes, simulates and reads a room's worlds. */
+/* atlas_room.c - simulates a room, and the worlds that its methods assume. */
 #include "studies/research/atlas/atlas_room.h"
 
 #include <math.h>
@@ -28,7 +28,7 @@ struct traced {
     const struct pp_own_worlds *worlds;
 };
 
-/* A traced component at a point, or of the average for -1. */
+/* Simulated component at a point; point -1: the average. */
 static struct pp_reading traced_reading(const struct pp_report *report,
                                         enum pp_component component, int point)
 {
@@ -38,15 +38,15 @@ static struct pp_reading traced_reading(const struct pp_report *report,
     return point < 0 ? column->average : column->points[point];
 }
 
-/* The daylight factor in a column's own world. */
+/* Daylight factor in the world that a column's method assumes. */
 static double own_value(const struct pp_own_worlds *worlds,
                         const struct pp_column *column, int point)
 {
     const struct pp_report *of[3];
     for (int c = PP_SC; c <= PP_IRC; c++)
         of[c] = pp_own_world_of(worlds, column, (enum pp_component)c);
-    /* A daylight factor of one world has a smaller error than the sum of its
-     * components. */
+    /* If all components are from one world, its daylight factor is used: it has a
+     * smaller error than their sum. */
     if (of[PP_SC] == of[PP_ERC] && of[PP_ERC] == of[PP_IRC])
         return traced_reading(of[PP_SC], PP_DF, point).value;
     double sum = 0.0;
@@ -75,7 +75,7 @@ static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
     }
 }
 
-/* Traces the room and the worlds of its methods. */
+/* Simulates the room, and the worlds of its methods. */
 static enum pp_status trace_all(struct pp_atlas_drawn *drawn,
                                 struct pp_own_worlds *worlds, struct pp_error *err)
 {

@@ -13,8 +13,8 @@ enum pp_status pp_atlas_room_columns(struct pp_atlas_columns *columns,
                                      const struct pp_atlas_design *design,
                                      struct pp_error *err);
 
-/* Makes the rows of room `index`, by one thread; the caller frees *rows. They depend on
- * these arguments alone. */
+/* Makes the rows of room `index`, with one thread; the caller frees *rows. Equal
+ * arguments give equal rows. */
 enum pp_status pp_atlas_room_rows(char **rows, size_t *length,
                                   const struct pp_atlas_columns *columns,
                                   const struct pp_atlas_design *design, int index,

@@ -18,7 +18,8 @@ struct table_reading {
     int name_space; /* space for names */
 };
 
-/* The end of a field, and the start of the next; NULL: it is the line's last. */
+/* Sets *end to the end of a field. Returns the start of the next one; NULL after the
+ * last field of the line. */
 static char *next_field(char *field, char **end)
 {
     *end = field + strcspn(field, ",");
@@ -89,7 +90,7 @@ static enum pp_status read_atlas_row(struct table_reading *reading, char *line,
     return PP_OK;
 }
 
-/* Leaves out the rows behind the last average. */
+/* Removes the rows after the last average, which belong to an unfinished room. */
 static void keep_whole_rooms(struct pp_atlas_table *table)
 {
     while (table->row_count > 0

@@ -35,8 +35,8 @@ const char *const pp_room_feature_names[PP_ROOM_FEATURES] = {
 
 static const double upright_rad = 75.0 * PP_RAD;
 
-/* Least height above the plane over the room's height; smaller heights are replaced by
- * it. */
+/* Least height of an opening above the working plane, over the room's height; a smaller
+ * height is replaced by this one. */
 static const double height_least = 0.02;
 
 static double glass_m2(const struct pp_opening *opening)
@@ -54,7 +54,8 @@ static struct pp_bounds3 polygon_bounds(const struct pp_polygon *outline)
 
 /* ---- proportions ---- */
 
-/* The opening with the most glass, vertical ones alone or all; NULL: there is none. */
+/* The opening with the largest area of glass; upright: among vertical ones only. NULL:
+ * there is none. */
 static const struct pp_opening *largest(const struct pp_world *world, bool upright)
 {
     const struct pp_opening *found = NULL;
@@ -102,7 +103,7 @@ static void fill_proportions(double features[PP_ROOM_FEATURES],
 
 /* ---- openings ---- */
 
-/* Faces that have one of the openings. */
+/* Number of faces that have openings. */
 static int count_faces(const struct pp_world *world)
 {
     int count = 0;
@@ -181,7 +182,7 @@ static enum pp_status fill_outside(double features[PP_ROOM_FEATURES],
 
 /* ---- ordinary rooms ---- */
 
-/* Ranges of features in ordinary rooms. */
+/* Ranges that the features of ordinary rooms have. */
 static const struct {
     enum pp_room_feature feature;
     double from, to;
@@ -223,7 +224,7 @@ enum pp_status pp_room_features(double features[PP_ROOM_FEATURES],
 
 /* ---- a point ---- */
 
-/* The horizontal distance of a point from a polygon's plan. */
+/* Horizontal distance from a point to a polygon, both seen in plan. */
 static double plan_distance(const struct pp_polygon *outline, struct pp_vec3 point)
 {
     double least = INFINITY;

@@ -1,5 +1,6 @@
-/* cause_search.c - evaluates sets by the sum of their parts, simulates those that may
- * be likely, and evaluates them again. */
+/* cause_search.c - first estimates the effect of every set of causes from its parts.
+ * Simulates the sets that may be likely, and evaluates all sets again after each
+ * simulation. */
 #include "studies/research/compare/cause_search.h"
 
 #include <math.h>
@@ -9,16 +10,16 @@
 #include "model/base/array.h"
 #include "studies/research/compare/set_effects.h"
 
-/* Prior probability that a kind of cause is present, and that a common factor is. Since
- * many errors act like a factor, a factor is recognised as a cause only by its value,
- * and only if the fit is close. */
+/* Prior probability that a cause of one kind is present, and that a common factor is.
+ * Many errors act like a common factor; it therefore counts as a cause only if the fit
+ * is close. */
 static const double AT_WORK = 0.12, FACTOR_AT_WORK = 0.4;
-/* Logarithmic distances from the best likelihood beyond which sets are not simulated,
- * and beyond which sets evaluated with white noise are not evaluated with other
- * noise. */
+/* Differences in log posterior density from the best simulated set. A set farther
+ * behind than FAR_BEHIND is not simulated. A set farther behind than FAR_FROM_LIKELY
+ * with white noise is excluded, without an evaluation with correlated noise. */
 static const double FAR_BEHIND = 4.0, FAR_FROM_LIKELY = 12.0;
-/* Steps, to either side, by which the deviation of a set from the sum of its parts is
- * varied, if the set is not simulated. */
+/* Number of trial values, from -1 to 1, for the deviation of a set that is not
+ * simulated from the sum of its parts. */
 enum { OFF_STEPS = 9 };
 static const double LEAST_PROBABILITY = 0.001;
 static const int nobody[1] = {0};
@@ -26,13 +27,13 @@ static const int nobody[1] = {0};
 struct cause_candidate {
     struct pp_cause_set set;
     double prior;       /* logarithm */
-    double log_density; /* including the prior; from white noise alone if the set is not
-                         * likely */
+    double log_density; /* logarithm of the posterior density, not normalised; -INFINITY
+                         * if the set is impossible or too unlikely */
     bool is_known;
-    double off;   /* deviation of the pairs' effects from the sums that fits best, as
-                   * for pp_set_effects_predict */
-    double level; /* fitted value, 0 to 1 over its range */
-    double width; /* width of the likelihood around that level; logarithm */
+    double off;   /* best-fitting deviation of the pairs' effects from the sums of
+                   * single effects, as for pp_set_effects_predict */
+    double level; /* fitted value of the cause, as a position in its range, 0 to 1 */
+    double width; /* logarithm of the width of the likelihood around that level */
 };
 
 struct cause_search {
@@ -40,10 +41,10 @@ struct cause_search {
     struct pp_set_effects effects;
     struct cause_candidate *candidates;
     int candidate_count, candidate_space;
-    int traced; /* number of simulated sets of several causes */
+    int traced; /* number of sets of several causes simulated so far */
 };
 
-/* The set without common factors; returns how many. */
+/* Lists the causes of the set except common factors; returns their number. */
 static int without_factor(const struct cause_search *search,
                           const struct pp_cause_set *set,
                           int causes[PP_CAUSE_SEARCH_MOST])
@@ -68,8 +69,8 @@ static struct pp_supposition supposed(const struct cause_search *search,
     return supposition;
 }
 
-/* Evaluates a candidate with white noise only; a set that was not simulated with the
- * deviation that fits best. */
+/* Computes a candidate's log density with white noise only. For a set that is not
+ * simulated, uses the deviation that fits best. */
 static void judge_roughly(struct cause_search *search,
                           struct cause_candidate *candidate)
 {
@@ -101,7 +102,7 @@ static void judge_roughly(struct cause_search *search,
     }
 }
 
-/* Evaluates a candidate by all kinds of noise. */
+/* Computes a candidate's log density with all kinds of noise. */
 static enum pp_status judge_fully(struct cause_search *search,
                                   struct cause_candidate *candidate,
                                   struct pp_error *err)
@@ -119,7 +120,7 @@ static enum pp_status judge_fully(struct cause_search *search,
     return status;
 }
 
-/* Best logarithm of density among the sets that are simulated. */
+/* Highest log density of the simulated sets. */
 static double best(const struct cause_search *search)
 {
     double most = -INFINITY;
@@ -222,7 +223,8 @@ static void end(struct cause_search *search)
     free(search->candidates);
 }
 
-/* The most likely set that is not simulated and may matter; NULL: none. */
+/* The most likely set that is not yet simulated and is at most FAR_BEHIND behind the
+ * best one; NULL: none. */
 static const struct cause_candidate *to_trace(const struct cause_search *search)
 {
     const struct cause_candidate *next = NULL;
@@ -236,9 +238,9 @@ static const struct cause_candidate *to_trace(const struct cause_search *search)
     return next;
 }
 
-/* Finds the next set of three causes or fewer to simulate: all three, or the pair not
- * yet simulated whose effect may deviate most from the sum, and which is therefore most
- * informative. Returns the number of causes. */
+/* Replaces a set to be simulated by a part of it, if that tells more first. For three
+ * causes this is the pair, not yet simulated, whose effect may deviate most from the
+ * sum. Otherwise the set stays as it is. Returns the number of causes. */
 static int first_to_trace(const struct cause_search *search,
                           int causes[PP_CAUSE_SEARCH_MOST], int count, double level)
 {

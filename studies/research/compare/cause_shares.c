@@ -1,6 +1,6 @@
-/* cause_shares.c - sums over the subsets without a given member. Each subset of s
- * members has the weight s! (n - s - 1)! / n!: the share of the orders in which exactly
- * these come before the member. */
+/* cause_shares.c - Shapley values, as sums over the subsets without a given member. A
+ * subset of s of the other members has the weight s! (n - s - 1)! / n!: the share of
+ * all orders of n members in which exactly this subset precedes the given member. */
 #include "studies/research/compare/cause_shares.h"
 
 static double weight(int before, int count)

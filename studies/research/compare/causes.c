@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Smaller differences are not detected: of a height (m), and of a reflectance. */
+/* Smallest detectable differences: of a height (m), and of a reflectance. */
 static const double SAME_HEIGHT_M = 0.05, SAME_REFLECTANCE = 0.02;
 
 /* ---- applicability ---- */
@@ -104,8 +104,8 @@ static bool has_colours(const struct pp_compare_subject *subject)
     return false;
 }
 
-/* True if no point is at the height z_m, all points face up, and z_m is below the
- * ceiling. */
+/* True if a plane at z_m differs from the subject's points: none is at this height, all
+ * face up, and z_m is below the ceiling. */
 static bool is_off(const struct pp_compare_subject *subject, double z_m)
 {
     bool off = !subject->room || z_m < subject->room->world->height_m;

@@ -1,9 +1,9 @@
-/* causes.h - list of possible differences in another program's input or settings. Each
- * has a description and a switch of our own simulation that imitates it
- * (room_variant.h).
+/* causes.h - list of possible mistakes in another program's input or settings. Each has
+ * a description and a switch of our own simulation that imitates it (room_variant.h).
  *
- * Causes of one kind exclude each other. A common factor has no given value: the
- * best-fitting one is used, as for the reflectance of the ground.
+ * Causes of one kind exclude each other. A cause with a fitted value has no given
+ * value: the best-fitting one is used. These are a common factor of all values, and the
+ * reflectance of the ground.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
 #define PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
@@ -13,8 +13,8 @@
 struct pp_cause {
     const char *word;   /* "bounces=2"; "ground" where the value is fitted */
     const char *kind;   /* causes of one kind exclude each other */
-    const char *action; /* action of the other program, as the end of a sentence */
-    const char *remedy; /* correction to make there */
+    const char *action; /* what the other program does, as the end of a sentence */
+    const char *remedy; /* how to correct it in the other program */
     bool is_factor;
     bool is_alone; /* true if no other cause can be present with it */
     /* True if the cause can be detected in this room or scene; NULL: in any. */
@@ -30,16 +30,16 @@ int pp_causes_of(const struct pp_cause *list[PP_CAUSES_MOST],
 /* All causes; NULL after the last. */
 const struct pp_cause *pp_causes_at(int index);
 
-/* Kinds of mistake that no cause imitates, as a sentence's parts; NULL after the
+/* Kinds of mistake that are not in the list, as parts of a sentence; NULL after the
  * last. */
 const char *pp_causes_missing_at(int index);
 
-/* True if its value is fitted: a reflectance from 0 to PP_CAUSES_VALUE_MOST. */
+/* True if the cause has a fitted reflectance, from 0 to PP_CAUSES_VALUE_MOST. */
 #define PP_CAUSES_VALUE_MOST 0.8
 bool pp_causes_is_fitted(const struct pp_cause *cause);
 
-/* Adds the cause's switch to those that are set. value: of a fitted cause. Not for a
- * common factor. */
+/* Adds the cause's switch to those already set. value: that of a fitted cause. Not for
+ * a common factor. */
 enum pp_status pp_causes_set_variant(struct pp_room_variant *variant,
                                      const struct pp_cause *cause, double value,
                                      struct pp_error *err);

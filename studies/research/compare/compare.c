@@ -1,5 +1,6 @@
-/* compare.c - simulates our values, and those with sets of causes as needed; computes
- * the remainder of the most likely set, and the effect of each of its causes. */
+/* compare.c - simulates our values without causes, and with sets of causes when the
+ * search needs them. Computes what remains after the most likely set, and the effect of
+ * each of its causes. */
 #include "studies/research/compare/compare.h"
 
 #include <math.h>
@@ -9,15 +10,16 @@
 #include "model/base/array.h"
 #include "studies/research/compare/cause_shares.h"
 
-/* c of f(v) = ln(v + c), over the mean of ours: darker points count for less. */
+/* The constant c in f(v) = ln(v + c), over the mean of our values: it gives darker
+ * points less weight. */
 static const double DARK_SHARE = 0.005;
-/* Sets are listed until they have this probability together. */
+/* Sets are listed, likeliest first, until their probabilities add up to this. */
 static const double LISTED = 0.98;
 static const double SURE = 0.98;
 enum { TRACED_MOST = 40 };
 static const int nobody[1] = {0};
 
-/* Our values under a set of causes. */
+/* Our values, simulated with a set of causes. */
 struct traced_set {
     int causes[PP_CAUSE_SEARCH_MOST], count;
     double value;          /* value of the fitted cause; 0: none */
@@ -30,7 +32,7 @@ struct pp_compare {
     struct pp_compare_options options;
     const struct pp_cause *causes[PP_CAUSES_MOST];
     int cause_count;
-    struct traced_set *sets; /* the first: the empty set */
+    struct traced_set *sets; /* the first one has no causes */
     int set_count;
     struct pp_vec3 *places;
     double dark; /* c */
@@ -57,7 +59,8 @@ static enum pp_status trace_cause_set(struct pp_compare *compare,
     return status;
 }
 
-/* *set: the values of a set without a common factor, valid until the next call. */
+/* Sets *set to our values with a set of causes, without common factors; simulates them
+ * if necessary. Valid until the next call. */
 static enum pp_status set_of(struct pp_compare *compare, const int *causes, int count,
                              double value, const struct traced_set **set,
                              struct pp_error *err)
@@ -124,7 +127,7 @@ static double squares(const double *list, int count)
     return sum;
 }
 
-/* Effect of the set's causes whose bits are in `subset`. */
+/* Effect of those causes of the set whose bits are 1 in `subset`. */
 static enum pp_status subset_effect(struct pp_compare *compare,
                                     const struct pp_cause_set *set, int subset,
                                     double *effect, double *variance,
@@ -149,7 +152,8 @@ static enum pp_status subset_effect(struct pp_compare *compare,
     return status;
 }
 
-/* Stated noise, combined with the scatter of our own values; 0: not stated. */
+/* The other program's stated noise, combined with the mean noise of our own values; 0:
+ * not stated. */
 static double stated_noise(const struct pp_compare *compare, const double *variance)
 {
     double noise = compare->options.noise;

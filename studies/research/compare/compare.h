@@ -1,8 +1,8 @@
 /* compare.h - compares another program's values with ours, and finds the causes of the
  * difference.
  *
- * Our values are simulated once; then any number of other values at the same points can
- * be explained. Effects of causes are simulated when first needed, and kept.
+ * Our values are simulated once. Any number of other values at the same points can then
+ * be explained. The effect of a cause is simulated when it is first needed, and stored.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_COMPARE_H
 #define PP_STUDIES_RESEARCH_COMPARE_COMPARE_H
@@ -15,17 +15,18 @@ enum { PP_COMPARE_POINTS_MOST = 48, PP_COMPARE_LISTED_MOST = 6 };
 
 struct pp_compare_options {
     struct pp_room_variant
-        variant; /* variant of our values before causes are searched */
+        variant; /* variant of the room from which the search starts */
     struct pp_variant_tracing tracing;
     double noise;    /* stated noise of the other program (logarithm); 0: not known */
     int traced_most; /* most sets of several causes to simulate for one explanation;
                       * 0: 40 */
 };
 
-/* Results of a comparison. Arrays have a value a point, fractions. */
+/* Results of a comparison. Arrays have one value for each point; values are
+ * fractions. */
 struct pp_compared {
     int count;
-    const double *ours, *errors; /* not owned: the comparison's */
+    const double *ours, *errors; /* owned by the comparison */
     double *theirs;
     double *explained; /* our values with the likeliest set */
     struct pp_cause_search search;
@@ -34,16 +35,17 @@ struct pp_compared {
      * ones, up to a total probability of 98 % or as many as fit. */
     int listed;
 
-    double gap;               /* mean of theirs over ours, less 1; logarithmic mean */
-    double gap_rms;           /* root mean square of the gap, logarithms */
-    double left, left_rms;    /* gap and gap_rms with the likeliest set included */
+    double gap;               /* mean logarithm of their values over ours, both with c
+                               * added (likelihood.h) */
+    double gap_rms;           /* root mean square of the same logarithms */
+    double left, left_rms;    /* the same for their values over `explained` */
     struct pp_left_over over; /* test of the remainder against the other program's
                                * noise */
-    /* Effects of the causes of the most likely set, averaged over orders: the effect of
-     * each on the mean (logarithm), and its share of the sum of squares of the gap,
-     * which total 1. */
+    /* Effects of the causes of the most likely set, averaged over the orders in which
+     * they can be added: each one's effect on the mean (logarithm), and its share of
+     * the gap's sum of squares. The shares, with that of the remainder, add up to 1. */
     double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
-    double factor; /* the common factor, if the likeliest set has it; else 1 */
+    double factor; /* the common factor of the likeliest set; 1 if it has none */
 };
 
 struct pp_compare;
@@ -68,14 +70,15 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
                                   struct pp_error *err);
 void pp_compare_clear(struct pp_compared *compared);
 
-/* Noise (logarithm) from which no cause is certain. The remainder without a certain
- * cause must be at least as large. Unlisted mistakes in reflectances or dimensions can
- * be of this size, and so decide between sets whose remainders differ by less. */
+/* Limit (logarithm) on the other program's noise: if the noise is larger, no cause is
+ * certain. A cause is certain only if the remainder without it is larger than this.
+ * Unlisted mistakes in reflectances or dimensions can be this large; smaller
+ * differences between sets of causes therefore prove nothing. */
 #define PP_COMPARE_HIDES 0.05
 
-/* True if the cause (index in the list) is certain: its probability is at least 98 %,
- * the remainder is explained by the other program's noise, this noise is below
- * PP_COMPARE_HIDES, and all sets without the cause leave more than that. */
+/* True if the cause (its index in the list) is certain. Its probability is then at
+ * least 98 %, the other program's noise is below PP_COMPARE_HIDES and explains the
+ * remainder, and every set without the cause leaves more than PP_COMPARE_HIDES. */
 bool pp_compare_is_sure(const struct pp_compared *compared, int cause);
 
 #endif

@@ -1,5 +1,5 @@
-/* compare_subject.h - the subject of another program's values: points in a room, or in
- * an imported scene. */
+/* compare_subject.h - the points at which another program's values are compared with
+ * ours, in a room or in an imported scene. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_COMPARE_SUBJECT_H
 #define PP_STUDIES_RESEARCH_COMPARE_COMPARE_SUBJECT_H
 
@@ -15,12 +15,12 @@ struct pp_compare_subject {  /* owns nothing */
     const struct pp_scene_description *scene; /* NULL: a room */
 };
 
-/* The subject for a room at its receivers. */
+/* The subject of a room, at the room's receivers. */
 struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room *room);
 
-/* Our values at the subject's points with the switches of a variant, fractions, with
- * their standard errors. PP_BAD_INPUT if a switch is not possible for the subject,
- * PP_INTERRUPTED if `look` returns false. */
+/* Simulates our values at the subject's points, with the switches of a variant:
+ * fractions, with their standard errors. PP_BAD_INPUT if a switch is not possible for
+ * the subject; PP_INTERRUPTED if `look` returns false. */
 enum pp_status pp_compare_subject_values(double *values, double *errors,
                                          const struct pp_compare_subject *subject,
                                          const struct pp_room_variant *variant,

@@ -1,18 +1,18 @@
-/* left_over.c - the smooth part by Gram and Schmidt's orthogonal polynomials. */
+/* left_over.c - fits the smooth part by polynomials made orthogonal over the points by
+ * the Gram-Schmidt method. */
 #include "studies/research/compare/left_over.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 enum { TERMS = 10 };
-/* Relative error that both programs have in common in any case. */
+/* Relative error that both programs are assumed to share. */
 static const double COMMON = 0.005;
 static const double QUANTILE = 3.0;
-/* Fewest degrees of freedom beyond the smooth part from which noise can be
- * estimated. */
+/* Least number of points beyond the polynomials from which noise can be estimated. */
 enum { FREE_LEAST = 6 };
-/* Relative norm below which a polynomial is a linear combination of others at these
- * points, and is left out. */
+/* If the norm of a polynomial falls below this share when the others are subtracted, it
+ * depends linearly on them at these points, and is left out. */
 static const double DEPENDENT = 1e-6;
 
 static double dot(const double *a, const double *b, int count)
@@ -23,7 +23,7 @@ static double dot(const double *a, const double *b, int count)
     return sum;
 }
 
-/* The distance of the farthest point from the first. */
+/* Distance of the farthest point from the first. */
 static double farthest(const struct pp_vec3 *places, int count)
 {
     double far = 1e-9;
@@ -50,7 +50,8 @@ static void take_off(double *list, const double *basis, int made, int count)
     }
 }
 
-/* Orthonormal polynomials over the points, at most `most`; returns how many. */
+/* Makes orthonormal polynomials over the points, at most `most`; returns their
+ * number. */
 static int make_basis(double *basis, const struct pp_vec3 *places, int count, int most)
 {
     double far = farthest(places, count); /* scales coordinates to order 1 */

@@ -9,12 +9,12 @@ enum { SIGMAS = 20 };
 static const double SIGMA_LEAST = 0.003, SIGMA_MOST = 0.6;
 static const double ALIKE = 0.9;                  /* k */
 static const double REACH_M[] = {0.0, 0.6, 1.8};  /* l; 0: k is 0 */
-static const double BEFORE[] = {0.5, 0.25, 0.25}; /* prior probabilities of the
-                                                   * values above */
+static const double BEFORE[] = {0.5, 0.25, 0.25}; /* prior probabilities of these
+                                                   * reaches */
 enum { KINDS = sizeof REACH_M / sizeof REACH_M[0] };
 
-/* Standard deviations of theta: of errors that programs have in common in any case; of
- * a common factor, small or large. */
+/* Standard deviations of theta: of an error common to all programs; of a common factor,
+ * small or large. */
 static const double COMMON = 0.005, FACTOR[] = {0.1, 0.7};
 
 static double sigma_at(int i)
@@ -22,7 +22,7 @@ static double sigma_at(int i)
     return SIGMA_LEAST * pow(SIGMA_MOST / SIGMA_LEAST, i / (SIGMAS - 1.0));
 }
 
-/* Sums of a residual r = g - e under an inverse covariance. */
+/* Quadratic forms of a residual r = g - e, with V the inverse of its covariance. */
 struct forms {
     double rr, r1, one; /* r' V r, r' V 1, 1' V 1 */
     double log_det;     /* logarithm of the covariance's determinant */
@@ -35,8 +35,8 @@ static double log_sum(double a, double b)
     return most + log(exp(a - most) + exp(b - most));
 }
 
-/* Density of (1), with theta normal with that standard deviation. *theta: its expected
- * value, 1' V r / (1' V 1 + 1/s^2). */
+/* Density (1), with theta normal about 0 with this standard deviation. *theta: its
+ * expected value, 1' V r / (1' V 1 + 1/s^2). */
 static double density_of(const struct forms *forms, int count, double deviation,
                          double *theta)
 {
@@ -74,7 +74,7 @@ static struct forms white_forms(const struct pp_likelihood_data *data,
     return forms;
 }
 
-/* Lower Cholesky factor of (1)'s covariance, row by row, n x n. */
+/* Lower Cholesky factor of the covariance in (1), row by row, n x n. */
 static void factor(double *lower, const struct pp_likelihood_data *data,
                    const double *variance, double sigma, double reach_m)
 {

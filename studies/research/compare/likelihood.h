@@ -35,15 +35,16 @@ struct pp_supposition {
 struct pp_likelihood {
     double log_density;
     double sigma; /* expected */
-    double near;  /* probability that errors of neighbours are correlated, 0 to 1 */
+    double near;  /* probability that the noise of neighbouring points is correlated, 0
+                   * to 1 */
     double theta; /* expected */
 };
 
-/* Likelihood by white noise alone, as fast as a sum: the first filter. */
+/* Log density with white noise only: fast, for a first selection. */
 double pp_likelihood_white(const struct pp_likelihood_data *data,
                            const struct pp_supposition *supposed);
 
-/* Likelihood by all of (1). */
+/* Likelihood by (1), with all kinds of noise. */
 enum pp_status pp_likelihood(struct pp_likelihood *likelihood,
                              const struct pp_likelihood_data *data,
                              const struct pp_supposition *supposed,

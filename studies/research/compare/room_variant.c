@@ -1,4 +1,4 @@
-/* room_variant.c - reads switches; the names of common settings. */
+/* room_variant.c - reads the switches of a variant; lists the presets. */
 #include "studies/research/compare/room_variant.h"
 
 #include <math.h>
@@ -87,7 +87,7 @@ static enum pp_status read_colour(struct pp_room_variant *variant, const char *t
                            text);
 }
 
-/* Reads a sky type; if it has a sun, that is the room's sun. */
+/* Reads a sky type. If it has a sun, the sun's position is that of the room's sun. */
 static enum pp_status read_sky(struct pp_room_variant *variant, const char *text,
                                struct pp_error *err)
 {

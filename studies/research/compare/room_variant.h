@@ -1,24 +1,25 @@
-/* room_variant.h - a room or scene as another program may have taken it: switches, in words.
+/* room_variant.h - switches that change our simulation as another program may have
+ * changed the room or scene.
  *
- *     bounces=N              reflections between surfaces on a path, at most; the ground
- *                            glows by itself
- *     ab=N                   N-1 of them, the ground's among them, as Radiance counts where
- *                            the ground is a surface; ab=0: no light that is not from a
- *                            concentrated source
- *     glass=normal           lets light of all angles through as at normal incidence
- *     glass=transmissivity   the transmittance given as Radiance's transmissivity
+ *     bounces=N              at most N reflections between surfaces on a path. The
+ *                            ground is not one of them: it emits its light
+ *     ab=N                   as in Radiance with the ground as a surface: at most
+ *                            N-1 reflections, the ground's included. ab=0: only direct
+ *                            light of concentrated sources
+ *     glass=normal           the transmittance at normal incidence for all angles
+ *     glass=transmissivity   the transmittance, taken for Radiance's transmissivity
  *     glass=none             openings without glass
- *     panes=1                one pane of those that there are
+ *     panes=1                only one of the panes
  *     frame=none  dirt=none  no frames; clean glass
- *     plane=Z                points lie at that height (m)
- *     sky=WORD               as a room file's, or gensky: overcast, and faded into the
- *                            ground at the horizon
- *     ground=R  ground=open  reflectance of the ground; it is lit by the whole sky
- *     outside=none           nothing stands outside
- *     colour=WORD            of a scene in colours: grey, materials had the luminance of
- *                            theirs; mean, green: values had red, green and blue alike,
- *                            green alone for luminance
- *     factor=F               all values times F
+ *     plane=Z                points at the height Z (m)
+ *     sky=WORD               a sky of the room file format, or gensky: overcast,
+ *                            blended into the ground at the horizon
+ *     ground=R  ground=open  reflectance of the ground; ground lit by the whole sky
+ *     outside=none           no obstructions outside
+ *     colour=WORD            in a coloured scene: grey, materials are replaced by grey
+ *                            ones of equal luminance; mean, the result is the mean of
+ *                            red, green and blue; green, it is the green channel
+ *     factor=F               all values multiplied by F
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_ROOM_VARIANT_H
 #define PP_STUDIES_RESEARCH_COMPARE_ROOM_VARIANT_H
@@ -44,7 +45,7 @@ enum pp_room_variant_colour {
 
 struct pp_room_variant {
     int bounces;        /* -1: unlimited */
-    bool ground_counts; /* among them */
+    bool ground_counts; /* the ground's reflection counts as one of them */
     bool dark;          /* ab=0 */
     enum pp_room_variant_glass glass;
     enum pp_room_variant_colour colour;
@@ -57,13 +58,13 @@ struct pp_room_variant {
 /* The unchanged room. */
 struct pp_room_variant pp_room_variant_nothing(void);
 
-/* Adds the comma-separated switches of `words` to those already set; the name of a
- * preset is replaced by its words. PP_BAD_INPUT with a sentence for an unknown
+/* Adds the comma-separated switches in `words` to those already set. A word may be a
+ * preset, which stands for its switches. PP_BAD_INPUT, with a message, for an unknown
  * switch. */
 enum pp_status pp_room_variant_add(struct pp_room_variant *variant, const char *words,
                                    struct pp_error *err);
 
-/* Names for settings that are common. */
+/* A named set of common settings. */
 struct pp_room_variant_preset {
     const char *name, *words;
     const char *what; /* source of the settings */
@@ -73,7 +74,7 @@ const struct pp_room_variant_preset *pp_room_variant_preset_at(
 
 /* Options for the simulation of a variant, and its progress callback. */
 struct pp_variant_tracing {
-    double error; /* target standard error over value, above 0 */
+    double error; /* target relative standard error, above 0 */
     uint64_t seed;
     int threads; /* 0: one for each processor */
     /* Returns whether to continue; done: 0 to 1. NULL: not called. */

@@ -12,22 +12,23 @@ struct pp_known_set {
     int causes[PP_CAUSE_SEARCH_MOST], count;
     bool makes_sense;
     double *effect, *variance;
-    /* Effects in the middle and at the upper end of a fitted value's range; `effect` is
-     * that at the lower end. NULL: none. */
+    /* For a cause with a fitted value: effects in the middle and at the upper end of
+     * its range; `effect` is that at the lower end. NULL: no such cause. */
     double *middle, *most;
 };
 
-/* Greatest deviation of the effect of two causes from the sum of their effects, as a
- * share of the smaller one, to either side: about the same at all points. The second
- * constant is the further deviation at single points, and that of three causes from the
- * sum of their pairs. */
+/* Uncertainty of the effect of a pair of causes that is not simulated, as shares of the
+ * smaller of both effects. OFF_SHARE: greatest deviation, up or down, from the sum of
+ * both; it is about equal at all points. OFF_SHARE_AT_A_POINT: further deviation at
+ * single points; also the deviation of three causes from the sum of their pairs. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
-/* Least effect (root mean square of logarithms) of a cause that is considered. */
+/* Causes with a smaller effect (root mean square of logarithms) are not considered. */
 static const double LEAST_EFFECT = 0.001;
-/* Least standard deviation of noise in the uncertainty of a fitted value. */
+/* Least standard deviation of the noise from which the uncertainty of a fitted value is
+ * computed. */
 static const double LEAST_NOISE = 0.003;
-/* Number of steps of the golden section in the search for a fitted value, and of levels
- * that it can have: about a thousandth. */
+/* Steps of the golden section search for a fitted value, and number of levels to which
+ * it is rounded, each about a thousandth. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
 static const struct pp_known_set *find_known_set(const struct pp_set_effects *effects,
                                                  const int *causes, int count)
@@ -55,7 +56,8 @@ bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *
     return false;
 }
 
-/* True if the cause, or its value, has an effect. */
+/* True if a single cause has an effect; for a fitted value, if the ends of its range
+ * have different effects. */
 static bool is_felt(const struct pp_known_set *known, int points)
 {
     double sum = 0.0;
@@ -104,8 +106,8 @@ enum pp_status pp_set_effects_trace(struct pp_set_effects *effects, const int *c
     return pp_fail(err, status, "%s", own.message);
 }
 
-/* Effect at level t of a fitted value, on the parabola through three levels of the
- * range. */
+/* Effect at level t of a fitted value: a parabola through the three simulated
+ * levels. */
 static double effect_at(const struct pp_known_set *known, int point, double t)
 {
     if (!known->most)
@@ -120,8 +122,8 @@ static double smaller(double a, double b)
     return fmin(fabs(a), fabs(b));
 }
 
-/* Deviation of a pair's effect from the sum of both at a point, simulated or assumed.
- * *slack is increased by the uncertainty. */
+/* Deviation of a pair's effect at a point from the sum of both effects, simulated or
+ * assumed. Adds its uncertainty to *slack. */
 static double together(const struct pp_set_effects *effects,
                        const struct pp_known_set *a, const struct pp_known_set *b,
                        int point, double off, double level, double *slack)
@@ -224,8 +226,8 @@ double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int
         else
             low = high - inner;
     }
-    /* A deviation of the level by one standard error raises the sum of squares by the
-     * variance s^2 of the noise. */
+    /* The standard error of the level: a deviation by one standard error raises the sum
+     * of squares by the variance s^2 of the noise. */
     double level = fmin(fmax(0.5 * (low + high), step), 1.0 - step);
     double least = pp_set_effects_left(effects, causes, count, has_factor, level);
     double bend =

@@ -14,7 +14,8 @@ struct pp_set_effects {
     const struct pp_cause_search_question *question; /* not owned */
     struct pp_known_set *known;                      /* the simulated sets */
     int known_count;
-    double *effect, *variance, *slack; /* the last prediction, one a point */
+    double *effect, *variance, *slack; /* the last prediction, one value for each point;
+                                        * slack: its uncertainty */
 };
 
 enum pp_status pp_set_effects_init(struct pp_set_effects *effects,
@@ -33,18 +34,17 @@ bool pp_set_effects_are_known(const struct pp_set_effects *effects, const int *c
 bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *causes,
                                int count);
 
-/* Fills effect and variance with the effect of the set. If the set is not simulated,
- * its effect is predicted from its parts: its pairs deviate from their sums by `off`
- * (-1 to 1) times the greatest deviation, and slack is the uncertainty. False if the
- * set is not possible. */
+/* Sets effect and variance to the effect of the set. If the set is not simulated, its
+ * effect is predicted from its parts. Its pairs then deviate from the sums of single
+ * effects by `off` (-1 to 1) times the greatest deviation, and slack is the
+ * uncertainty. False if the set is not possible. */
 bool pp_set_effects_predict(struct pp_set_effects *effects, const int *causes,
                             int count, double off, double level);
 
 /* Moves the prediction towards the gap, by at most its uncertainty. */
 void pp_set_effects_lean(struct pp_set_effects *effects);
 
-/* Sum of squares of the remaining gap; about its mean if there is a common
- * factor. */
+/* Sum of squares of the gap that remains; with a common factor, about its mean. */
 double pp_set_effects_left(struct pp_set_effects *effects, const int *causes, int count,
                            bool has_factor, double level);
 

@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-/* Transmittance at normal incidence of a pane of transmissivity t (the share
- * transmitted in one passage through the pane) with the reflectance rho at each face, n
- * = 1.52 [WS98]: (1 - rho)^2 t / (1 - rho^2 t^2). */
+/* Transmittance at normal incidence of a pane of transmissivity t, the share
+ * transmitted in one passage through the glass. Each face reflects rho, with n = 1.52:
+ * (1 - rho)^2 t / (1 - rho^2 t^2) [WS98]. */
 static double of_transmissivity(double t)
 {
     double rho = (1.52 - 1.0) / (1.52 + 1.0);
@@ -13,15 +13,15 @@ static double of_transmissivity(double t)
     return (1.0 - rho) * (1.0 - rho) * t / (1.0 - rho * rho * t * t);
 }
 
-/* Replaces the glass by one with its normal transmittance at every angle: a film
- * without refraction or absorption, n = 1 and KL = 0, scaled. */
+/* Glass with its normal transmittance at every angle: a film without refraction or
+ * absorption (n = 1, KL = 0), scaled. */
 static struct pp_glass by_normal_alone(struct pp_glass glass)
 {
     return pp_glass_of_normal(1, 1.0 + 1e-9, 0.0, glass.normal);
 }
 
-/* One pane of a stack. If only the transmittance of the stack was given, the scale is
- * shared equally by the panes. */
+/* One pane of several. If only the transmittance of the whole glazing was given, each
+ * pane has an equal share of the scale. */
 static struct pp_glass one_of(struct pp_glass glass)
 {
     struct pp_glass pane = pp_glass_panes(1, glass.n, glass.kl);

@@ -1,4 +1,4 @@
-/* variant_glass.h - glass modelled in the ways of other programs. */
+/* variant_glass.h - the glass of a room or scene as other programs may model it. */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_GLASS_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_GLASS_H
 

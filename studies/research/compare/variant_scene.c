@@ -45,8 +45,8 @@ static const char *not_of_scenes(const struct pp_room_variant *variant)
 
 /* ---- its values ---- */
 
-/* Combines channels as the other program does. A combined standard error is not
- * underestimated. */
+/* Combines the colour channels as the other program does. The same combination of
+ * standard errors is never too small. */
 static double sum_up(struct pp_rgb light, enum pp_room_variant_colour colour)
 {
     return colour == PP_ROOM_VARIANT_COLOUR_MEAN ? (light.r + light.g + light.b) / 3.0

@@ -97,7 +97,7 @@ static enum pp_status place_points(struct varied_room *varied,
         receiver->position.z = variant->plane_m;
         const char *fault = pp_position_receiver_fault(
             varied->world, receiver->position, receiver->normal);
-        /* Points inside a desk are valid too: they receive no light here, as in the
+        /* Points inside furniture are valid here: they receive no light, as in the
          * other program. */
         if (fault && !pp_position_in_fitting(varied->world, receiver->position))
             return pp_fail(err, PP_BAD_INPUT, "plane=%g: the point %g, %g %s",

@@ -1,4 +1,5 @@
-/* cie171.c - the rooms, and the values of the table in their order. */
+/* cie171.c - makes the rooms of CIE 171 and compares the figures of its table, in its
+ * order. */
 #include "studies/research/validation/cie171.h"
 
 #include <math.h>
@@ -9,8 +10,8 @@
 #include "methods/method.h"
 #include "methods/view/visible.h"
 
-/* A value of the table; per cent. Texts are stored in the row: pointers would have to
- * be relocated at each start. */
+/* One row of the table; figures in per cent. Texts are arrays, not pointers, since each
+ * pointer would be a relocation at every start. */
 struct figure {
     char scene[16];
     double a, b, sky;
@@ -28,8 +29,8 @@ enum {
     POINTS_MOST = 32, /* most points of one room */
 };
 
-/* Errors of the independent integration (three decimals, and coarser if a mask cuts the
- * opening), and of the printed figures (two decimals). */
+/* Tolerances: of the independent integration (three decimals; coarser if a mask cuts
+ * the opening), and of printed figures (two decimals). */
 static const double CHECK_SHARE = 0.001, MASKED_SHARE = 0.0025, CHECK_LEAST = 0.001e-2;
 static const double PRINTED_SHARE = 0.01, PRINTED_LEAST = 0.02e-2;
 
@@ -40,15 +41,14 @@ static bool is_glazed(const struct figure *figure)
     return strstr(figure->scene, "glass") != NULL;
 }
 
-/* Plane of endless length outside, as wide as the last digit requires. */
+/* A plane outside, long enough to count as endless to the last digit. */
 #define PLANE                                                                          \
     "<surface reflectance='0' exitance='%g'><vertex x='-2000' y='%g' z='%g'/>"         \
     "<vertex x='2000' y='%g' z='%g'/><vertex x='2000' y='%g' z='%g'/>"                 \
     "<vertex x='-2000' y='%g' z='%g'/></surface>"
 
-/* The underside of a canopy has the exitance that reproduces the printed figures. No
- * such exitance was found for a building opposite; its cases are those of the sky
- * alone. */
+/* Exitance of the canopy's underside that reproduces the printed figures. No exitance
+ * reproduces those for a building opposite; its cases have sky light only. */
 static const double CANOPY_EXITANCE = 0.05;
 
 /* Writes the opening and the obstructions as elements of a room file. */
@@ -134,8 +134,8 @@ static double luminance(const void *context, struct pp_vec3 u)
            * polynomial_glass(pp_vec_dot(through->toward, u));
 }
 
-/* Integrates the visible part above the horizon (up 1: a sky) or below it (up -1: of
- * uniform luminance). */
+/* Integrates the light of what is visible above the horizon (up = 1: the sky) or below
+ * it (up = -1: uniform luminance). */
 static enum pp_status integrate_visible(double *value, const struct pp_visible *visible,
                                         struct pp_vec3 normal, double up,
                                         const struct pp_sky *sky, struct pp_error *err)
@@ -200,7 +200,7 @@ static enum pp_status by_exact(double *value, const struct pp_world *world,
     return status;
 }
 
-/* The name of the table's experiment: "5.9, roof 1 x 1 m". */
+/* Writes the name of a case's experiment: "5.9, roof 1 x 1 m". */
 static void name_group(char text[48], const struct figure *figure)
 {
     static const struct {
@@ -218,7 +218,7 @@ static void name_group(char text[48], const struct figure *figure)
             snprintf(text, 48, names[i].words, figure->a, figure->b);
 }
 
-/* Adds one value, by `exact` and, unless it is NULL, simulated. */
+/* Adds the cases of one figure: by `exact`, and by simulation if that is not NULL. */
 static enum pp_status add_figure(struct pp_known_cases *cases,
                                  const struct figure *figure,
                                  const struct pp_world *world,

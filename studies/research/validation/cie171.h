@@ -1,8 +1,9 @@
-/* cie171.h - the daylight cases of CIE 171, 5.9 to 5.14: unglazed and glazed roof and
- * facade openings, a canopy, a building opposite, under all sixteen skies [CIE171].
+/* cie171.h - daylight cases 5.9 to 5.14 of CIE 171 [CIE171]: roof and facade openings
+ * with and without glass, a canopy, and a building opposite, under all sixteen skies.
  *
- * The glass of 5.10 and 5.12 is the 6 mm clear glass of the report, a polynomial in the
- * cosine [TS93]; traced it is clear single glass, and compared with `exact` through that.
+ * The report's glass in 5.10 and 5.12 is 6 mm clear glass, given as a polynomial in the
+ * cosine of the angle of incidence [TS93]. The simulation has clear single glass
+ * instead, and is compared with `exact` for that glass.
  */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_CIE171_H
 #define PP_STUDIES_RESEARCH_VALIDATION_CIE171_H
@@ -10,9 +11,9 @@
 #include "studies/research/validation/known_case.h"
 #include "studies/research/validation/known_room.h"
 
-/* Adds up to three cases per value: `exact` against the independent integration; if the
- * printed figure is sound, `exact` against that; and the simulation against `exact`,
- * within `std_errors` of its standard errors. how NULL: nothing is simulated. */
+/* Adds up to three cases for each figure: `exact` against the independent integration;
+ * `exact` against the printed figure, if that is sound; and the simulation against
+ * `exact`, within `std_errors` standard errors. how = NULL: no simulation. */
 enum pp_status pp_cie171(struct pp_known_cases *cases, const struct pp_known_trace *how,
                          double std_errors, struct pp_error *err);
 

@@ -1,4 +1,4 @@
-/* closed_forms.c - the cases, by hand methods and traced. */
+/* closed_forms.c - the cases for hand methods and for the simulation. */
 #include "studies/research/validation/closed_forms.h"
 
 #include <math.h>
@@ -52,7 +52,7 @@ static enum pp_status check_rectangles(struct pp_known_cases *cases,
     return PP_OK;
 }
 
-/* A window through clear glass, by quadrature in azimuth and altitude. */
+/* A glazed window, by quadrature over azimuth and altitude. */
 static enum pp_status check_glass(struct pp_known_cases *cases, struct pp_error *err)
 {
     struct pp_known_room room;
@@ -112,7 +112,7 @@ static enum pp_status check_traced(struct pp_known_cases *cases, const char *wha
 static const struct pp_receiver facing_up = {.position = {1.0, 1.0, 1.0},
                                              .normal = {0.0, 0.0, 1.0}};
 
-/* A point under the open sky: no surface at all. */
+/* A point under the open sky, without any surface. */
 static enum pp_status check_open_sky(struct pp_known_cases *cases,
                                      const struct pp_known_trace *how,
                                      struct pp_error *err)

@@ -1,6 +1,5 @@
-/* comparison.c - bias, spread and worst difference of each column of a report, and their
- * sums over rooms.
- */
+/* comparison.c - computes bias, spread and worst difference for each column of a
+ * report, and over several rooms. */
 #include "studies/research/validation/comparison.h"
 
 #include <math.h>
@@ -14,7 +13,7 @@ static double known_error(const struct pp_reading *reading)
     return isfinite(reading->std_error) ? reading->std_error : 0.0;
 }
 
-/* The reason of the first reading without a value. */
+/* Reason of the first reading that has no value. */
 static const char *reason(const struct pp_report *report,
                           const struct pp_column *column)
 {
@@ -26,12 +25,13 @@ static const char *reason(const struct pp_report *report,
 
 /* ---- the parts of a difference ---- */
 
-/* Columns of a method's simulated values in its own world, one for each component and
- * `count` in total, and those of the room. */
+/* Columns of the values simulated in a method's own world, one for each of `count`
+ * components, and the same components of the room. */
 struct own_value {
     int count;
-    const struct pp_column *own[3], *room[3]; /* room: the same in the room's world;
-                                               * NULL: not simulated */
+    const struct pp_column *own[3], *room[3]; /* own: in the method's world; room: in
+                                               * the room's world; NULL: not
+                                               * simulated */
 };
 
 static struct own_value own_value_of(const struct pp_report *report,
@@ -47,8 +47,8 @@ static struct own_value own_value_of(const struct pp_report *report,
             list[i] = PP_SC + i;
         of[i] = pp_own_world_of(worlds, column, list[i]);
     }
-    /* A daylight factor of one world has a smaller error than the sum of its
-     * components. */
+    /* If all components are from one world, its daylight factor is used: it has a
+     * smaller error than their sum. */
     if (value.count == 3 && of[0] == of[1] && of[1] == of[2]) {
         value.count = 1;
         list[0] = PP_DF;
@@ -60,7 +60,8 @@ static struct own_value own_value_of(const struct pp_report *report,
     return value;
 }
 
-/* A column's reading at a point, or of the average for -1; none without a column. */
+/* Reading of a column at a point, or of the average for -1; no value if the column is
+ * NULL. */
 static struct pp_reading reading_at(const struct pp_column *column, int point)
 {
     if (!column)

@@ -22,7 +22,7 @@
 #include "model/results/report.h"
 #include "studies/research/validation/own_world.h"
 
-/* The two parts of a difference; NAN: not known. */
+/* The two parts of a difference; NAN: unknown. */
 struct pp_error_parts {
     double assumption, assumption_error; /* own - traced, and its standard error */
     double formula, formula_error;       /* method - own, and its standard error */
@@ -32,15 +32,16 @@ struct pp_error_parts {
  * fractions of the open sky. */
 struct pp_comparison {
     enum pp_component component;
-    const char *name; /* the report's */
-    const char *why;  /* why the method has no value at all; NULL: it has some */
+    const char *name; /* name of the column in the report */
+    const char *why;  /* reason if the method has no value at all; else NULL */
     int points;       /* number of points with both values; 0: only averages compare */
     double traced;    /* mean simulated value of those points */
     double bias, bias_error, spread;
     double worst, worst_error; /* d_i and s_i of the worst point */
     int worst_point;           /* index of the report's receiver */
     double average, traced_average, traced_average_error; /* NAN: none */
-    bool own_world; /* the method's world is not the room's; else assumption is 0 */
+    bool own_world; /* true if the method's world differs from the room's; if false, the
+                     * assumption part is 0 */
     struct pp_error_parts of_bias, of_average; /* parts of the bias, and of average -
                                                 * traced_average */
 };
@@ -81,8 +82,8 @@ struct pp_overall {
                                                    * not owned */
 };
 
-/* Sums up room_count rooms; rooms[i] has counts[i] comparisons. *list is the caller's to
- * free. */
+/* Combines the comparisons of room_count rooms; rooms[i] has counts[i] of them. The
+ * caller frees *list. */
 enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
                                      struct pp_comparison *const *rooms,
                                      const int *counts, int room_count,

@@ -40,7 +40,8 @@ void pp_known_case_add(struct pp_known_cases *cases, const char *what, const cha
     snprintf(one->what, sizeof one->what, "%s", what);
 }
 
-/* Half a unit of the last decimal of a figure in per cent, as a fraction. */
+/* Half a unit of the last decimal of a figure in per cent, as a fraction, with a small
+ * tolerance. */
 static double rounding(int decimals)
 {
     return 0.5001 * pow(10.0, -decimals - 2);

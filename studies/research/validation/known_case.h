@@ -1,5 +1,5 @@
-/* known_case.h - comparison of a result of the program with a known one: calculated on
- * paper, printed, or computed by an independent part of the program. */
+/* known_case.h - comparison of a result of the program with a known value: calculated
+ * by hand, published, or computed by an independent part of the program. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_KNOWN_CASE_H
 #define PP_STUDIES_RESEARCH_VALIDATION_KNOWN_CASE_H
 
@@ -20,8 +20,8 @@ struct pp_known_case {
     double least;     /* least difference allowed; -limit unless a band gives another */
     double std_error; /* error of a sampled result; NAN: not sampled */
     double assumption,
-        formula;             /* the parts of the difference (own_world.h); NAN: it has
-                              * none */
+        formula;             /* the two parts of the difference (own_world.h); NAN: not
+                              * available */
     const char *room, *file; /* for a user's room; NULL: not a user's room. Not owned */
     const char *why;         /* reason if there is no verdict, else NULL. Not owned */
 };
@@ -75,7 +75,7 @@ const char *pp_known_case_reason(const struct pp_known_cases *cases, int index,
 bool pp_known_case_has_parts(const struct pp_known_cases *cases);
 
 /* Position of the difference between its limits: -1 and 1 at the limits, 0 at no
- * difference; if no difference is outside the limits, 0 in the middle between them. */
+ * difference. If the limits do not enclose 0, 0 is midway between them. */
 double pp_known_case_share(const struct pp_known_case *one);
 
 #endif

@@ -1,4 +1,5 @@
-/* known_room.c - reads, evaluates and traces rooms of known answer. */
+/* known_room.c - reads rooms with known results, and computes their values by methods
+ * and by simulation. */
 #include "studies/research/validation/known_room.h"
 
 #include <math.h>

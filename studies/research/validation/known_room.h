@@ -1,5 +1,5 @@
-/* known_room.h - rooms with known results: from their text to the values of methods and
- * the tracer. */
+/* known_room.h - computes the values of a room with known results, by hand methods and
+ * by simulation. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
 #define PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
 
@@ -11,8 +11,8 @@
 #include "model/results/report.h"
 #include "model/room/world.h"
 
-/* A room whose window, 3 x 1.8 m and 3 m from its point, has been calculated in several
- * ways. */
+/* A room with a window of 3 x 1.8 m, 3 m from its point. Its results have been
+ * calculated in several ways. */
 #define PP_KNOWN_HALL                                                                  \
     "<room version='1'><plan width='9' depth='8' height='4'/>"                         \
     "<window wall='south' left='3' sill='1.45' width='3' height='1.8'/>"               \
@@ -22,8 +22,9 @@
 struct pp_known_trace {
     uint64_t seed;
     int threads;  /* 0: one for each processor */
-    long samples; /* paths a point in each randomisation; 0: by the error */
-    double error; /* target standard error over daylight factor */
+    long samples; /* paths for each point in each randomisation; 0: as many as `error`
+                   * needs */
+    double error; /* target relative standard error of the daylight factor */
 };
 
 /* Reads a room from its text (UTF-8) and makes its light; the caller destroys
@@ -39,19 +40,20 @@ struct pp_known_room {
     struct pp_report report;
 };
 
-/* methods: comma-separated names. On success the caller clears *room. */
+/* Reads a room and evaluates `methods`, a list of names separated by commas. On success
+ * the caller clears *room. */
 enum pp_status pp_known_room_evaluate(struct pp_known_room *room, const char *xml,
                                       const char *methods, struct pp_error *err);
 void pp_known_room_clear(struct pp_known_room *room);
 
-/* A component at the first point, and the average; NAN if missing. */
+/* A component by a method at the first point, and its average; NAN if missing. */
 double pp_known_room_at_point(const struct pp_known_room *room,
                               enum pp_component component, const char *name);
 double pp_known_room_average(const struct pp_known_room *room,
                              enum pp_component component, const char *name);
 
-/* All components at `count` receivers, with diffuse surfaces; readings[i] belong to
- * receiver i. */
+/* Simulates all components at `count` receivers, with diffuse surfaces; readings[i] is
+ * for receiver i. */
 enum pp_status pp_known_room_trace(struct pp_reading (*readings)[PP_COMPONENT_COUNT],
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,

@@ -9,7 +9,7 @@
 #include "model/light/graded_sky.h"
 #include "model/room/room.h"
 
-/* Reflectance of obstructions that the formulae assume. */
+/* Reflectance of obstructions that is built into the formulae. */
 static const double formulas_reflectance = 0.2;
 
 /* Tolerances for equal angles (rad), and for equal directions (1 less the cosine
@@ -25,7 +25,7 @@ struct side {
     double area_m2, sum;    /* total area of the openings; sum of area times angle */
 };
 
-/* Outward horizontal direction of a face; false: the face is horizontal. */
+/* Outward horizontal direction of a face; false if the face is horizontal. */
 static bool way_out(struct pp_vec3 *outward, const struct pp_polygon *outline)
 {
     struct pp_vec3 n = outline->normal;
@@ -97,7 +97,7 @@ static enum pp_status gather_opening_sides(struct side *sides, int *count,
     return PP_OK;
 }
 
-/* The name of a wall that faces that direction; NULL: there is none. */
+/* Name of a wall that faces this direction; NULL: there is none. */
 static const char *wall_towards(const struct pp_world *world, struct pp_vec3 outward)
 {
     for (int i = 0; i < world->face_count; i++) {
@@ -110,8 +110,8 @@ static const char *wall_towards(const struct pp_world *world, struct pp_vec3 out
     return NULL;
 }
 
-/* True if the room's obstructions are these skylines: only far ones, with the
- * formulae's reflectance and these angles. */
+/* True if the room's own obstructions equal these skylines: all are skylines without a
+ * distance, with these angles and with the formulae's reflectance. */
 static bool are_the_rooms(const struct pp_own_skylines *skylines,
                           const struct pp_world *world)
 {

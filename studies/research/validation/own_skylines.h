@@ -1,17 +1,17 @@
-/* own_skylines.h - the obstructions assumed by formulae that use one obstruction angle
- * of an opening: `bre` and its variants, `split-flux`, `sphere`, the average daylight
- * factor.
+/* own_skylines.h - the obstructions that formulae assume if they use one obstruction
+ * angle of an opening: `bre` and its variants, `split-flux`, `sphere`, the average
+ * daylight factor.
  *
- * They assume an endless skyline before each wall, so far away that its angle is the
- * same from every point, with the reflectance 0.2 that is built into the printed
- * factors. The angle is the mean of the angles of the wall's openings
+ * They assume an endless skyline before each wall. It is so far away that its angle is
+ * the same from every point, and its reflectance is the 0.2 that is built into the
+ * printed factors. The angle is the mean of the angles of the wall's openings
  * (methods/reflected/obstruction.h), weighted by area. Walls that face the same
- * direction share one skyline, as each would show through the other's openings. Sky
- * hidden by the room's own walls remains hidden, and its share of the light is
- * subtracted from that hidden by the skyline.
+ * direction share one skyline, since each wall's skyline would be visible through the
+ * other's openings. Sky hidden by the room's own walls stays hidden. The skyline hides
+ * as much light as the obstructions hide in addition to these walls.
  *
- * A horizontal opening has no side for a skyline, and glass in a roof needs a wall that
- * faces the same direction. If such an opening has an obstruction, the room's
+ * A skyline cannot stand before a horizontal opening, and glass in a roof needs a wall
+ * that faces the same direction. If such an opening has an obstruction, the room's real
  * surroundings are kept.
  */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_OWN_SKYLINES_H
@@ -37,8 +37,8 @@ struct pp_own_skylines {
     int count;
 };
 
-/* bare: the world of the room without obstructions; light: the weight of hidden
- * directions. On success the caller clears *skylines. */
+/* Finds the skylines. bare: the world of the room without obstructions. light: weights
+ * the hidden directions. On success the caller clears *skylines. */
 enum pp_status pp_own_skylines_of(struct pp_own_skylines *skylines,
                                   const struct pp_world *world,
                                   const struct pp_world *bare,

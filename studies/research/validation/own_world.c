@@ -13,7 +13,8 @@
 #include "studies/study_report.h"
 #include "studies/research/validation/own_skylines.h"
 
-/* The differences of a world from the room's; its ground is open. */
+/* Properties in which a world differs from the room's. Its ground is lit by the whole
+ * sky. */
 struct own_kind {
     double ground_reflectance;
     bool surroundings; /* with the room's own surroundings, not skylines */

@@ -1,24 +1,24 @@
 /* own_world.h - the worlds that hand methods assume, if they differ from the room's.
  *
- * A method's error is the sum of two, due to its assumption and to its formula:
+ * A method's error is the sum of two parts, due to its assumption and to its formula:
  *
  *     method - room = (own - room) + (method - own)
  *
- * room is simulated in the room as it is, own in the world that the method assumes:
+ * `room` is simulated in the room as it is, `own` in the world that the method assumes:
  *
- *     direct methods       the ground open, lit by the whole sky everywhere; all else
- *                          as in the room
- *     others               the ground open, with the reflectance built into the method
+ *     direct methods       the ground lit by the whole sky everywhere; all else as in
+ *                          the room
+ *     others               the same ground, with the reflectance built into the method
  *                          (pp_method.own_ground), or else the room's; the skylines of
  *                          own_skylines.h instead of the surroundings
- *     of_real_room         the room as it is, to which they were fitted
- *     a pair A+B           SC and ERC of A's world, IRC of B's
+ *     of_real_room         the room as it is, since these were fitted to real rooms
+ *     a pair A+B           SC and ERC from A's world, IRC from B's
  *
- * The sky component depends on the surroundings alone, so a world that differs only in
- * its ground has the room's. Equal worlds are made once, and none is made if it equals
- * the room's. All are simulated with one seed: light paths that meet no difference are
- * the same in both. Thus own - room is less noisy than its standard error, which
- * assumes independent figures.
+ * The sky component depends only on the surroundings, so a world that differs only in
+ * its ground has the room's sky component. Equal worlds are made once; a world equal to
+ * the room's is not made. All are simulated with one seed, so light paths that meet no
+ * difference are the same in both. The difference own - room is therefore less noisy
+ * than its standard error, which assumes independent figures.
  */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_OWN_WORLD_H
 #define PP_STUDIES_RESEARCH_VALIDATION_OWN_WORLD_H
@@ -30,8 +30,8 @@
 /* Worlds of all columns of a report. */
 struct pp_own_worlds;
 
-/* The worlds of the report's columns. room: the description of the report's world. The
- * report must outlive them. */
+/* Makes the worlds of the report's columns. room: the description of the report's
+ * world. The report must outlive the worlds. */
 enum pp_status pp_own_world_list(struct pp_own_worlds **worlds,
                                  const struct pp_room *room,
                                  const struct pp_report *report, struct pp_error *err);

@@ -1,4 +1,4 @@
-/* printed_tables.c - the tables as compiled in, cell by cell. */
+/* printed_tables.c - compares the compiled-in tables cell by cell. */
 #include "studies/research/validation/printed_tables.h"
 
 #include <math.h>
@@ -16,13 +16,13 @@ static const double brs[][21] = {
 #include "tables/brs_simplified_table.inc"
 };
 
-/* Width of an endless window, over the point's distance: wider parts are below the last
- * digit. */
+/* Width of an endless window over the distance of the point: a wider one has the same
+ * last digit. */
 static const double ENDLESS = 300.0;
 
-/* Greatest error of a cell, per cent: half a unit of its last digit plus 6 per cent of
- * the value, since the table was calculated by hand. Its lowest row deviates by one or
- * two units throughout. */
+/* Greatest permitted error of a cell, per cent: half a unit of its last digit plus 6 %
+ * of the value, since the table was calculated by hand. All values of its lowest row
+ * are wrong by one or two units. */
 static double brs_limit(double per_cent, double h)
 {
     if (h < 0.15)
@@ -109,13 +109,12 @@ static const double irc[][13] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* The formula of our figures agrees with all cells, which have one decimal, within 0.25
- * %. */
+/* Our formula agrees with all cells, which have one decimal, within 0.25 %. */
 static const double IRC_LIMIT = 0.0025;
 
-/* The room that fits the table best, 20 x 20 x 10 ft with a window from 3 ft to the
- * ceiling before a skyline of 20 degrees. IRC_GLASS_MOST: glass that fits in its wall,
- * per cent of the floor. */
+/* The room that fits the table best: 20 x 20 x 10 ft, with a window from 3 ft above the
+ * floor to the ceiling, before a skyline of 20 degrees. IRC_GLASS_MOST: largest area of
+ * glass that fits in its wall, per cent of the floor. */
 static const double FOOT_M = 0.3048, IRC_GLASS_MOST = 35.0;
 
 /* The minimum by `bre-min` in that room. */
@@ -215,7 +214,7 @@ static enum pp_status check_iso_skies(struct pp_known_cases *cases,
 
 /* ---- configuration factors of CIE 171 ---- */
 
-/* A black parallelogram with that exitance; the four corners stay the caller's. */
+/* A black parallelogram with that exitance. It refers to the caller's four corners. */
 static struct pp_surface plate(struct pp_vec3 *corners, double exitance)
 {
     struct pp_vec3 a = pp_vec_sub(corners[1], corners[0]),

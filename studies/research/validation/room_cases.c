@@ -1,4 +1,5 @@
-/* room_cases.c - one case per figure, in the order of the report's columns. */
+/* room_cases.c - makes one case for each figure, in the order of the report's
+ * columns. */
 #include "studies/research/validation/room_cases.h"
 
 #include <math.h>
@@ -20,7 +21,7 @@ static struct pp_known_case *last_of(struct pp_known_cases *cases)
     return cases->whole ? &cases->list[cases->count - 1] : NULL;
 }
 
-/* Greatest relative error of an engine that is not a reference. */
+/* Permitted relative error of an engine that is not a reference. */
 static const double CACHE_SHARE = 0.02;
 
 static double known_error(struct pp_reading reading)

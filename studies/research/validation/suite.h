@@ -10,7 +10,7 @@ struct pp_suite {
     const char *limits; /* the limits of its cases, described in a sentence */
     /* Share of traced cases that may be outside their limits by chance; 0: none. */
     double chance;
-    bool of_rooms; /* for the rooms of a user: there is no `run` */
+    bool of_rooms; /* the cases are from a user's rooms; `run` is NULL */
     long samples;  /* default for simulated cases: paths a point in each
                     * randomisation */
     enum pp_status (*run)(struct pp_known_cases *cases,
@@ -26,7 +26,7 @@ const struct pp_suite *pp_suite_find(const char *name);
 /* The suites of a user's rooms. */
 extern const struct pp_suite pp_suite_rooms, pp_suite_radiance, pp_suite_engines;
 
-/* Suite that takes one or two seconds: closed forms and worked examples. */
+/* The quick suite, which takes one or two seconds: closed forms and worked examples. */
 extern const struct pp_suite pp_suite_quick;
 
 /* Outcome of a suite's cases. */

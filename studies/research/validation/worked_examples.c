@@ -1,4 +1,4 @@
-/* worked_examples.c - the cases. */
+/* worked_examples.c - the rooms and protractors, with their expected values. */
 #include "studies/research/validation/worked_examples.h"
 
 #include "methods/protractor/protractor_scale.h"
@@ -38,7 +38,8 @@ static enum pp_status check_protractors(struct pp_known_cases *cases,
     "<finishes floor='0.2' walls='0.5' ceiling='0.7'/><point x='2' y='3'/>"            \
     "<window wall='south' left='0.2' sill='0.9' width='3.6' height='1.5' "
 
-/* The reflected component of a room 4 x 6 x 3 m, and a window read off the table. */
+/* The internally reflected component of a room of 4 x 6 x 3 m, and a window read from
+ * the BRS table. */
 static enum pp_status check_rooms(struct pp_known_cases *cases, struct pp_error *err)
 {
     struct pp_known_room room;
