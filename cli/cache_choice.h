@@ -28,11 +28,12 @@ enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
                                       struct pp_error *err);
 void pp_cache_choice_clear(struct pp_cache_choice *words);
 
-/* First option that differs from the default and applies to a cache only (all but
+/* Name of the first option that is given and applies only to a cache (all except
  * --bounces); NULL: none. */
 const char *pp_cache_choice_used(const struct pp_cache_choice *words);
 
-/* The cache for a scene, with the records of the file of --cache if it exists. */
+/* Makes the cache for a scene, and reads the records in the file of --cache if it
+ * exists. */
 enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_cache_choice *words,
                                     const struct pp_light_scene *scene,

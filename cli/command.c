@@ -53,8 +53,8 @@ static bool is_same_place(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* True if both names are one file, or will be once it is written. Devices are left out:
- * two outputs may go to /dev/null. */
+/* True if both names are of one file, or will be once it is written. Devices do not
+ * count, since two outputs may go to /dev/null. */
 static bool is_same_file(const char *a, const char *b)
 {
     if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0)
@@ -88,10 +88,10 @@ static int list_files(struct named_file *list, const struct pp_command_line *lin
     return count;
 }
 
-/* PP_BAD_INPUT if a file that an option writes is another option's or an operand
- * (`files`), also by another name: files are compared by device and inode. Options with
- * the reader pp_options_read_output or pp_options_read_updated write files; with
- * pp_options_read_input they read files. */
+/* PP_BAD_INPUT if a file that an option writes is also named by another option or
+ * operand (`files`). Files are compared by device and inode, so different names of one
+ * file are found. Options with the reader pp_options_read_output or
+ * pp_options_read_updated write files; those with pp_options_read_input read files. */
 static enum pp_status check_files_apart(const struct pp_command_line *line,
                                         char **files, int file_count,
                                         struct pp_error *err)

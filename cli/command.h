@@ -1,8 +1,8 @@
 /* command.h - a command of the program; program/main.c has the list of all commands.
  *
- * An entry of the list defines how the arguments are read into the command's own
- * struct, how they are checked, and how the command runs. A new command needs a file
- * cmd_NAME.c in a folder of that name, a line here and one in program/main.c.
+ * An entry of the list says how the arguments are read into the command's own struct,
+ * how they are checked, and how the command runs. A new command needs a file cmd_NAME.c
+ * in a folder of that name, a declaration here, and an entry in program/main.c.
  */
 #ifndef PP_CLI_COMMAND_H
 #define PP_CLI_COMMAND_H
@@ -32,17 +32,17 @@ struct pp_command {
     void (*clear)(void *options); /* called in any case */
     int words_before_files; /* number of operands that are not files: 1 for a kind */
 
-    /* True if ranks share its work. At ranks_place of the options there is then a const
-     * struct pp_ranks *, set after init; NULL: no ranks. */
+    /* True if ranks share the command's work. Its options then have a const struct
+     * pp_ranks * at the offset ranks_place, which is set after init; NULL: no ranks. */
     bool uses_ranks;
     size_t ranks_place;
 };
 
 void pp_command_help(const struct pp_command *command, FILE *out);
 
-/* argv[0] is the command's name. Prints its help, reports wrong words, or runs it.
- * ranks: NULL if this process is alone; a command that does not share work runs on rank
- * 0 only. */
+/* Runs a command whose name is argv[0], prints its help, or reports invalid arguments.
+ * ranks: NULL if this process is alone; a command that does not share its work runs on
+ * rank 0 only. */
 enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv,
                             const struct pp_ranks *ranks);
 

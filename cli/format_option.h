@@ -1,4 +1,4 @@
-/* format_option.h - --format: how results are printed. */
+/* format_option.h - the option --format, for the format of results. */
 #ifndef PP_CLI_FORMAT_OPTION_H
 #define PP_CLI_FORMAT_OPTION_H
 
@@ -7,7 +7,7 @@
 
 /* Lists for struct pp_option_group, with an enum pp_format as values. */
 extern const struct pp_option pp_format_option[];       /* text, json or csv */
-extern const struct pp_option pp_text_or_json_option[]; /* for output other than
+extern const struct pp_option pp_text_or_json_option[]; /* for results that are not
                                                          * tables */
 
 #endif

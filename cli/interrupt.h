@@ -1,4 +1,4 @@
-/* interrupt.h - Ctrl-C, as a request to stop and to print the results so far. */
+/* interrupt.h - handles Ctrl-C as a request to stop and to print the results so far. */
 #ifndef PP_CLI_INTERRUPT_H
 #define PP_CLI_INTERRUPT_H
 

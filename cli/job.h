@@ -1,6 +1,5 @@
-/* job.h - the course of a command that computes something and prints it: the output is
- * opened first, so that hours of work are not lost to a wrong path, and closed last.
- */
+/* job.h - opens the output of a command, computes, and prints. The output is opened
+ * before the computation, so that a wrong path does not cost hours of work. */
 #ifndef PP_CLI_JOB_H
 #define PP_CLI_JOB_H
 
@@ -14,7 +13,7 @@ struct pp_job {
     const char *output; /* path of the output; NULL or "-": standard output */
     enum pp_status (*compute)(void *data, struct pp_error *err);
     enum pp_status (*print)(const void *data, FILE *out, struct pp_error *err);
-    bool (*is_finished)(const void *data); /* false: the simulation was interrupted;
+    bool (*is_finished)(const void *data); /* false if the simulation was interrupted;
                                             * NULL: there is no simulation */
     void *data;                            /* passed to the functions */
 };

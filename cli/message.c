@@ -51,7 +51,7 @@ void pp_message(const char *format, ...)
     put_line("pepperpot: ", message);
 }
 
-/* Each after its file and line, with `word` before its text. */
+/* Prints each message after its file and line, with `word` before its text. */
 static void put_mistakes(struct pp_mistakes *mistakes, const char *word)
 {
     pp_mistakes_sort(mistakes);

@@ -1,5 +1,5 @@
-/* moment_choice.h - --when and --weather, or --sky perez,...: one moment's sky and sun
- * instead of the room file's sky. */
+/* moment_choice.h - the options --when and --weather, or --sky perez,...: sky and sun
+ * of one moment, which replace the room file's sky. */
 #ifndef PP_CLI_MOMENT_CHOICE_H
 #define PP_CLI_MOMENT_CHOICE_H
 
@@ -27,14 +27,14 @@ enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                        struct pp_room_options *room,
                                        struct pp_error *err);
 
-/* True if results are for one moment. */
+/* True if the options ask for results at one moment. */
 bool pp_moment_choice_said(const struct pp_moment_choice *choice);
 
 /* Reads the weather file, if there is one. The caller clears the choice in any case. */
 enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice);
 void pp_moment_choice_clear(struct pp_moment_choice *choice);
 
-/* The moment at a room's site. */
+/* Computes sky and sun of the moment at a room's site. */
 enum pp_status pp_moment_choice_find(struct pp_moment *moment,
                                      const struct pp_moment_choice *choice,
                                      const struct pp_world *world,

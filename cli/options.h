@@ -1,8 +1,8 @@
-/* options.h - the arguments of a command, parsed by tables that also make its help.
+/* options.h - parses the arguments of a command by tables, which also make its help.
  *
- * The value of a long option follows after "=" or as the next word, that of a letter
- * directly or as the next word, that of a short form such as -aa as the next word. "--"
- * ends the options; "-" alone is a file.
+ * The value of a long option follows "=" or is the next word. The value of a letter
+ * option follows it directly or is the next word. The value of a short form such as -aa
+ * is the next word. "--" ends the options; "-" alone is a file.
  */
 #ifndef PP_CLI_OPTIONS_H
 #define PP_CLI_OPTIONS_H
@@ -55,7 +55,7 @@ enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
 /* Prints the help of a command. */
 void pp_options_help(const struct pp_command_line *line, FILE *out);
 
-/* Prints a line of help on another word, in the layout of options. */
+/* Prints a line of help for a word that is not an option, in the layout of options. */
 void pp_options_help_word(const char *word, const char *text, FILE *out);
 
 /* Reads up to `most` numbers separated by a letter; returns their count, or -1 for any

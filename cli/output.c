@@ -1,4 +1,4 @@
-/* output.c - writes a new file beside the named one and renames it. */
+/* output.c - writes a new file in the same directory, and renames it to the target. */
 #include "cli/output.h"
 
 #include <errno.h>
@@ -12,7 +12,7 @@
 
 enum { MOST_LINKS = 40 };
 
-/* A new string: the directory of path up to its last "/", followed by name. */
+/* Makes the path of `name` in the directory of `path`; the caller frees it. */
 static char *beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
@@ -111,8 +111,8 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-/* Writes directly to an open file, and closes it: some file systems report errors only
- * then. */
+/* Writes directly to an open file and closes it. The result of closing counts, since
+ * some file systems report errors only then. */
 static int write_through(int file, const struct pp_output *output)
 {
     if (file < 0)

@@ -1,4 +1,5 @@
-/* output_directory.c - writes a new directory beside the named one and renames it. */
+/* output_directory.c - writes a new directory next to the target, and renames it to the
+ * target. */
 #include "cli/output_directory.h"
 
 #include <dirent.h>

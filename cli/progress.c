@@ -1,4 +1,4 @@
-/* progress.c - draws the progress bar, with the time left, over itself. */
+/* progress.c - draws the progress bar, with the time left, over the previous one. */
 #include "cli/progress.h"
 
 #include <math.h>

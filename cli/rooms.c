@@ -145,7 +145,7 @@ static enum pp_exit load_file(struct loading *loading, const char *file)
     return result;
 }
 
-/* Looks for doubtful input in all rooms. */
+/* Collects warnings about doubtful input in all rooms. */
 static enum pp_exit find_doubts(struct pp_rooms *rooms)
 {
     struct pp_error err;
@@ -164,8 +164,8 @@ static enum pp_exit find_doubts(struct pp_rooms *rooms)
     return pp_fail_memory(&err), pp_message_error(&err);
 }
 
-/* Reports the doubts, and doubts that several rooms of one file share only once. With
- * --strict they are errors. */
+/* Reports the warnings. A warning that several rooms of one file share is reported
+ * once. With --strict warnings are errors. */
 static enum pp_exit report_doubts(const struct pp_rooms *rooms, bool strict)
 {
     int count = 0;
@@ -287,7 +287,7 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
-/* Puts the building in that state, or without a state adds its mirror image at the
+/* Sets the building's state or, if no state is given, adds its mirror image at the
  * line. */
 static enum pp_status settle_again(struct pp_building *building,
                                    enum pp_site_state state,
@@ -334,7 +334,8 @@ static bool has_state(const struct pp_building *building, enum pp_site_state sta
                                         : pp_building_has_states(building);
 }
 
-/* Parses every building of those rooms that has the state again, for that state. */
+/* Parses every building of these rooms again that has the state, and sets that
+ * state. */
 static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
                                    const struct pp_rooms *proposed,
                                    const struct pp_room_options *options,

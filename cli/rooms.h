@@ -24,14 +24,14 @@ struct pp_rooms {
 enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
                            int file_count, const struct pp_room_options *options);
 
-/* Rooms of the files that have states, in the existing state, or of those that have the
- * cumulative one, in that. */
+/* Loads the rooms again in another state, existing or cumulative. Buildings without
+ * that state are left out. */
 enum pp_exit pp_rooms_load_state(struct pp_rooms *rooms, const char *command,
                                  const struct pp_rooms *proposed,
                                  const struct pp_room_options *options,
                                  enum pp_site_state state);
 
-/* Rooms of those files with all proposed parts replaced by the mirror image of the
+/* Loads the rooms again with all proposed parts replaced by the mirror image of the
  * retained parts of each building. Every file must have states. */
 enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
                                     const struct pp_rooms *proposed,

@@ -1,4 +1,5 @@
-/* watch.h - a simulation watched from a terminal: the progress bar, and Ctrl-C. */
+/* watch.h - shows the progress of a simulation on the terminal, and stops it at
+ * Ctrl-C. */
 #ifndef PP_CLI_WATCH_H
 #define PP_CLI_WATCH_H
 

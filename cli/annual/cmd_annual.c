@@ -157,7 +157,7 @@ static bool annual_is_finished(const void *data)
     return true;
 }
 
-/* Writes a further output file for the only room, if it has a name. */
+/* Writes another output file (for one room only), if the user named one. */
 static enum pp_exit write_further(const struct annual_run *run, const char *name,
                                   void (*put)(const struct pp_annual_sheet *sheet,
                                               const char *name, FILE *out))

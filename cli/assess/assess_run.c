@@ -18,8 +18,8 @@ static struct pp_room_figures assessed_room_figures(void *data, int room)
     return (struct pp_room_figures){&one->report, &one->by_clock};
 }
 
-/* Part of the time is reserved for the rooms with larger facades
- * (facade_sensitivity.h). */
+/* Simulates a room. Part of its time limit is reserved for the rooms with larger
+ * facades (facade_sensitivity.h). */
 static enum pp_status simulate_room(const void *data, int room,
                                     struct pp_report *report, bool *by_clock,
                                     struct pp_error *err)
@@ -128,7 +128,7 @@ static enum pp_status refuse_alone(const struct pp_criterion *criterion,
                    criterion->name);
 }
 
-/* Checks that criteria selected by name have the former state to compare with. */
+/* Checks that the state to compare with is given if a selected criterion needs it. */
 static enum pp_exit check_compared(const struct pp_assess_words *words,
                                    const char *command, bool has_before)
 {

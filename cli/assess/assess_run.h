@@ -1,5 +1,5 @@
-/* assess_run.h - reads, simulates and judges rooms, for the commands that print the
- * result. */
+/* assess_run.h - reads, simulates and assesses rooms, for the commands that print the
+ * results. */
 #ifndef PP_CLI_ASSESS_ASSESS_RUN_H
 #define PP_CLI_ASSESS_ASSESS_RUN_H
 
@@ -12,7 +12,7 @@ struct pp_assess_run {
     const struct pp_assess_words *words;
     const struct pp_rooms *rooms, *before; /* before: in their former state; may be
                                             * empty */
-    const struct pp_rooms *cumulative;     /* in that state; may be empty */
+    const struct pp_rooms *cumulative;     /* in the cumulative state; may be empty */
     const struct pp_rooms *mirrored; /* with the mirror image outside; may be empty */
     struct pp_assessments all;
 };

@@ -25,13 +25,15 @@ struct pp_assess_words {
     const char *criteria;     /* as typed; NULL: all */
     const char *profile_name; /* as typed; NULL: none */
     const struct pp_profile *profile;
-    bool withdrawn;       /* of --withdrawn */
-    bool table;           /* one table of all rooms in place of a sheet a room */
+    bool withdrawn;       /* --withdrawn: include withdrawn standards */
+    bool table;           /* one table of all rooms instead of one sheet for each
+                           * room */
     const char *schedule; /* file for the schedule of windows; NULL: none */
     const char *before;   /* the file with the room in its former state; NULL: none */
     struct pp_boundary_words mirror_image;
     const char *place; /* a capital of the standard's table; NULL: the room's site */
-    double median_lux; /* used instead; 0: not given */
+    double median_lux; /* median illuminance given by the user, used instead of a
+                        * place's; 0: not given */
     struct pp_grid_choice grid;  /* of --spacing */
     double least_altitude_rad;   /* of --least-altitude; 0: not given */
     struct pp_section_place cut; /* of the report's sections */
@@ -40,9 +42,10 @@ struct pp_assess_words {
     struct pp_sunshine sunshine; /* from that file */
     enum pp_format format;
     const char *report_format; /* report: as typed; NULL: by the file's name */
-    struct pp_project project; /* report: used instead of the file's facts */
-    bool full;                 /* report: every room with all sections */
-    bool of_averages;          /* report: averages are printed and need their error */
+    struct pp_project project; /* report: facts that replace those of the file */
+    bool full;                 /* report: all sections for every room */
+    bool of_averages;          /* report: averages are printed, and so need a simulated
+                                * error */
 };
 
 /* Lists for struct pp_option_group, with a struct pp_assess_words as values. */

@@ -1,4 +1,4 @@
-/* cmd_assess.c - the command assess: judges a room's daylight by criteria. */
+/* cmd_assess.c - the command assess: compares a room's daylight with criteria. */
 #include <stddef.h>
 
 #include "cli/assess/assess_run.h"

@@ -17,8 +17,9 @@ static enum pp_status fail(const struct pp_atlas_file *file, struct pp_error *er
                    strerror(errno));
 }
 
-/* Number of the first line in which the file's head differs; 0: no line. *empty: the
- * head was cut off, and is written again. */
+/* Number of the first line in which the file's head differs from `head`; 0: it is
+ * equal. *empty: the file is empty or ends within the head, which must be written
+ * again. */
 static int compare_head(FILE *stream, const char *head, bool *empty)
 {
     char *line = NULL;
@@ -40,7 +41,8 @@ static int compare_head(FILE *stream, const char *head, bool *empty)
     return *head ? number : 0;
 }
 
-/* Reads on after the head: counts complete rooms, and finds the end of the last one. */
+/* Reads the rest of the file after the head: counts complete rooms, and finds the end
+ * of the last one. */
 static long find_end(struct pp_atlas_file *file)
 {
     char *line = NULL;

@@ -20,7 +20,7 @@ static const char atlas_form[] =
     "# pepperpot-atlas-1: daylight factors, per cent of the open "
     "sky's horizontal illuminance\n";
 
-/* The text of the head, freed by the caller; NULL: out of memory. */
+/* Makes the text of the head, freed by the caller; NULL: out of memory. */
 static char *atlas_head_text(const struct pp_atlas_making *making,
                              const struct pp_atlas_columns *columns)
 {
@@ -76,7 +76,7 @@ static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char
 
 /* ---- rows ---- */
 
-/* Inputs of rows. */
+/* The data from which rows are made. */
 struct row_source {
     const struct pp_atlas_making *making;
     const struct pp_atlas_table *table; /* source of simulated values to keep; NULL:
@@ -104,7 +104,7 @@ static enum pp_status open_source(struct row_source *source,
     return pp_atlas_room_columns(&source->columns, &source->design, err);
 }
 
-/* Rows of a room, as the bytes of the queue. */
+/* Makes the rows of a room, in the form of a result of the work queue. */
 static enum pp_status rows_of(void *data, int worker, int room, char **rows,
                               size_t *length, struct pp_error *err)
 {
@@ -174,7 +174,7 @@ static bool is_rank_0(const struct pp_room_options *options)
     return !options->ranks || options->ranks->rank == 0;
 }
 
-/* ---- on ---- */
+/* ---- extending an atlas ---- */
 
 static enum pp_status continue_sweep(struct pp_atlas_file *file,
                                      const struct row_source *source, int rooms,
@@ -217,7 +217,7 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
     return PP_EXIT_INTERRUPTED;
 }
 
-/* ---- starting again ---- */
+/* ---- renewing an atlas ---- */
 
 /* Writes head and rooms. *next: the room after the last. */
 static enum pp_status print_anew(FILE *out, const struct row_source *source, int rooms,

@@ -247,8 +247,8 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 
 /* ---- the light ---- */
 
-/* Warns if the longitude's solar time differs from the clock by more than 3 h: one of
- * the two has the wrong sign. Differences are modulo a day. */
+/* Warns if solar time at the longitude differs from the time zone by more than 3 h: one
+ * of them probably has the wrong sign. The difference is taken modulo a day. */
 static void say_far_zone(const struct pp_year_options *options)
 {
     const struct pp_epw *epw = options->epw;

@@ -1,5 +1,5 @@
-/* availability_options.h - source of the light outside, and the target illuminances and
- * hours. */
+/* availability_options.h - options of the light outside, of the working hours, and of
+ * the target illuminances. */
 #ifndef PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 #define PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 

@@ -1,5 +1,5 @@
 /* cmd_availability.c - the command availability: share of the working hours in which
- * daylight gives an illuminance. */
+ * daylight reaches given illuminances. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -15,8 +15,8 @@ pp_option_reader
 pp_option_reader pp_board_options_read_nomogram; /* struct pp_board_options, by name */
 pp_option_reader pp_board_options_read_viewing_mm; /* double, 5 to 200 */
 
-/* Checks the options for the kind, blank or with a room. Sets defaults and the blank's
- * sky. */
+/* Checks the options for this kind of chart, which may be blank or have a room. Sets
+ * defaults and the sky of a blank chart. */
 enum pp_status pp_board_options_check(struct pp_board_options *board,
                                       const struct pp_room_options *options,
                                       const struct pp_chart_kind *kind, bool blank,

@@ -33,7 +33,7 @@ static enum pp_status choose_format(enum pp_chart_format *format,
 
 /* ---- the task ---- */
 
-/* Chart to draw, its rooms, and the outcome. */
+/* The chart to draw, its rooms, and the result. */
 struct chart_task {
     const struct pp_chart_kind *kind;
     enum pp_chart_format format;

@@ -1,4 +1,5 @@
-/* chart_run.h - draws one chart of each room of a command line to its files. */
+/* chart_run.h - draws one kind of chart for the rooms of a command line, and writes the
+ * files. */
 #ifndef PP_CLI_CHART_CHART_RUN_H
 #define PP_CLI_CHART_CHART_RUN_H
 
@@ -21,7 +22,8 @@ struct pp_chart_words {
     struct pp_chart_choice choice;
 };
 
-/* Reads the files (none: a blank), draws the chart, and reports errors. */
+/* Reads the room files, draws the chart and reports errors. Without files the chart is
+ * blank. */
 enum pp_exit pp_chart_run(const struct pp_chart_kind *kind,
                           const struct pp_room_options *room_options,
                           const struct pp_chart_words *options, char **files,

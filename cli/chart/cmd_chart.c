@@ -52,7 +52,7 @@ static enum pp_status read_mirror_line(const char *text, void *place,
     return PP_OK;
 }
 
-/* Value if no paper is given: the chart kind's default. */
+/* Value of the option if no paper is given; the kind of chart then chooses it. */
 #define PAPER_UNSAID ((enum pp_paper) - 1)
 
 #define PLACE(member) offsetof(struct pp_chart_words, member)
@@ -263,7 +263,7 @@ static void help_on_kinds(FILE *out)
     print_kinds(out);
 }
 
-/* The kind that was typed, or NULL and err. */
+/* Kind of chart with the typed name; NULL, with err set, if there is none. */
 static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error *err)
 {
     const struct pp_chart_kind *kind = pp_chart_kind_find(typed);
@@ -278,8 +278,8 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     return NULL;
 }
 
-/* Checks that light outside is given only for charts that use it, and is complete
- * without a room. */
+/* Checks that options of the light outside are given only for charts that use it, and
+ * are complete if there is no room. */
 static enum pp_status check_light(const struct pp_year_options *light,
                                   struct pp_room_options *options,
                                   const struct pp_chart_kind *kind, char **files,

@@ -184,8 +184,8 @@ static enum pp_status check_compare_options(void *values, char **files, int file
 
 /* ---- values ---- */
 
-/* Converts the values to fractions, in the order of the points in `chosen`. lux:
- * illuminance of a horizontal plane under the open sky; 0: unknown. */
+/* Converts the other program's values to fractions, in the order of the indices in
+ * `chosen`. lux: illuminance of a horizontal plane under the open sky; 0: unknown. */
 static enum pp_status to_fractions(double *theirs, const struct pp_other_values *values,
                                    const int *chosen, int count,
                                    const struct compare_options *options, double lux,
@@ -321,8 +321,9 @@ static enum pp_status print_compare(const void *data, FILE *out, struct pp_error
     return PP_OK;
 }
 
-/* Replaces the points of the room or scene by those of the other program. If values
- * belong to many points of the room's own, uses an evenly spread subset. */
+/* Replaces the points of the room or scene by those of the other program. Values
+ * without coordinates belong to the room's own points; if there are too many, an evenly
+ * spread subset is used. */
 static enum pp_status take_points(struct compare_run *run, struct pp_error *err)
 {
     struct pp_other_values own = {0};
@@ -372,7 +373,7 @@ static enum pp_exit run_comparison(struct compare_run *run)
     return exit_status;
 }
 
-/* Runs with scene files, which are followed by the other program's values. */
+/* Runs the command for scene files; the last file has the other program's values. */
 static enum pp_exit run_in_scene(struct compare_options *options, char **files,
                                  int file_count)
 {

@@ -6,7 +6,8 @@
 #include "cli/compare/other_values.h"
 #include "model/light/scene_description.h"
 
-/* True if the file can be read and does not begin as XML does; false for standard input. */
+/* True if the file can be read and does not begin like XML; false for standard
+ * input. */
 bool pp_compare_scene_is(const char *file);
 
 struct pp_compare_scene {
@@ -22,8 +23,8 @@ enum pp_status pp_compare_scene_read(struct pp_compare_scene *scene,
                                      struct pp_error *err);
 void pp_compare_scene_clear(struct pp_compare_scene *scene);
 
-/* Replaces the scene's points by the points of the values, which need x, y and z, like
- * pp_other_values_place for a room. */
+/* Replaces the scene's points by those of the values, which must have x, y and z.
+ * Otherwise like pp_other_values_place. */
 enum pp_status pp_compare_scene_place(int **chosen, struct pp_compare_scene *scene,
                                       const struct pp_other_values *values,
                                       const char *path, int most, struct pp_error *err);

@@ -265,7 +265,7 @@ static enum pp_status read_text(struct pp_other_values *values, char *text,
     struct csv_reading reading = {.file = file, .values = values};
     enum pp_status status = PP_OK;
     if (strncmp(text, "\357\273\277", 3) == 0)
-        text += 3; /* UTF-8's mark */
+        text += 3; /* skips the byte order mark of UTF-8 */
     for (char *line; status == PP_OK && (line = strsep(&text, "\n")) != NULL;) {
         reading.line++;
         status = take_csv_line(&reading, line, err);

@@ -56,8 +56,8 @@ enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
                                      const struct pp_other_values *values,
                                      const char *path, int most, struct pp_error *err);
 
-/* Index among `count` values of point `point` of an evenly spread subset of `kept`,
- * which contains the first. */
+/* Index of point number `point` of an evenly spread subset of `kept` among `count`
+ * values. The subset contains the first value. */
 int pp_other_values_spread(int point, int count, int kept);
 
 #endif

@@ -41,7 +41,8 @@ static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
     return status;
 }
 
-/* Adds averages by the same methods and simulation on the plane inside its margin. */
+/* Adds averages over the part of the plane inside its margin, by the same methods and
+ * simulation. */
 static enum pp_status add_margin(struct pp_result *result,
                                  const struct pp_study_room *room,
                                  const struct pp_df_options *options,
@@ -103,8 +104,8 @@ static enum pp_status simulate_room(const void *data, int room,
                             &run->options->engine, err);
 }
 
-/* The hand methods are first: they take milliseconds, and their results are kept if the
- * simulation fails. */
+/* Hand methods run before the simulation. They take milliseconds, and their results are
+ * kept if the simulation fails. */
 enum pp_status pp_df_run_compute(void *data, struct pp_error *err)
 {
     struct pp_df_run *run = data;

@@ -100,7 +100,7 @@ enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simu
         return pp_fail(err, PP_BAD_INPUT, "--interpolate needs --engine cache");
     const char *used = pp_cache_choice_used(&words->cache);
     if (!used && words->cache.options.bounces != pp_irradiance_cache_defaults().bounces)
-        used = "--bounces"; /* the tracer has no bounce limit */
+        used = "--bounces"; /* the path tracer has no limit on bounces */
     if (used && !cached)
         return pp_fail(err, PP_BAD_INPUT, "%s needs --engine cache", used);
     return pp_cache_choice_settle(&words->cache, err);

@@ -1,4 +1,5 @@
-/* moment_run.h - df at one moment: illuminances instead of daylight factors. */
+/* moment_run.h - the command df for one moment: illuminances instead of daylight
+ * factors. */
 #ifndef PP_CLI_DF_MOMENT_RUN_H
 #define PP_CLI_DF_MOMENT_RUN_H
 

@@ -1,6 +1,6 @@
-/* doctor_places.c - searches near the program, then where it was configured to
- * be installed. Works for staged or moved trees and for a build in the source
- * tree. */
+/* doctor_places.c - finds the folders of this installation. Searches relative to the
+ * program first, then in the folder set by configure. This works for staged and moved
+ * trees, and for a build in the source tree. */
 #include "cli/doctor/doctor_places.h"
 
 #include <limits.h>
@@ -38,8 +38,8 @@ static bool find_file(const char *folder, const char *file, char *found)
     return true;
 }
 
-/* Looks for a file in the listed folders relative to the program's, then in
- * `configured`; prints the folder that has it. */
+/* Searches for a file in folders relative to the program's, then in `configured`;
+ * prints the folder that has it. */
 static void print_folder(const char *label, const char *file, const char *configured,
                          const char *instead, FILE *out)
 {

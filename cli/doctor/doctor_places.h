@@ -1,5 +1,5 @@
-/* doctor_places.h - paths of this installation's files, and the external programs that
- * can be used. None of them is needed for calculations: the tables are compiled in. */
+/* doctor_places.h - prints where this installation's files are, and which external
+ * programs can be used. Calculations need none of them: the tables are compiled in. */
 #ifndef PP_CLI_DOCTOR_DOCTOR_PLACES_H
 #define PP_CLI_DOCTOR_DOCTOR_PLACES_H
 

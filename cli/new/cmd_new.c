@@ -78,7 +78,8 @@ static void init_new(void *values)
     *(struct new_options *)values = (struct new_options){0};
 }
 
-/* An ordinary file is replaced with --force only; a device or a pipe is written to. */
+/* Checks that the file may be written: an existing regular file only with --force;
+ * devices and pipes always. */
 static enum pp_status check_new_file(const struct new_options *options,
                                      struct pp_error *err)
 {
@@ -125,7 +126,8 @@ static void print_text(const char *text, const char *file, FILE *out)
     fputs(text, out);
 }
 
-/* True if a comment of XML may contain the name: UTF-8 without control characters or "--". */
+/* True if an XML comment may contain the name: it is UTF-8 without control characters
+ * or "--". */
 static bool fits_comment(const char *name)
 {
     char *repaired = pp_format_utf8_repair(name);
@@ -136,7 +138,7 @@ static bool fits_comment(const char *name)
     return fits;
 }
 
-/* The name for the comments: that of the output, or FILE.xml. */
+/* Name of the file in the comments: that of the output, or FILE.xml. */
 static const char *file_name(const struct new_options *options)
 {
     const char *path = options->output;

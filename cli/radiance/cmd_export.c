@@ -1,4 +1,4 @@
-/* cmd_export.c - the command export: a room in another program's format. */
+/* cmd_export.c - the command export: writes rooms in another program's format. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -110,8 +110,8 @@ static char *folder_of(const struct pp_rooms *rooms, int which, char *const *bef
     return strdup(fit);
 }
 
-/* Sky and sun of the moment in a room, the illuminance by the sky, and Radiance's own
- * command for much the same sky. */
+/* Replaces a room's sky by sky and sun of the moment. Also gives the sky's illuminance,
+ * and a comment with the Radiance command for a similar sky. */
 static enum pp_status take_moment(struct pp_study_room *room,
                                   const struct pp_moment_choice *choice,
                                   double *external_lux, char *note, size_t size,

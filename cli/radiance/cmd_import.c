@@ -1,4 +1,4 @@
-/* cmd_import.c - the command import: another program's scene, and the readings of
+/* cmd_import.c - the command import: reads another program's scene, and simulates
  * sensors in it. */
 #include <math.h>
 #include <stdlib.h>
@@ -41,7 +41,8 @@ struct import_options {
     struct pp_room_options room;
     const char *points_file; /* NULL: none */
     bool summary;
-    bool by_chance; /* lamps are hit by chance only, without next-event estimation */
+    bool by_chance; /* concentrated sources are found by rays only, without next-event
+                     * estimation */
     enum pp_format format;
 };
 

@@ -125,9 +125,9 @@ static const char script[] =
     "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, %s * grey / horizontal\n"
     "    }'\n";
 
-/* Option of oconv with which its smallest cells are at most a centimetre, although the
- * ground is kilometres wide: by default they are a 16384th of the scene, and oconv
- * fails if a cell contains too many surfaces. */
+/* Writes the option of oconv that makes its smallest cells at most a centimetre,
+ * although the ground is kilometres wide. Its default is a 16384th of the scene, and
+ * oconv fails if a cell contains too many surfaces. */
 static void resolution_of(const struct pp_rad_room *rad, char *option, size_t size)
 {
     static const double CELL_M = 0.01;
@@ -197,7 +197,7 @@ static enum pp_status add_scene(struct pp_output_directory *directory,
     return status;
 }
 
-/* A sky by Perez, with or without its sun: results are in lux. */
+/* True for a Perez sky, with or without its sun; the results are then in lux. */
 static bool is_of_moment(const struct pp_outside_light *light)
 {
     return light->sky.kind == PP_SKY_ISO && light->sky.iso == 0;

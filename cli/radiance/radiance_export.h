@@ -11,9 +11,9 @@
 /* Names of all files that an export may contain, including those made by running it. */
 extern const char *const pp_radiance_files[];
 
-/* Adds the room's files, below `folder` (NULL: at the top), with an open level
- * illuminance by the sky of `external_lux`; `gloss`: with the finishes' colour and gloss;
- * sky_note: a comment on the sky, NULL: none. */
+/* Adds the files of a room, in `folder` (NULL: at the top). external_lux: illuminance
+ * of the open horizontal ground by the sky. gloss: with the colour and gloss of
+ * finishes. sky_note: a comment on the sky; NULL: none. */
 enum pp_status pp_radiance_export(struct pp_output_directory *directory,
                                   const char *folder, const struct pp_study_room *room,
                                   double external_lux, bool gloss, const char *sky_note,

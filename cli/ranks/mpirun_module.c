@@ -89,7 +89,7 @@ static enum pp_status post_receive(void *data, int *from, char **bytes, size_t *
     return PP_OK;
 }
 
-/* Messages still being sent are to ranks that no longer receive. */
+/* Ends MPI. Messages still being sent are to ranks that have ended, and are dropped. */
 static void end(void *data)
 {
     struct post *post = data;

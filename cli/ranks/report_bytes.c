@@ -1,4 +1,4 @@
-/* report_bytes.c - numbers in their binary form in memory, sentences terminated by a
+/* report_bytes.c - copies numbers as they are in memory, and texts with a final
  * zero. */
 #include "cli/ranks/report_bytes.h"
 

@@ -1,4 +1,5 @@
-/* room_queue.c - one room per index; the bytes sent are the simulation's columns. */
+/* room_queue.c - gives each room an index in the work queue; the result of a room is
+ * its simulated columns as bytes. */
 #include "cli/ranks/room_queue.h"
 
 #include <stdlib.h>
@@ -27,8 +28,8 @@ static enum pp_status pack(const struct pp_report *report, bool by_clock, char *
     return *bytes ? PP_OK : pp_fail_memory(err);
 }
 
-/* Uses a report of its own, since another rank's results for the room may arrive
- * meanwhile. */
+/* Simulates one room in a separate report, since another rank's results for the room
+ * may arrive meanwhile. */
 static enum pp_status simulate_queued_room(void *data, int worker, int room,
                                            char **bytes, size_t *length,
                                            struct pp_error *err)
@@ -78,8 +79,8 @@ static enum pp_status alone(const struct pp_room_queue *queue, int first,
     return status;
 }
 
-/* After a stop, rooms not yet started get the same result as in a single process: the
- * watch ends each simulation at once. */
+/* After a stop, a room not yet started gets the same result as in a single process: the
+ * watch ends its simulation at once. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err)
 {

@@ -1,4 +1,5 @@
-/* room_queue.h - simulates many rooms, one after the other in this process, or by ranks. */
+/* room_queue.h - simulates many rooms, one after the other in this process, or shared
+ * among ranks. */
 #ifndef PP_CLI_RANKS_ROOM_QUEUE_H
 #define PP_CLI_RANKS_ROOM_QUEUE_H
 

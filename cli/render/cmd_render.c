@@ -102,8 +102,8 @@ static enum pp_exit show_file(const struct pp_render_choice *choice,
     return result;
 }
 
-/* Sky and sun of the moment, in place of the room file's sky; illuminances outside are
- * the sky's. */
+/* Replaces the room file's sky by sky and sun of the moment, which also set the
+ * illuminance outside. */
 static enum pp_exit take_moment(struct pp_study_room *room,
                                 struct pp_moment_choice *choice,
                                 struct pp_room_options *options)
@@ -183,7 +183,8 @@ static void init_render_options(void *values)
         .room = pp_room_options_none, .choice = pp_render_choice_default()};
 }
 
-/* Sunlight needs next-event estimation, and has no daylight factor. */
+/* Checks the options for a moment: sunlight needs next-event estimation, and a picture
+ * with the sun cannot show daylight factors. */
 static enum pp_status check_moment(const struct render_options *options,
                                    struct pp_error *err)
 {

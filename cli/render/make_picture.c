@@ -34,7 +34,7 @@ enum { RANDOMISATIONS = 32 };
 /* Largest checkpoint: 4 GiB. */
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
-/* Lets the cache grow until it covers all requests of the picture. */
+/* Adds records to the cache until it covers all requests of the picture. */
 static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool quiet,
                                          struct pp_error *err)
 {
@@ -44,7 +44,7 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
     while (status == PP_OK && !pp_cache_warm_up_done(warm_up)) {
         status = pp_cache_warm_up_advance(warm_up, slice_s, err);
         pp_progress_show(&progress, pp_cache_warm_up_progress(warm_up), NAN);
-        /* A cache continued from half of its records would differ. */
+        /* A run continued from an incomplete cache would give different results. */
         if (status == PP_OK && pp_interrupt_came() && !pp_cache_warm_up_done(warm_up))
             status = pp_fail(err, PP_INTERRUPTED,
                              "interrupted during the calculation of the irradiance "
@@ -259,7 +259,8 @@ static void scale_picture(struct pp_picture *picture, double scale)
         picture->rgb[i] = (float)(scale * picture->rgb[i]);
 }
 
-/* Horizontal illuminance outside: as given, of the photographed sky, or 10,000 lx. */
+/* Horizontal illuminance outside: the given value, or that of the photographed sky, or
+ * 10,000 lx. */
 static double external_of(const struct pp_room_options *options,
                           const struct pp_sky *sky)
 {

@@ -12,7 +12,7 @@
 struct pp_picture_format {
     const struct pp_number_format *numbers; /* numeric format; NULL: the picture is
                                              * displayed */
-    enum pp_chart_format shown;             /* as this */
+    enum pp_chart_format shown;             /* format of the displayed picture */
 };
 
 /* Format by its typed name ("hdr"); false: there is none. */

@@ -97,14 +97,14 @@ static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world
     return PP_OK;
 }
 
-/* The other side of a picture (pixels), rounded and limited. */
+/* Length of a side of a picture in pixels, rounded and limited. */
 static int side(double pixels)
 {
     return (int)fmin(fmax(lrint(pixels), 1.0), PP_PICTURE_SIDE_MOST);
 }
 
-/* Width and height of the view (m), and the picture's size, such that its pixels are
- * square. */
+/* Computes the width and height of the view (m) and the picture's size, so that pixels
+ * are square. */
 static void size_parallel(struct pp_picture_size *size, double *across, double *down,
                           const struct pp_render_choice *choice,
                           const struct pp_view_place *place)
@@ -127,7 +127,7 @@ static void size_parallel(struct pp_picture_size *size, double *across, double *
     *down = *across * asked;
 }
 
-/* Horizontal and vertical angle, such that pixels are square. */
+/* Computes the horizontal and vertical angle of view, so that pixels are square. */
 static void size_angles(struct pp_picture_size *size, double *across, double *down,
                         const struct pp_render_choice *choice)
 {

@@ -124,8 +124,8 @@ static enum pp_status write_png(FILE *out, const struct pp_shown_picture *shown,
 
 /* ---- words and false colours of a sheet ---- */
 
-/* For lines: the smoothing and the shortest line, as shares of the picture's longer
- * side. */
+/* Contour lines: width of smoothing and shortest line, as shares of the picture's
+ * longer side. */
 static const double smooth_share = 1.0 / 250.0, shortest_share = 1.0 / 25.0;
 
 /* Sets the scale of lengths and the north arrow, for a parallel view. */
@@ -196,7 +196,7 @@ static void write_picture_words(struct pp_picture_sheet *sheet,
     note_decorations(sheet, shown);
 }
 
-/* Notes whether pixels are beyond the ends of the scale. */
+/* Adds a note if pixels are beyond the ends of the scale. */
 static void look_beyond(struct pp_picture_sheet *sheet,
                         const struct pp_picture *picture, double unit)
 {

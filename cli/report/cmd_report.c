@@ -1,5 +1,5 @@
-/* cmd_report.c - the command report: rooms with drawings, figures and verdicts as one
- * HTML page, or as sheets of a PDF. */
+/* cmd_report.c - the command report: drawings, figures and verdicts of rooms, as one
+ * HTML page or as sheets of a PDF. */
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@
 #include "reports/page/document_html.h"
 #include "reports/page/site_report.h"
 
-/* A report of no more rooms than these is complete without --full. */
+/* A report of at most this many rooms has all sections even without --full. */
 enum { SHORT_ROOMS = 2 };
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
@@ -76,7 +76,7 @@ static bool is_pdf(const struct pp_assess_words *words)
                                 : ending && strcasecmp(ending, ".pdf") == 0;
 }
 
-/* ---- the command line that makes a report again ---- */
+/* ---- the command line that reproduces the report ---- */
 
 static bool is_safe(const char *word)
 {
@@ -168,8 +168,8 @@ static void put_simulation(const struct pp_study_options *study, FILE *out)
     fprintf(out, " --seed %llu", (unsigned long long)study->seed);
 }
 
-/* The command line with all options that affect the figures: criteria, files, rooms,
- * simulation; quoted for a shell. Freed by the caller; NULL: out of memory. */
+/* The command line with all options that affect the figures (criteria, files, rooms,
+ * simulation), quoted for a shell. The caller frees it; NULL: out of memory. */
 static char *made_words(const struct pp_assess_run *run)
 {
     char *text = NULL;
@@ -241,7 +241,7 @@ static const char *title_of(const struct pp_study_room *first)
     return building ? building : first->world->name ? first->world->name : first->file;
 }
 
-/* A name for the foot of sheets: title, project number, revision and date. */
+/* Text for the foot of sheets: title, project number, revision and date. */
 static void write_foot(char foot[256], const char *title,
                        const struct pp_project *project)
 {

@@ -66,8 +66,8 @@ static enum pp_status grow_pictures(struct pp_report_pictures *pictures,
                            : status;
 }
 
-/* Options for the drawings of a room: simulated if the room's figures are simulated,
- * with twice their error. A time limit is a tenth of the limit for the figures. */
+/* Options for the drawings of a room. They are simulated if the room's figures are,
+ * with twice the error, and in a tenth of the time limit. */
 static struct pp_study_options drawing_options(const struct drawing_task *task,
                                                int room)
 {
@@ -104,7 +104,7 @@ static enum pp_status add_drawing(struct drawing_task *task, int room, int first
     return PP_OK;
 }
 
-/* ---- of a site ---- */
+/* ---- drawings of a site ---- */
 
 /* Number of rooms of the same file as that room. */
 static int rooms_of_site(const struct pp_rooms *rooms, int first)
@@ -141,7 +141,7 @@ static enum pp_status draw_site(struct drawing_task *task, int first, int count,
                : status;
 }
 
-/* ---- of a room ---- */
+/* ---- drawings of a room ---- */
 
 /* Line of the window with the least sun relative to a criterion's requirement, or the
  * least sun if nothing is required; 0: the criterion is of the room; -1: sunlight is

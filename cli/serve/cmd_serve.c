@@ -1,4 +1,5 @@
-/* cmd_serve.c - the command serve: the drawing board in a browser, and a JSON interface. */
+/* cmd_serve.c - the command serve: the drawing board in a browser, with a JSON
+ * interface. */
 #include "config.h"
 
 #include <spawn.h>
@@ -123,8 +124,8 @@ static enum pp_status read_token(char **token, const char *file, struct pp_error
     return status;
 }
 
-/* Makes 128 random bits, with which the page fetches the room that the server was
- * started with. */
+/* Makes the key, 128 random bits, with which the page fetches the room that the server
+ * was started with. */
 static bool make_key(char key[33])
 {
     unsigned char bytes[16];

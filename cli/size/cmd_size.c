@@ -1,4 +1,4 @@
-/* cmd_size.c - the command size: the window that just reaches a target. */
+/* cmd_size.c - the command size: finds the smallest window that reaches a target. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,8 +33,8 @@ static const char about[] =
     "--envelope finds the largest building on its plot. FILE is a room file; - is "
     "standard input.";
 
-/* Replaces a text of `file` by the text needed at `path`, with relative file names
- * adapted. */
+/* Replaces the text of a room file by one for a copy at `path`: relative names of other
+ * files are adapted. */
 static enum pp_status move_text(char **text, size_t *length, const char *file,
                                 const char *path, struct pp_error *err)
 {
@@ -98,9 +98,9 @@ struct size_run {
     struct pp_size_results results;
 };
 
-/* Sizes all rooms. Of several rooms, one without windows gets a reason, and those that
- * lack the window given by --line or --wall are left out; it is an error if no room has
- * one. */
+/* Sizes all rooms. If there are several, a room without windows gets a reason, and
+ * rooms without the window given by --line or --wall are left out. It is an error if no
+ * room has such a window. */
 static enum pp_status compute_sizes(void *data, struct pp_error *err)
 {
     struct size_run *run = data;

@@ -174,7 +174,8 @@ const char *pp_size_options_block(const struct pp_size_options *options)
     return options->envelope ? options->envelope : options->obstruction;
 }
 
-/* First option of a block's rule that is given without a block; NULL: none. */
+/* Name of the first option of a block's rule that is given although no block is; NULL:
+ * none. */
 static const char *stray_rule(const struct pp_size_options *options)
 {
     const struct pp_retained_sky_rule *rule = &options->rule;

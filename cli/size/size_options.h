@@ -18,7 +18,7 @@ struct pp_size_options {
     const char *envelope; /* name of the block on whose plot the largest envelope is
                            * searched; NULL: none */
     const char *draw;     /* path for the drawing of the envelope; NULL: none */
-    double highest_m;     /* upper limit of either */
+    double highest_m;     /* upper limit of the block's height, or of the envelope's */
     struct pp_retained_sky_rule
         rule; /* share that each window or room retains; its room is set by
                * pp_size_options_settle */

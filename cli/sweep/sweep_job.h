@@ -1,5 +1,5 @@
-/* sweep_job.h - the course of a command with --sweep: all runs are loaded, then all are
- * computed, and then they are printed together. */
+/* sweep_job.h - runs a command with --sweep: loads all runs, then computes all, then
+ * prints them together. */
 #ifndef PP_CLI_SWEEP_SWEEP_JOB_H
 #define PP_CLI_SWEEP_SWEEP_JOB_H
 
@@ -14,13 +14,14 @@ struct pp_sweep_job {
     /* Loads the rooms of a run, with the current values of room->sweep. */
     enum pp_exit (*load)(void *run, const void *data);
     enum pp_status (*compute)(void *run, struct pp_error *err);
-    bool (*is_finished)(const void *run); /* NULL: it is */
+    bool (*is_finished)(const void *run); /* false if the simulation was interrupted;
+                                           * NULL: there is no simulation */
     /* Prints a run alone, as CSV or JSON. */
     enum pp_status (*print)(const void *run, FILE *out, struct pp_error *err);
     /* Prints the array of runs as text. */
     enum pp_status (*print_text)(const void *runs, const void *data, FILE *out,
                                  struct pp_error *err);
-    void (*clear)(void *run); /* loaded or not */
+    void (*clear)(void *run); /* called for every run, loaded or not */
     const void *data;         /* passed to load and print_text */
 };
 

@@ -1,4 +1,4 @@
-/* run_suite.c - a suite as a job of the command line. */
+/* run_suite.c - computes the cases of a suite, prints them and reports failures. */
 #include "cli/validate/run_suite.h"
 
 #include "cli/job.h"

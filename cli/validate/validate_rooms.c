@@ -1,5 +1,5 @@
-/* validate_rooms.c - all simulations, of rooms and of their methods' worlds, form one
- * list of reports, shared by the ranks; rank 0 does the comparison. */
+/* validate_rooms.c - lists the reports of all rooms and of their methods' worlds, and
+ * simulates them, shared among ranks. Rank 0 compares the results. */
 #include "cli/validate/validate_rooms.h"
 
 #include <stdlib.h>
@@ -90,7 +90,8 @@ static struct pp_room_figures validated_room_figures(void *data, int index)
                                     &run->results.list[traced->room].by_clock};
 }
 
-/* After a stop a room has the results so far, and the worlds after it have none. */
+/* Simulates one report. After a stop, a room has the results so far, and the worlds
+ * after it have none. */
 static enum pp_status simulate_validated_room(const void *data, int index,
                                               struct pp_report *report, bool *by_clock,
                                               struct pp_error *err)

@@ -1,4 +1,5 @@
-/* rad_names.c - open addressing with linear probing; the table is at most half full. */
+/* rad_names.c - a hash table with open addressing and linear probing, at most half
+ * full. */
 #include "formats/radiance/rad_names.h"
 
 #include <stdint.h>

@@ -115,7 +115,7 @@ static bool set_number(struct gensky_options *asked, char letter, double number)
     switch (letter) {
     case 'y':
         if (!(number >= 1950.0 && number <= 2050.0))
-            return false; /* tested before the conversion to int */
+            return false; /* this range is checked before the conversion to int */
         asked->year = (int)number;
         return number == asked->year;
     case 'r':
@@ -259,8 +259,8 @@ static double printed_part(double value)
     return pp_text_parse_number(text, &value) ? value : 0.0;
 }
 
-/* Horizontal illuminance over zenith luminance, in the formulae's own units: gensky's
- * polynomials in the sun's altitude. */
+/* Horizontal illuminance over zenith luminance, in the units of the formulae, by
+ * gensky's polynomials in the sun's altitude. */
 static double horizontal_over_zenith(int type, double altitude)
 {
     static const double clear[] = {2.766521, 0.547665, -0.369832, 0.009237, 0.059229};

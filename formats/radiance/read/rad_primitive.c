@@ -147,7 +147,8 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
                                primitive->name.length, meaning, err);
 }
 
-/* Offers the primitive to each reader until one knows its type. */
+/* Passes the primitive to the readers of shapes, materials and functions in turn, until
+ * one of them handles its type. */
 static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
                                          struct pp_rad_primitive *primitive,
                                          const struct pp_rad_context *context,

@@ -87,8 +87,8 @@ static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long c
     return next;
 }
 
-/* Returns the parsed xform of a command. It is parsed once, since an xform before
- * another one runs for each copy of the second. */
+/* Finds the parsed xform of a command. Each is parsed only once, although an xform
+ * before another one runs for each copy that the second one makes. */
 static enum pp_status find_xform(const struct pp_rad_xform **found,
                                  const struct pp_rad_reader *reader,
                                  struct pp_rad_pipe *pipe, int which,
@@ -248,8 +248,8 @@ static enum pp_status read_scene_text(struct scene_text *text, const char *path,
     return status;
 }
 
-/* A file is no Radiance scene if an error occurs in its first lines and nothing before
- * it was understood. */
+/* If an error occurs within this number of lines, and nothing before it was understood,
+ * the file is probably not a Radiance scene. */
 static const int first_lines = 5;
 
 static enum pp_status read_text(struct pp_rad_reader *reader,

@@ -40,8 +40,7 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
 /* Number of copies, 1 or more; a double, since the product may exceed any integer. */
 double pp_rad_xform_copies(const struct pp_rad_xform *xform);
 
-/* Replaces stages applied N times by equal stages applied once, so that copies share
- * this work. */
+/* Combines the N applications of a stage "-i N" into one, once for all copies. */
 void pp_rad_xform_fold(struct pp_rad_xform *xform);
 
 /* Transform of copy `index`, from 0; the last array varies fastest. */

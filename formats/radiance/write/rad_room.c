@@ -51,8 +51,7 @@ static enum pp_status sides_of(struct rad_room_builder *b, int which, int *front
     return status;
 }
 
-/* Scene index of a glowing material, which is added unless the scene has the same
- * one. */
+/* Scene index of a glowing material; adds it unless the scene has an equal one. */
 static enum pp_status glow_of(struct rad_room_builder *b,
                               const struct pp_material *glow, int *index)
 {
@@ -137,7 +136,8 @@ static struct pp_vec3 outward_of(const struct pp_world *world,
     return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
 }
 
-/* Radiance of a skyline's side with that normal, lit by the open sky and the ground. */
+/* Radiance of the side of a skyline that has this normal, lit by the open sky and the
+ * ground. */
 static double radiance_of(const struct rad_room_builder *b,
                           const struct pp_skyline *skyline, struct pp_vec3 normal)
 {
@@ -315,7 +315,8 @@ static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
     return status;
 }
 
-/* Adds a disc whose hole is inside the square; where both overlap they coincide. */
+/* Adds a disc with a hole inside the square; where disc and square overlap, they are in
+ * one plane. */
 static enum pp_status add_round(struct rad_ground_builder *b,
                                 const struct pp_region *room)
 {

@@ -1,11 +1,11 @@
-/* rad_room.h - a room's world and its light as a scene in terms of Radiance's formats.
+/* rad_room.h - converts a room's world and its light to a scene that Radiance can read.
  *
- * The scene has the faces without their openings, panes, reveals, free-standing
- * surfaces and blocks; each has two materials if its sides differ. The sky is a distant
- * glow of horizontal irradiance `horizontal`. A second glow below the horizon is the
- * ground or, if the ground is shaded, the part of it beyond a disc (rad_room.c).
- * Skylines without a distance are part of the sky's pattern; those with a distance are
- * walls among the surfaces.
+ * The scene has the faces without their openings, the panes, reveals, free-standing
+ * surfaces and blocks. Each has two materials if its sides differ. The sky is a distant
+ * glow with the horizontal irradiance `horizontal`. A second glow below the horizon is
+ * the ground; if the ground is shaded, it is only the part of the ground beyond a disc
+ * (rad_room.c). Skylines without a distance are part of the sky's pattern; those with a
+ * distance are walls among the surfaces.
  *
  * Finishes are diffuse and grey, as in the calculation of daylight factors, or have
  * their colour and gloss.

@@ -1,4 +1,4 @@
-/* rad_write.c - names and shapes of the scene. */
+/* rad_write.c - chooses unique names for a scene's materials, and writes its shapes. */
 #include "formats/radiance/write/rad_write.h"
 
 #include <stdlib.h>

@@ -22,7 +22,7 @@ struct rad_primitive_text {
     int count;
 };
 
-/* True if the numbers are equal apart from rounding. */
+/* True if two numbers are equal apart from rounding errors. */
 static bool near(double a, double b)
 {
     return fabs(a - b) <= 1e-12;

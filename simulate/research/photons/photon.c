@@ -5,8 +5,8 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/sample_discrete.h"
 
-/* Russian roulette begins where a photon has this share of the mean flux of all.
- * Measured: 0.1 takes 20 % more work, 0.6 the same. */
+/* Russian roulette applies to photons with less than this share of the mean flux of
+ * all. Measured: 0.1 takes 20 % more work, 0.6 the same. */
 static const double LEAST = 0.3;
 
 static struct pp_rgb through_of(const struct pp_photon_state *state,
@@ -19,9 +19,9 @@ static struct pp_rgb through_of(const struct pp_photon_state *state,
                          : material->through_diffuse;
 }
 
-/* Light that enters at a point of an opening from a sampled direction; at clear glass
- * the photon continues in it. Divided by the direction's density over that of the
- * cosine lobe. */
+/* Light that enters at a point of an opening from a sampled direction, divided by the
+ * density of that direction relative to the cosine lobe's. At clear glass the photon
+ * continues in this direction. */
 static struct pp_rgb enter(struct pp_photon_state *state,
                            const struct pp_photon_source *source, const double u[2],
                            int vertex, struct pp_photon *photon)
@@ -40,8 +40,8 @@ static struct pp_rgb enter(struct pp_photon_state *state,
     return pp_rgb_scale(pp_rgb_times(light, through), 1.0 / density);
 }
 
-/* Starts a photon at a source drawn with that probability: direction by u, position by
- * u + 2. */
+/* Starts a photon at a source that was drawn with probability `chance`: its direction
+ * from u[0] and u[1], its position from u[2] and u[3]. */
 static void set_out(struct pp_photon_state *state,
                     const struct pp_photon_source *source, double chance,
                     const double u[4], int vertex, struct pp_photon *photon)

@@ -20,7 +20,8 @@ struct pp_photon_counter pp_photon_counter_plane(const struct pp_light_scene *sc
                                       .triangle_count = scene->plane_count};
 }
 
-/* Twice the area of a triangle of p and an edge, seen against the normal. */
+/* Twice the signed area of the triangle of p and the edge from a to b, seen against the
+ * normal. */
 static double turned(struct pp_vec3 a, struct pp_vec3 b, struct pp_vec3 p,
                      struct pp_vec3 normal)
 {

@@ -11,7 +11,8 @@ enum { OF_OUTSIDE, OF_PHOTON, OF_CONNECTION };
 
 /* A ray on its way from a receiver. */
 struct gathering {
-    struct pp_photon_receiver receiver; /* where it left last diffusely */
+    struct pp_photon_receiver receiver; /* place of the last diffuse scattering, which
+                                         * the ray left */
     struct pp_light_ray ray;
     struct pp_rgb throughput; /* irradiance at the first receiver for unit radiance
                                * along the ray */
@@ -33,7 +34,7 @@ static void add_gathered_light(struct gathering *ray, struct pp_rgb radiance,
     ray->sums[ray->seen ? ray->what : what] += share * pp_rgb_luminance(light);
 }
 
-/* Share of the light at the ray's end not covered by connections. */
+/* Share of the light at the ray's end that connections do not cover. */
 static double left_of(const struct pp_photon_state *state, const struct gathering *ray,
                       int source)
 {

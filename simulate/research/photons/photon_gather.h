@@ -1,12 +1,12 @@
-/* photon_gather.h - the light not covered by connections, found by rays from the
- * receiver: the part cut off for near places (photon_receiver.h), and light reflected
- * by a mirror, a mirroring pane or a gloss.
+/* photon_gather.h - rays from the receiver that find the light not covered by
+ * connections: the part cut off for near places (photon_receiver.h), and light
+ * reflected by a mirror, a mirroring pane or a gloss.
  *
  * A ray of the receiver's cosine lobe is followed past clear glass, mirrors and glosses
  * to a surface that scatters diffusely. If the ray arrived there directly, the receiver
  * gets the share 1 - w of that surface's light; otherwise all of it. The surface's
- * light is found with a photon for this surface alone, and with a further ray from
- * there; Russian roulette leaves few further rays.
+ * light is found by a photon for this surface alone, and by a further ray from there.
+ * Russian roulette limits the number of further rays.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_GATHER_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_GATHER_H

@@ -1,8 +1,9 @@
 /* photon_lobes.h - the lobes of a surface hit by light, and the choice of one of them.
  * Inside simulate/research/photons only.
  *
- * BRDFs are symmetric (scatter.h), so that the lobes serve light from the "eye" as well
- * as light towards it. */
+ * BRDFs are symmetric (scatter.h), so the same lobes serve photons and rays from
+ * receivers.
+ */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_LOBES_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_LOBES_H
 

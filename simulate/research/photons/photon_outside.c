@@ -3,7 +3,7 @@
 
 #include "simulate/research/photons/photon_lobes.h"
 
-/* Russian roulette begins when the throughput is below this. Measured: 0.3 takes 20 %
+/* Russian roulette applies when the throughput is below this. Measured: 0.3 takes 20 %
  * more work, 1 twice as much. */
 static const double LEAST = 0.1;
 

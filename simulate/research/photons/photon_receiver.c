@@ -7,7 +7,7 @@
 
 enum { MOST_PANES = 64 }; /* most panes that a shadow ray passes */
 
-/* Surfaces met at less than this height over the receiver's plane do not hide it: they
+/* Surfaces hit at less than this height over the receiver's plane do not hide it. They
  * may be the receiver's own surface, since intersections have single precision. */
 static const double OVER_PLANE_M = 1e-5;
 

@@ -289,8 +289,8 @@ struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
 
 /* ---- the openings that a receiver sees ---- */
 
-/* cos cos'/d^2 for a point of the opening, limited to the value of a whole half
- * space. */
+/* cos cos'/d^2 for a point of the opening, at most the value for a surface that fills
+ * the half space. */
 static double projected(const struct pp_target *target, struct pp_vec3 on,
                         struct pp_vec3 point, struct pp_vec3 normal)
 {

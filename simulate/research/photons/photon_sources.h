@@ -25,7 +25,7 @@ enum { PP_PHOTON_CELLS = 16 }; /* cells along either side of the table */
 
 struct pp_photon_source {
     int pane; /* index of the opening's pane in the scene; -1: a lamp */
-    int part; /* the part, and below the side from which light leaves */
+    int part; /* the part, and whether light leaves from its back */
     bool back;
     const struct pp_vec3 (*triangles)[3]; /* not owned */
     int triangle_count;
@@ -35,8 +35,7 @@ struct pp_photon_source {
     double chance;          /* probability with which it is drawn */
     double limit;           /* limit of cos cos'/d^2 (1/m2), if drawn with that
                              * probability */
-    bool clear;             /* directions are drawn from the table, by row and
-                             * column: */
+    bool clear;             /* true if directions are drawn from the table: */
     double rows[PP_PHOTON_CELLS];
     double cells[PP_PHOTON_CELLS][PP_PHOTON_CELLS]; /* values with a mean of 1 */
 };

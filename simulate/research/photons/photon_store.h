@@ -27,8 +27,8 @@ enum pp_status pp_photon_store_extend(struct pp_photon_store *store, int stage,
                                       struct pp_thread_pool *pool,
                                       struct pp_error *err);
 
-/* The places of one of these photons and their number. Places of direct light from
- * openings are left out. */
+/* The places hit by one photon, and their number. The start of a photon at an opening
+ * is not one of them, since direct light has its own estimator. */
 const struct pp_photon_place *pp_photon_store_places(
     const struct pp_photon_store *store, int randomisation, uint32_t photon,
     int *count);

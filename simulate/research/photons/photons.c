@@ -1,5 +1,5 @@
-/* photons.c - receivers as a sampler of photons: direct light, the light of surfaces
- * hit by photons, and light found by rays from the receiver. */
+/* photons.c - connects receivers to the sampler, with three estimators: direct light,
+ * the light of surfaces hit by photons, and light found by rays from the receiver. */
 #include "simulate/research/photons/photons.h"
 
 #include <math.h>
@@ -22,10 +22,10 @@ enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
  * randomisations. */
 enum { MOST_SHARED = 1024 };
 
-/* Cost of a shared photon set to a receiver, in rays, as if some 25 receivers used it. */
+/* Cost of a shared photon to a receiver, in rays, as if some 25 receivers used it. */
 static const double SHARED_COST = 0.3;
 
-/* Least standard error aimed at, over Eh: 0.002 % daylight factor. */
+/* Smallest target standard error, over Eh: 0.002 % daylight factor. */
 static const double LEAST_ERROR = 0.00002;
 
 /* A receiver, or the working plane as a whole. */

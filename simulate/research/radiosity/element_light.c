@@ -1,11 +1,13 @@
-/* element_light.c - descends the trees of all sides. */
+/* element_light.c - descends the element trees of all sides, and adds up the light of
+ * their elements. */
 #include "simulate/research/radiosity/element_light.h"
 
 #include "model/base/array.h"
 #include "simulate/research/radiosity/form_factor.h"
 
-/* Factor by which corners are moved towards the middle before they are tested:
- * neighbours that hide each other at a common edge would be inconclusive. */
+/* Corners are moved towards the middle by this factor before their visibility is
+ * tested: at an edge common to both, neighbours that hide each other would give no
+ * clear result. */
 static const double WITHIN = 0.9;
 
 struct descent {
@@ -58,9 +60,9 @@ static double factor_seen(const struct descent *g, int index,
     return sum;
 }
 
-/* Possible variation of the light over an element, as this place receives it: its
- * spread times the form factor, reduced for distant elements (size over distance),
- * whose parts have similar form factors. */
+/* Possible variation of the light received from an element: its spread times the form
+ * factor. It is reduced for distant elements (by size over distance), whose parts have
+ * similar form factors. */
 static double unevenness(const struct descent *g, const struct pp_element *element,
                          double factor)
 {

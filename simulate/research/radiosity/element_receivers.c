@@ -53,7 +53,8 @@ void pp_element_receivers_clear(struct pp_element_receivers *receivers)
     *receivers = (struct pp_element_receivers){.list = NULL};
 }
 
-/* A diffusing pane emits like a surface: then all points receive reflected light. */
+/* Sets the points of the plane. If there is a diffusing pane, which emits like a
+ * surface, all points receive reflected light. */
 static enum pp_status set_plane(struct pp_element_receivers *receivers,
                                 const struct pp_facets *facets, int level,
                                 struct pp_error *err)

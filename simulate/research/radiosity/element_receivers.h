@@ -1,8 +1,9 @@
-/* element_receivers.h - the light of receivers: the points requested, and points of the
- * working plane for its average.
+/* element_receivers.h - gathers the light of receivers: the requested points, and
+ * points of the working plane for its average.
  *
- * Direct and reflected light are gathered at separate points: direct light changes
- * quickly over the plane, reflected light slowly, so that fewer points suffice for it.
+ * Direct and reflected light are gathered at separate points of the plane. Direct light
+ * changes quickly over the plane; reflected light changes slowly and needs fewer
+ * points.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_RECEIVERS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_RECEIVERS_H
@@ -23,7 +24,8 @@ struct pp_element_receivers {
         *list; /* receivers requested, the plane's points for openings, the plane's
                 * points for elements */
     int asked, count;
-    struct pp_plane_points direct, reflected; /* the plane's */
+    struct pp_plane_points direct, reflected; /* points of the plane for direct and for
+                                               * reflected light */
     struct pp_radiosity_system *system;       /* source of their light; not owned */
     int level;
 };

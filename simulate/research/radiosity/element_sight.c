@@ -19,7 +19,8 @@ static const struct pp_facet *inside(const struct pp_element_sight *sight, int i
     return &sight->facets->list[sight->inside[i]];
 }
 
-/* Extent of inside[i] below and above inside[plane], by its pieces' corners. */
+/* Lowest and highest corner of inside[i], as heights over the plane of
+ * inside[plane]. */
 static void reach(const struct pp_element_sight *sight, int i, int plane, double *low,
                   double *high)
 {

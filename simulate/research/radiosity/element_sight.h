@@ -36,7 +36,7 @@ struct pp_element_view {
     int blocker_count;
 };
 
-/* False: no memory. */
+/* Sets the viewpoint; false if memory runs out. */
 bool pp_element_sight_view_init(struct pp_element_view *view,
                                 const struct pp_element_sight *sight,
                                 struct pp_vec3 point);

@@ -29,7 +29,8 @@ struct pp_element {
         outside; /* part of the radiosity that a diffusing pane transmits from the sky,
                   * and from other sources outside */
     double
-        spread; /* how much of it may differ from place to place; INFINITY: not known */
+        spread; /* possible variation of the radiosity within the element; INFINITY: not
+                 * known */
 };
 
 struct pp_element_tree {

@@ -1,4 +1,5 @@
-/* facet_pieces.c - cells between lines through corners, intersected with the facet. */
+/* facet_pieces.c - divides the plane of a facet into cells by lines through its
+ * corners, and intersects each cell with the facet. */
 #include "simulate/research/radiosity/facet_pieces.h"
 
 #include <math.h>
@@ -44,7 +45,7 @@ static enum pp_status append_facet_piece(struct pp_facets *facets, int facet,
     return PP_OK;
 }
 
-/* A piece given in the facet's plane. */
+/* Appends a piece given by coordinates in the facet's plane. */
 static enum pp_status append_flat(const struct cutting *work, const double (*xy)[2],
                                   int count, struct pp_error *err)
 {
@@ -84,7 +85,7 @@ static int by_place(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Through the corners of all rings, along one axis. */
+/* Lines through the corners of all rings, perpendicular to one axis. */
 static struct cut_lines lines_of(const struct pp_region *region, int axis)
 {
     struct cut_lines lines = {.count = 0};

@@ -1,4 +1,5 @@
-/* facets.c - materials, planes and triangles of a world's surfaces and panes. */
+/* facets.c - makes the facets of a world's surfaces and panes, with their materials,
+ * planes and triangles. */
 #include "simulate/research/radiosity/facets.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* form_factor.c - Lambert's sum over the edges above the horizon. */
+/* form_factor.c - clips the polygon at the horizon and sums over its edges, by
+ * Lambert's formula. */
 #include "simulate/research/radiosity/form_factor.h"
 
 #include <stdbool.h>

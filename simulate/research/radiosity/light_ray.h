@@ -12,7 +12,7 @@
 
 struct pp_element_sight;
 
-/* Everything needed to follow rays and gather light; not owned. */
+/* Data needed to follow rays and gather light; not owned. */
 struct pp_light_room {
     const struct pp_facets *facets;
     const struct pp_element_tree *tree;
@@ -33,7 +33,7 @@ void pp_light_ray_follow(const struct pp_light_room *room,
                          const struct pp_light_ray_start *ray, double weight,
                          enum pp_component part, struct pp_light_sum *sum);
 
-/* Value of what has been added to the sum since `from`, with the present radiosities of
+/* Light that has been added to the sum since `from`, with the present radiosities of
  * elements and an estimate for places outside. */
 double pp_light_ray_guess(const struct pp_light_room *room,
                           const struct pp_light_sum *sum,

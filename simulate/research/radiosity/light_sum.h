@@ -36,7 +36,7 @@ struct pp_light_sum {
     bool failed; /* memory was exhausted: the sum is incomplete */
 };
 
-void pp_light_sum_clear(struct pp_light_sum *sum); /* leaves the empty one */
+void pp_light_sum_clear(struct pp_light_sum *sum); /* the sum is then empty */
 
 void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component part,
                       double weight);

@@ -1,4 +1,5 @@
-/* opening_light.c - cells of panes, divided if they disagree with their parts. */
+/* opening_light.c - divides panes into cells, until the light of each cell agrees with
+ * that of its parts. */
 #include "simulate/research/radiosity/opening_light.h"
 
 #include <math.h>
@@ -14,7 +15,7 @@ enum {
              * of the pane's size */
 };
 
-/* Differences of light, over Eh, that are not resolved: a fifth of the tracer's
+/* Smaller differences of light, over Eh, are not resolved: a fifth of the tracer's
  * limit. */
 static const double UNTOLD = 4e-6;
 
@@ -215,7 +216,8 @@ static double add_pane(const struct looking *l)
             continue;
         cell.factor =
             pp_form_factor(l->taker->point, l->taker->normal, cell.corners, cell.count);
-        cell.light = NAN; /* so that its parts are always tried */
+        cell.light = NAN; /* no value yet, so that the cell is always divided at least
+                           * once */
         if (cell.factor > 0.0)
             light += divide_cell(l, &cell, 0, 0, l->tolerance);
     }

@@ -1,12 +1,12 @@
-/* outdoors.h - the light met by a ray outdoors that hits no facet: sky, ground, and
- * skylines without a distance.
+/* outdoors.h - the light that a ray outdoors meets if it hits no facet: sky, ground,
+ * and skylines without a distance.
  *
- * Light is pi times luminance over Eh, the unit of exitances. A skyline without a
- * distance has the exitance rho (Ev + rho_ground / 2) by convention, with Ev the open
- * sky's illuminance on it; unshaded ground has an exitance equal to its reflectance.
- * Ground in the shadow of obstructions has an unknown exitance (outside_cells.h). The
- * ground counts as unshaded beyond FARTHEST times the reach of all obstructions, where
- * less than 1/1000 of its sky is hidden.
+ * Light is expressed as pi times luminance over Eh, the unit of exitances. A skyline
+ * without a distance has by convention the exitance rho (Ev + rho_ground / 2), with Ev
+ * the open sky's illuminance on it. Unshaded ground has an exitance equal to its
+ * reflectance. The exitance of ground in the shadow of obstructions is unknown
+ * (outside_cells.h). Beyond FARTHEST times the reach of all obstructions the ground
+ * counts as unshaded; less than 1/1000 of its sky is hidden there.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H

@@ -1,7 +1,8 @@
 /* plane_points.h - points of a room's working plane, each of which represents a known
- * area: one point in each of many squares, and the middles of the triangles that fill
- * squares cut by the plane's edge. No two points of squares are in line with a wall,
- * since a partition or the edge of a shadow would cover or miss them together. */
+ * area. There is one point in each of many squares; squares that the plane's edge cuts
+ * are divided into triangles, with a point in the middle of each. No two points of
+ * squares are on a line parallel to a wall, since a partition or the edge of a shadow
+ * could then cover both or neither. */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_PLANE_POINTS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_PLANE_POINTS_H
 

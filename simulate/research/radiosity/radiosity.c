@@ -1,4 +1,5 @@
-/* radiosity.c - levels, and the changes between them. */
+/* radiosity.c - calculates level after level, and estimates the error from the changes
+ * between levels. */
 #include "simulate/research/radiosity/radiosity.h"
 
 #include <math.h>
@@ -113,7 +114,8 @@ static enum pp_status rounds(struct pp_radiosity *radiosity, struct pp_error *er
         status = pp_radiosity_system_gather(&radiosity->system, err);
         if (status == PP_OK)
             pp_radiosity_system_solve(&radiosity->system);
-        /* Illuminances are known from here on; before, their uniformity is unknown. */
+        /* Gathers a second time at the first level: the spreads of elements, which were
+         * unknown at first, follow from the solution. */
         if (status == PP_OK && radiosity->level == 0 && round == 0)
             status = pp_radiosity_system_gather(&radiosity->system, err);
         if (status == PP_OK && round == 0)
