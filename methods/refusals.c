@@ -1,5 +1,5 @@
-/* refusals.c - the sentences, and the tests of sky, receiver and opening behind
- * them. */
+/* refusals.c - tests sky, receiver and opening, and writes the sentences of a
+ * refusal. */
 #include "methods/refusals.h"
 
 #include <stddef.h>

@@ -91,8 +91,8 @@ static void print_list(const struct pp_steps *steps, const struct pp_world *worl
     }
 }
 
-/* Prints the corrections that a method's figures include; for a pair, those of both
- * methods. */
+/* Prints the corrections that a method's figures include; for a pair, the corrections
+ * of both methods. */
 static void print_contents(const char *name, int width, FILE *out)
 {
     const struct pp_method *method = pp_method_find(name);

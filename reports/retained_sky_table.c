@@ -29,7 +29,8 @@ static double ratio_of(const struct pp_retained_sky_place *due)
     return due->before > 0.0 ? due->after / due->before : NAN;
 }
 
-/* Adds the names of the room and of the window; for rooms, only that of the room. */
+/* Adds the names of the room and of the window; in a table of rooms, only the name of
+ * the room. */
 static bool fill_names(struct pp_table *table, const struct pp_retained_sky *dues,
                        enum pp_retained_sky_of of)
 {

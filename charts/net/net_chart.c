@@ -335,7 +335,7 @@ static void number_edge(const struct net_drawing *drawing,
                                          paper[1], words));
 }
 
-/* "The glass stands 6 mm outside the wall" for rooms with reveals. */
+/* Writes the note "The glass stands 6 mm outside the wall" for rooms with reveals. */
 static void say_reveals(char *foot, size_t room, const struct pp_model_net *model)
 {
     double deepest = 0.0;

@@ -1,9 +1,7 @@
-/* plan_frame.h - what a plan shows, and where its places lie on paper.
- *
- * True y runs up on paper. Walls have no thickness in the model: on paper they are a
- * thick line outside their inside face, in which windows are drawn as in architects'
- * plans.
- */
+/* plan_frame.h - the extent of a plan, and the positions of points on paper. True y
+ * runs up on paper. Walls have no thickness in the model: on paper they are a thick
+ * line outside their inside face, in which windows are drawn as in architects'
+ * plans. */
 #ifndef PP_CHARTS_ROOM_PLAN_FRAME_H
 #define PP_CHARTS_ROOM_PLAN_FRAME_H
 
@@ -30,7 +28,7 @@ struct pp_room_plan {
 double pp_plan_frame_walls_mm(const struct pp_room_plan *plan,
                               const struct pp_style *style, enum pp_plan_side side);
 
-/* Thickness of the line that stands for a wall, mm. */
+/* Thickness of the line that represents a wall, mm. */
 double pp_plan_frame_wall_mm(const struct pp_style *style);
 
 /* Ends on paper of a window, door or wall, left and right as seen from inside, and the

@@ -27,7 +27,7 @@ static bool is_upright(const struct pp_polygon *outline)
     return fabs(outline->normal.z) < 1e-3;
 }
 
-/* Sets a thin pen: dashed for what is above the cut. */
+/* Sets a thin pen, dashed for objects above the cut. */
 static void set_pen(cairo_t *cr, const struct pp_style *style, bool above)
 {
     double dashes[] = {1.4 * style->scale, 0.8 * style->scale};

@@ -322,7 +322,7 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     }
     pp_room_section_fit(&section, style, body.width - left - right,
                         0.5 * (body.height - between));
-    /* The wells of rooflights stand above the room. */
+    /* The wells of rooflights extend above the room. */
     double wells = pp_section_frame_above_mm(&section) + style->scale - section.head_mm;
     section.head_mm += fmax(wells, 0.0);
     between += fmax(wells, 0.0);

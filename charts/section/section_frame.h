@@ -1,4 +1,4 @@
-/* section_frame.h - what a section shows, and where its places lie on paper. */
+/* section_frame.h - the extent of a section, and the positions of points on paper. */
 #ifndef PP_CHARTS_SECTION_SECTION_FRAME_H
 #define PP_CHARTS_SECTION_SECTION_FRAME_H
 

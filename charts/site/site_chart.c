@@ -161,7 +161,7 @@ static void draw_cells(struct pp_site_drawing *drawing)
 
 /* ---- windows ---- */
 
-/* Angle of a line as that of text which is not upside down. */
+/* Angle of text along a line such that it is not upside down. */
 static double upright_turn(double turn)
 {
     if (turn > PP_PI / 2.0 + 1e-6)

@@ -164,8 +164,8 @@ static void draw_cells(const struct overlay_plot *plot)
 
 /* ---- the sun's paths ---- */
 
-/* One path for each declination; those of later months are within 0.6 degrees of the
- * earlier ones. */
+/* The paths to draw, one for each declination: the paths of later months are within 0.6
+ * degrees of those of earlier months. */
 static const struct {
     int month;
     const char *words;

@@ -1,5 +1,5 @@
-/* half_space_clip.c - a pipeline of stages, each of which passes on the vertices on its
- * side [SH74]; no polygon is stored. */
+/* half_space_clip.c - clips by a pipeline of stages, one for each half-space [SH74].
+ * Each stage passes on the vertices on its side, and no polygon is stored. */
 #include "methods/exact/half_space_clip.h"
 
 #include <assert.h>

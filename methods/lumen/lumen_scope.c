@@ -1,4 +1,5 @@
-/* lumen_scope.c - the tests of room, windows and rooflights behind lumen_scope.h. */
+/* lumen_scope.c - tests whether room, windows and rooflights are within the scope of
+ * the lumen method. */
 #include "methods/lumen/lumen_scope.h"
 
 #include <stddef.h>

@@ -17,9 +17,9 @@ enum pp_status pp_overlay_union(struct pp_clipper *clipper, struct pp_region *wh
  * matter. */
 bool pp_overlay_same_light(const struct pp_occluder *a, const struct pp_occluder *b);
 
-/* Visible part of all pieces with the same light as piece `index`, which is the first
- * of them, behind pieces with other light. distance_m: distance of the plane from the
- * eye. */
+/* Visible part of all pieces with the same light as piece `index`, which must be the
+ * first of them. Pieces with other light hide what is behind them. distance_m: distance
+ * of the plane from the eye. */
 enum pp_status pp_overlay_seen(struct pp_clipper *clipper, struct pp_region *seen,
                                const struct pp_occluders *pieces, int index,
                                double distance_m, struct pp_error *err);

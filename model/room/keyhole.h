@@ -7,8 +7,9 @@
 #include "model/base/error.h"
 #include "model/room/world.h"
 
-/* Outlines of a face of the room less its openings; several if openings divide it.
- * Corners are exactly those of the face and the openings. */
+/* Outlines of a face of the room without its openings: one outline, or several if
+ * openings divide the face. Corners equal exactly those of the face and the
+ * openings. */
 struct pp_keyhole_outlines {
     int count;
     struct pp_ring_3d {

@@ -1,6 +1,6 @@
-/* room_light.h - the outdoor light that a room's file describes: its sky, and the
- * reflectance of its ground. A world does not contain it; methods and simulations take
- * it as a separate argument. */
+/* room_light.h - the outdoor light given in a room's file: its sky, and the reflectance
+ * of its ground. It is not part of a world: methods and simulations take it as a
+ * separate argument. */
 #ifndef PP_MODEL_ROOM_ROOM_LIGHT_H
 #define PP_MODEL_ROOM_ROOM_LIGHT_H
 

@@ -1,4 +1,5 @@
-/* advice_report.c - sentences about the best methods, their bands and those of others. */
+/* advice_report.c - writes sentences about the best methods and their bands, and about
+ * the next best ones. */
 #include "reports/atlas/advice_report.h"
 
 #include <math.h>

@@ -11,8 +11,8 @@
 
 /* ---- the methods ---- */
 
-/* True if `column` is the method's own column or that of a pair with it ("exact+bre"
- * for "exact"). */
+/* True if `column` is the method's own column, or the column of a pair with the method
+ * ("exact+bre" for "exact"). */
 static bool is_part(const char *column, const char *method)
 {
     size_t length = strlen(method);

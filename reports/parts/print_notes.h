@@ -7,8 +7,8 @@
 
 #include "model/results/report.h"
 
-/* The reading for row `row` of a table: that of a point, or in the last row of the
- * average. NULL if the column has no values at points. */
+/* Reading for row `row` of a table: at a point or, in the last row, the average. NULL
+ * if the column has no values at points. */
 const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
                                                 const struct pp_column *column,
                                                 int row);

@@ -14,7 +14,8 @@
 
 enum { NAME_WIDTH = 20 };
 
-/* Writes "1.50, 8.50", with the height if it differs from that of the working plane. */
+/* Writes the position of a point: "1.50, 8.50", with the height if it is not the height
+ * of the working plane. */
 static void write_place(char text[64], const struct pp_report *report, int point)
 {
     struct pp_vec3 at = report->receivers[point].position;

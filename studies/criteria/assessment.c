@@ -1,5 +1,5 @@
-/* assessment.c - chooses criteria, computes the daylight factors they need, and
- * evaluates them one by one. */
+/* assessment.c - chooses criteria, computes the daylight factors that they need, and
+ * evaluates each of them. */
 #include "studies/bands/report_bands.h"
 #include "studies/criteria/assessment.h"
 

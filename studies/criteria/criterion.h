@@ -18,7 +18,7 @@
 #include "model/results/report.h"
 #include "model/room/world.h"
 
-/* The room to be judged, and the data for it. Nothing is owned. */
+/* The room to be assessed, and the data for it. Nothing is owned. */
 struct pp_inquiry {
     const struct pp_world *world;
     const struct pp_outside_light *light;

@@ -35,8 +35,8 @@ enum pp_status pp_factors_band(struct pp_band_ends *band,
                                const struct pp_column *column, int count, double part,
                                struct pp_error *err);
 
-/* Adds the grid's error to that of the figure: sets std_error, grid_error and
- * over_error, and the verdict by them. share, error: of the daylight factors at the
+/* Adds the error due to the grid to the error of the figure: sets std_error,
+ * grid_error, over_error and the verdict. share, error: of the daylight factors at the
  * grid's points. scale: the finding's figure over share->level. */
 void pp_factors_judge_share(struct pp_finding *finding,
                             const struct pp_plane_share *share,

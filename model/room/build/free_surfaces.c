@@ -153,7 +153,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         const struct pp_surface *face = &world->surfaces[i];
         if (pp_polygons_cross(&cross, polygon, &face->outline, &where, err) != PP_OK)
             return PP_SYSTEM;
-        /* Both rooms detect the overlap; only one reports it. */
+        /* Both rooms find the overlap, but only one reports it. */
         if (cross && part->is_room_outside && part->line > r->room->line)
             say_rooms_overlap(r, part, where);
         else if (cross && !part->is_room_outside)
