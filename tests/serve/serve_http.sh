@@ -96,7 +96,7 @@ printf '<room version="1"><plan width="3" depth="4" height="3"/><mesh file="/etc
 asks "$scratch/mesh.xml" '{}'
 for command in df plan check assess report trace; do
     ask $command
-    check "$command reads no file that a room names" holds 'in memory'
+    check "$command reads no file that a room names" holds 'the room was not read from a file'
 done
 asks "$deep" '{"sky":"picture,/etc/passwd"}'
 for command in df plan trace chart/section availability; do
@@ -215,5 +215,5 @@ check "a short token is refused" refuses 1 'expected 16 or more' serve --token s
 check "an address is a number" refuses 1 'is not an IP address' serve --listen there --token 0123456789abcdef
 check "a port is one" refuses 2 'a port from 1' serve --port 70000
 check "a file that is not there is refused" refuses 1 'nothing.xml' serve "$scratch/nothing.xml"
-check "there is one file at most" refuses 2 'expected one at most' serve "$deep" "$deep"
+check "there is one file at most" refuses 2 'expected at most one' serve "$deep" "$deep"
 tap_done
