@@ -21,7 +21,7 @@ static const struct pp_option external_option[] = {
 static const char about[] =
     "Renders a picture of the light in a room to -o FILE. A .hdr or .pfm file stores "
     "the light as numbers, a .png file displays it, and .pdf and .svg files put it on "
-    "a sheet. --false-colour adds a scale and level lines. FILE is a room file; - is "
+    "a sheet. --false-colour adds a scale and contours. FILE is a room file; - is "
     "standard input.";
 
 static enum pp_exit write_output(const struct pp_shown_picture *shown,
