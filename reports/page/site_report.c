@@ -214,6 +214,8 @@ static void put_rows(struct pp_document *document, const char *title, const char
 {
     char words[160];
     int old = 0;
+    if (count == 0)
+        return;
     while (old < count && !rows[old].room->is_new)
         old++;
     for (int is_new = 0; is_new < 2; is_new++) {
