@@ -190,8 +190,7 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         put_number(cell, compared * row->cumulative, 2);
         break;
     case CUMULATIVE_RATIO:
-        put_number(cell, row->existing > 0.0 ? row->cumulative / row->existing : NAN,
-                   3);
+        put_number(cell, row->cumulative_ratio, 3);
         break;
     case BY_CUMULATIVE:
         verdict = row->in_cumulative ? pp_finding_own_word(row->in_cumulative) : NULL;
@@ -268,9 +267,7 @@ static enum pp_status print_tables(const char *title, const struct heading *head
                                    FILE *out, struct pp_error *err)
 {
     char words[96];
-    int old = 0;
-    while (old < count && !rows[old].room->is_new)
-        old++;
+    const int old = pp_site_table_existing(rows, count);
     if (old == count)
         return print_table(title, headings, rows, count, NULL, width, out, err);
     snprintf(words, sizeof words, "%s, existing rooms", title);

@@ -35,8 +35,7 @@ static struct json_object *row_object(const struct pp_site_row *row, bool compar
                && pp_json_text(object, "unit", pp_figure_unit(finding->compared));
     if (good && row->in_cumulative)
         good = pp_json_number(object, "cumulative", scale * row->cumulative)
-               && pp_json_number(object, "cumulative-ratio",
-                                 row->cumulative / row->existing)
+               && pp_json_number(object, "cumulative-ratio", row->cumulative_ratio)
                && pp_json_text(object, "cumulative-verdict",
                                pp_finding_verdict(row->in_cumulative->verdict));
     if (good && row->by_mirror_image)

@@ -154,6 +154,13 @@ static void put_extent(char *words, size_t size, int findings)
         pp_text_append(words, size, "all %d: ", findings);
 }
 
+/* Prints a sentence on all findings of a criterion. */
+static void put_sentence(const char *text, const struct layout *layout, FILE *out)
+{
+    fprintf(out, "%*s", INDENT, "");
+    pp_print_wrapped(text, INDENT, INDENT, layout->width, out);
+}
+
 static void print_answer(const struct pp_answer *answer, struct layout layout,
                          FILE *out)
 {
@@ -162,15 +169,10 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
             answer->criterion->source,
             answer->criterion->withdrawn ? "  (withdrawn)" : "");
     const struct pp_finding_list *findings = &answer->findings;
-    if (answer->criterion->withdrawn) {
-        fprintf(out, "%*s", INDENT, "");
-        pp_print_wrapped(answer->criterion->withdrawn, INDENT, INDENT, layout.width,
-                         out);
-    }
-    if (findings->basis[0]) {
-        fprintf(out, "%*s", INDENT, "");
-        pp_print_wrapped(findings->basis, INDENT, INDENT, layout.width, out);
-    }
+    if (answer->criterion->withdrawn)
+        put_sentence(answer->criterion->withdrawn, &layout, out);
+    if (findings->basis[0])
+        put_sentence(findings->basis, &layout, out);
     /* Notes common to several consecutive findings are printed once, below the last. */
     int same = 1;
     for (int i = 0; i < findings->count; i++) {

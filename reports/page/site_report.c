@@ -167,7 +167,7 @@ static void put_site_row(struct pp_document *document, const struct pp_site_row 
     pp_room_chapter_verdict(document, row->finding);
     if (columns->cumulative) {
         pp_room_chapter_number(document, scale * row->cumulative, 2);
-        pp_room_chapter_number(document, row->cumulative / row->existing, 3);
+        pp_room_chapter_number(document, row->cumulative_ratio, 3);
         put_other_verdict(document, row->in_cumulative);
     }
     if (columns->mirrored) {
@@ -213,11 +213,9 @@ static void put_rows(struct pp_document *document, const char *title, const char
                      const char *unit, const struct pp_site_row *rows, int count)
 {
     char words[160];
-    int old = 0;
+    const int old = pp_site_table_existing(rows, count);
     if (count == 0)
         return;
-    while (old < count && !rows[old].room->is_new)
-        old++;
     for (int is_new = 0; is_new < 2; is_new++) {
         const struct pp_site_row *own = is_new ? rows + old : rows;
         const int own_count = is_new ? count - old : old;

@@ -37,17 +37,19 @@ static enum pp_status add_site_row(struct pp_site_row **rows, int *count,
     if (pp_array_append(rows, *count, sizeof **rows, err) != PP_OK)
         return PP_SYSTEM;
     double before = finding->before;
-    const struct pp_finding *cumulative = find_cumulative(room, answer, finding);
-    (*rows)[(*count)++] =
-        (struct pp_site_row){.room = room,
-                             .criterion = answer->criterion,
-                             .finding = finding,
-                             .existing = before,
-                             .proposed = finding->now,
-                             .ratio = before > 0.0 ? finding->now / before : NAN,
-                             .cumulative = cumulative ? cumulative->now : NAN,
-                             .in_cumulative = cumulative,
-                             .mirrored = NAN};
+    const struct pp_finding *in_cumulative = find_cumulative(room, answer, finding);
+    double cumulative = in_cumulative ? in_cumulative->now : NAN;
+    (*rows)[(*count)++] = (struct pp_site_row){
+        .room = room,
+        .criterion = answer->criterion,
+        .finding = finding,
+        .existing = before,
+        .proposed = finding->now,
+        .ratio = before > 0.0 ? finding->now / before : NAN,
+        .cumulative = cumulative,
+        .cumulative_ratio = before > 0.0 ? cumulative / before : NAN,
+        .in_cumulative = in_cumulative,
+        .mirrored = NAN};
     return PP_OK;
 }
 
@@ -176,6 +178,14 @@ const char *pp_site_table_sun_title(const struct pp_site_table *table)
 {
     bool judged = table->sun_count > 0 && !isnan(table->suns[0].finding->wanted);
     return judged ? "Sunlight hours, probable" : "Sunlight hours, possible";
+}
+
+int pp_site_table_existing(const struct pp_site_row *rows, int count)
+{
+    int existing = 0;
+    while (existing < count && !rows[existing].room->is_new)
+        existing++;
+    return existing;
 }
 
 void pp_site_table_clear(struct pp_site_table *table)

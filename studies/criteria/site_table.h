@@ -14,6 +14,7 @@ struct pp_site_row {
                                        * of rights of light m2 */
     double ratio;                     /* proposed over existing; NAN: not known */
     double cumulative;                /* in the cumulative state; NAN: there is none */
+    double cumulative_ratio;          /* cumulative over existing; NAN: not known */
     const struct pp_finding *in_cumulative; /* the finding in that state; NULL: none */
     const struct pp_lit_change
         *lit;        /* for rights of light; NULL: not judged, or another criterion */
@@ -50,6 +51,9 @@ enum pp_status pp_site_table_of(struct pp_site_table *table,
 /* Title of the table: "Sunlight hours, possible" or "..., probable" if probable hours
  * are judged. Static. */
 const char *pp_site_table_sun_title(const struct pp_site_table *table);
+
+/* Number of the rows of existing rooms; those of new rooms follow. */
+int pp_site_table_existing(const struct pp_site_row *rows, int count);
 
 void pp_site_table_clear(struct pp_site_table *table);
 
