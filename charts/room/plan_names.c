@@ -110,18 +110,22 @@ static void name_windows(struct name_drawing *drawing)
                         set, world->openings[i].label);
 }
 
-/* Names given by a number are written "wall 5". */
+void pp_plan_names_wall(char words[PP_PLAN_NAMES_WALL], const char *name)
+{
+    bool number = strspn(name, "0123456789") == strlen(name);
+    snprintf(words, PP_PLAN_NAMES_WALL, "%s%.30s", number ? "wall " : "", name);
+}
+
 static void name_walls(struct name_drawing *drawing)
 {
     const struct pp_world *world = drawing->plan->world;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
     for (int i = 0; i < world->face_count; i++) {
         const struct pp_surface *wall = &world->surfaces[i];
-        char words[48];
+        char words[PP_PLAN_NAMES_WALL];
         if (wall->role != PP_WALL || !wall->name || fabs(wall->outline.normal.z) > 1e-3)
             continue;
-        bool number = strspn(wall->name, "0123456789") == strlen(wall->name);
-        snprintf(words, sizeof words, "%s%.30s", number ? "wall " : "", wall->name);
+        pp_plan_names_wall(words, wall->name);
         write_along(drawing, &wall->outline, i, set, words);
     }
 }

@@ -29,6 +29,10 @@ void pp_plan_names_draw(cairo_t *cr, const struct pp_style *style,
 void pp_plan_names_note(struct pp_labels *labels, cairo_t *cr,
                         const struct pp_style *style, const struct pp_room_plan *plan);
 
+/* Words for a wall: its name, or "wall 5" if that is a number. */
+enum { PP_PLAN_NAMES_WALL = 48 };
+void pp_plan_names_wall(char words[PP_PLAN_NAMES_WALL], const char *name);
+
 /* Draws a dimension line from x0, y0 to x1, y1, horizontal or vertical on paper, with
  * its length in metres on white in the middle, or beside the line if that is too
  * short. */

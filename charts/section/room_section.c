@@ -54,12 +54,12 @@ struct section_drawing {
 
 static double at_s(const struct section_drawing *drawing, double s)
 {
-    return drawing->section->x + s * drawing->section->mm_per_m;
+    return pp_section_frame_x(drawing->section, s);
 }
 
 static double at_z(const struct section_drawing *drawing, double z)
 {
-    return drawing->section->y + (drawing->high - z) * drawing->section->mm_per_m;
+    return pp_section_frame_y(drawing->section, z);
 }
 
 static void line(const struct section_drawing *drawing, const double s[2],

@@ -2,8 +2,6 @@
 #include "charts/section/section_words.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "charts/room/plan_names.h"
 #include "charts/sheet/lettering.h"
@@ -134,11 +132,10 @@ static void name_wall(cairo_t *cr, const struct pp_style *style,
 {
     int face = near ? section->cut->near_face : section->cut->far_face;
     const char *name = face >= 0 ? section->world->surfaces[face].name : NULL;
-    char words[48];
+    char words[PP_PLAN_NAMES_WALL];
     if (!name)
         return;
-    bool number = strspn(name, "0123456789") == strlen(name);
-    snprintf(words, sizeof words, "%s%.30s", number ? "wall " : "", name);
+    pp_plan_names_wall(words, name);
     double x = pp_section_frame_x(section, near ? 0.0 : section->cut->length_m);
     double gap = 2.0 * style->scale;
     const struct pp_lettering set = {.size = PP_TEXT_SMALL,
