@@ -118,26 +118,6 @@ static void say_block(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-static void arrow(cairo_t *cr, const struct pp_style *style, double x0, double y0,
-                  double x1, double y1)
-{
-    double length = hypot(x1 - x0, y1 - y0), head = 1.2 * style->scale;
-    double dx = (x1 - x0) / length, dy = (y1 - y0) / length;
-    pp_style_line(cr, style->thin, PP_INK);
-    cairo_new_path(cr);
-    cairo_move_to(cr, x0, y0);
-    cairo_line_to(cr, x1, y1);
-    cairo_stroke(cr);
-    cairo_move_to(cr, x1, y1);
-    cairo_line_to(cr, x1 - head * dx + 0.4 * head * dy,
-                  y1 - head * dy - 0.4 * head * dx);
-    cairo_line_to(cr, x1 - head * dx - 0.4 * head * dy,
-                  y1 - head * dy + 0.4 * head * dx);
-    cairo_close_path(cr);
-    pp_style_grey(cr, PP_INK);
-    cairo_fill(cr);
-}
-
 void pp_block_plan_axes(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan)
 {
@@ -148,8 +128,10 @@ void pp_block_plan_axes(cairo_t *cr, const struct pp_style *style,
     for (int k = 0; k < 2 && outside; k++)
         at[k] = plan->extent.low[k];
     double x = pp_plan_frame_x(plan, at[0]), y = pp_plan_frame_y(plan, at[1]);
-    arrow(cr, style, x, y, x + length, y);
-    arrow(cr, style, x, y, x, y - length);
+    const double from[2] = {x, y}, ends[2][2] = {{x + length, y}, {x, y - length}};
+    for (int k = 0; k < 2; k++)
+        pp_style_arrow(cr, style, from, ends[k], 1.2 * style->scale,
+                       0.48 * style->scale);
     const struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .italic = true, .across = 0.5, .down = 0.5};
     double off = 1.6 * style->scale;

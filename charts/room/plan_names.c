@@ -270,17 +270,8 @@ static void mark_end(struct name_drawing *drawing, double x, double y, double de
     cairo_move_to(cr, x + from * out[0], y + from * out[1]);
     cairo_line_to(cr, x + to * out[0], y + to * out[1]);
     cairo_stroke(cr);
-    pp_style_line(cr, style->thin, PP_INK);
-    cairo_move_to(cr, x + to * out[0], y + to * out[1]);
-    cairo_line_to(cr, tip[0], tip[1]);
-    cairo_stroke(cr);
-    cairo_move_to(cr, tip[0], tip[1]);
-    for (int side = -1; side <= 1; side += 2)
-        cairo_line_to(cr, tip[0] - head * seen[0] + 0.5 * side * head * out[0],
-                      tip[1] - head * seen[1] + 0.5 * side * head * out[1]);
-    cairo_close_path(cr);
-    pp_style_grey(cr, PP_INK);
-    cairo_fill(cr);
+    const double foot[2] = {x + to * out[0], y + to * out[1]};
+    pp_style_arrow(cr, style, foot, tip, head, 0.5 * head);
     struct pp_box box = pp_lettering_draw(cr, style, &set, letter[0], letter[1], "A");
     double low[2] = {fmin(box.x, x), fmin(box.y, y)},
            high[2] = {fmax(box.x + box.width, x), fmax(box.y + box.height, y)};

@@ -137,6 +137,25 @@ void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker m
     cairo_stroke(cr);
 }
 
+void pp_style_arrow(cairo_t *cr, const struct pp_style *style, const double from[2],
+                    const double to[2], double head_mm, double half_mm)
+{
+    double length = hypot(to[0] - from[0], to[1] - from[1]);
+    double dx = (to[0] - from[0]) / length, dy = (to[1] - from[1]) / length;
+    pp_style_line(cr, style->thin, PP_INK);
+    cairo_new_path(cr);
+    cairo_move_to(cr, from[0], from[1]);
+    cairo_line_to(cr, to[0], to[1]);
+    cairo_stroke(cr);
+    cairo_move_to(cr, to[0], to[1]);
+    for (int side = 1; side >= -1; side -= 2)
+        cairo_line_to(cr, to[0] - head_mm * dx + side * half_mm * dy,
+                      to[1] - head_mm * dy - side * half_mm * dx);
+    cairo_close_path(cr);
+    pp_style_grey(cr, PP_INK);
+    cairo_fill(cr);
+}
+
 void pp_style_percent(char *text, size_t room, double fraction)
 {
     double percent = 100.0 * fraction;

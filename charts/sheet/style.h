@@ -71,6 +71,11 @@ void pp_style_line(cairo_t *cr, double weight_mm, double grey);
 void pp_style_marker(cairo_t *cr, const struct pp_style *style, enum pp_marker marker,
                      double x, double y);
 
+/* Draws an arrow: a thin line and a filled head, whose length and half width are given
+ * in mm. */
+void pp_style_arrow(cairo_t *cr, const struct pp_style *style, const double from[2],
+                    const double to[2], double head_mm, double half_mm);
+
 /* A fraction as per cent with a number of digits that depends on its size, at most
  * three significant: "0.0012 %", "0.35 %", "2.1 %", "48 %", with a non-breaking
  * space. */
