@@ -41,13 +41,13 @@ static double heading_width(const struct pp_document_grid *grid, const char *hea
                 fmin(heading_mm * grid->style->scale, text_width(grid, set, heading)));
 }
 
-/* Width of a column if no cell is broken into lines. */
-static double natural_width(const struct pp_document_grid *grid, int column)
+/* Width of the widest cell of a column, if none is broken into lines. */
+static double widest_cell(const struct pp_document_grid *grid, int column)
 {
     const struct pp_document_table *table = grid->table;
     const struct pp_lettering cell = {.size = PP_TEXT_BODY},
                               strong = {.size = PP_TEXT_BODY, .bold = true};
-    double width = heading_width(grid, table->columns[column].heading);
+    double width = 0.0;
     for (int i = 0; i < table->row_count; i++) {
         const struct pp_document_row *row = &table->rows[i];
         if (row->kind != PP_ROW_CELLS || column >= row->cell_count)
@@ -56,14 +56,31 @@ static double natural_width(const struct pp_document_grid *grid, int column)
         width =
             fmax(width, text_width(grid, bad ? strong : cell, row->cells[column].text));
     }
-    return width + 0.1; /* so that rounding breaks no line */
+    return width;
+}
+
+/* Width of a column with its heading in few lines (natural), and with a line for each
+ * word of it (least). No cell is broken into lines. */
+struct column_width {
+    double natural, least;
+};
+
+static struct column_width column_width(const struct pp_document_grid *grid, int column)
+{
+    const struct pp_lettering small = {.size = PP_TEXT_SMALL};
+    const char *heading = grid->table->columns[column].heading;
+    const double cells = widest_cell(grid, column);
+    const double rounding = 0.1; /* added, so that rounding breaks no line */
+    return (struct column_width){
+        .natural = fmax(cells, heading_width(grid, heading)) + rounding,
+        .least = fmax(cells, word_width(grid, small, heading)) + rounding};
 }
 
 /* Distributes the width among columns of words. Each gets its own width or, if there is
  * not enough, at most an equal share of the width that narrower columns leave. Spare
  * width is distributed in proportion. */
-static void share_words(struct pp_document_grid *grid, const double *natural,
-                        double left)
+static void share_words(struct pp_document_grid *grid,
+                        const struct column_width *wanted, double left)
 {
     bool settled[PP_GRID_COLUMNS] = {false};
     double all = 0.0;
@@ -71,15 +88,15 @@ static void share_words(struct pp_document_grid *grid, const double *natural,
     for (int i = 0; i < grid->column_count; i++) {
         settled[i] = grid->table->columns[i].kind != PP_COLUMN_WORDS;
         open += !settled[i];
-        all += settled[i] ? 0.0 : natural[i];
+        all += settled[i] ? 0.0 : wanted[i].natural;
     }
     for (bool found = true; found && open > 0;) {
         double share = left / open;
         found = false;
         for (int i = 0; i < grid->column_count; i++)
-            if (!settled[i] && natural[i] <= share) {
-                grid->widths[i] = natural[i];
-                left -= natural[i];
+            if (!settled[i] && wanted[i].natural <= share) {
+                grid->widths[i] = wanted[i].natural;
+                left -= wanted[i].natural;
                 settled[i] = found = true;
                 open--;
             }
@@ -88,7 +105,35 @@ static void share_words(struct pp_document_grid *grid, const double *natural,
         if (!settled[i])
             grid->widths[i] = left / open;
         else if (open == 0 && grid->table->columns[i].kind == PP_COLUMN_WORDS)
-            grid->widths[i] += left * natural[i] / all;
+            grid->widths[i] += left * wanted[i].natural / all;
+}
+
+/* Share of the width that columns of words get at least, if they need it. */
+static const double words_share = 0.3;
+
+/* Sets the widths of columns of numbers and labels, `most` together: natural ones; if
+ * there is not enough, headings get more lines; after that all columns shrink. Returns
+ * the sum. */
+static double share_numbers(struct pp_document_grid *grid,
+                            const struct column_width *wanted, double most)
+{
+    double natural = 0.0, least = 0.0, sum = 0.0;
+    for (int i = 0; i < grid->column_count; i++)
+        if (grid->table->columns[i].kind != PP_COLUMN_WORDS) {
+            natural += wanted[i].natural;
+            least += wanted[i].least;
+        }
+    const double spare = natural > least ? (most - least) / (natural - least) : 1.0;
+    const double stretch = fmin(fmax(spare, 0.0), 1.0);
+    const double shrink = least > most ? most / least : 1.0;
+    for (int i = 0; i < grid->column_count; i++)
+        if (grid->table->columns[i].kind != PP_COLUMN_WORDS) {
+            grid->widths[i] =
+                shrink
+                * (wanted[i].least + stretch * (wanted[i].natural - wanted[i].least));
+            sum += grid->widths[i];
+        }
+    return sum;
 }
 
 struct pp_document_grid pp_document_grid_lay(cairo_t *cr, const struct pp_style *style,
@@ -103,20 +148,17 @@ struct pp_document_grid pp_document_grid_lay(cairo_t *cr, const struct pp_style 
                                     .gap = 3.0 * style->scale};
     grid.column_count =
         table->column_count < PP_GRID_COLUMNS ? table->column_count : PP_GRID_COLUMNS;
-    double natural[PP_GRID_COLUMNS] = {0.0}, fixed = 0.0;
-    bool words = false;
+    struct column_width wanted[PP_GRID_COLUMNS];
+    double words = 0.0;
     for (int i = 0; i < grid.column_count; i++) {
-        natural[i] = natural_width(&grid, i);
-        words |= table->columns[i].kind == PP_COLUMN_WORDS;
-        if (table->columns[i].kind != PP_COLUMN_WORDS)
-            fixed += natural[i];
+        wanted[i] = column_width(&grid, i);
+        if (table->columns[i].kind == PP_COLUMN_WORDS)
+            words += wanted[i].natural;
     }
-    double room = width - grid.gap * (grid.column_count - 1);
-    double most = words ? 0.7 * room : room;
-    double shrink = fixed > most ? most / fixed : 1.0;
-    for (int i = 0; i < grid.column_count; i++)
-        grid.widths[i] = shrink * natural[i];
-    share_words(&grid, natural, room - shrink * fixed);
+    const double room = width - grid.gap * (grid.column_count - 1);
+    const double numbers =
+        share_numbers(&grid, wanted, room - fmin(words, words_share * room));
+    share_words(&grid, wanted, room - numbers);
     return grid;
 }
 

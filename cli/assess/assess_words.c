@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
-#include <strings.h>
 
+#include "cli/assess/schedule_file.h"
 #include "cli/availability/availability_options.h"
 #include "model/base/text.h"
 #include "studies/criteria/assessment.h"
@@ -47,8 +47,8 @@ const struct pp_option pp_assess_words_table[] = {
      "sheet for each room.",
      NULL, PLACE(table)},
     {"schedule", 0, "FILE",
-     "Also write the schedule of windows, existing and proposed, to FILE.csv or "
-     "FILE.xlsx.",
+     "Also write the schedule of windows, existing and proposed, to FILE: .csv, "
+     ".xlsx, .html or .pdf.",
      pp_options_read_output, PLACE(schedule)},
     {0},
 };
@@ -142,22 +142,12 @@ static enum pp_status check_place(const struct pp_assess_words *options,
                            options->place);
 }
 
-bool pp_assess_words_is_xlsx(const char *path)
-{
-    size_t length = strlen(path);
-    return length > 5 && strcasecmp(path + length - 5, ".xlsx") == 0;
-}
-
 static enum pp_status check_schedule(const struct pp_assess_words *options,
                                      struct pp_error *err)
 {
-    size_t length = strlen(options->schedule);
-    bool csv = length > 4 && strcasecmp(options->schedule + length - 4, ".csv") == 0;
-    if (!csv && !pp_assess_words_is_xlsx(options->schedule))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--schedule: expected a name that ends in .csv or .xlsx, not "
-                       "\"%.100s\"",
-                       options->schedule);
+    enum pp_status status = pp_schedule_file_check(options->schedule, err);
+    if (status != PP_OK)
+        return status;
     return options->room.sweep.axis_count == 0
                ? PP_OK
                : pp_fail(err, PP_BAD_INPUT,

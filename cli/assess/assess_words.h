@@ -58,9 +58,6 @@ void pp_assess_words_clear(void *words);
 enum pp_status pp_assess_words_check(void *words, char **files, int file_count,
                                      struct pp_error *err);
 
-/* True if the name of a schedule ends in .xlsx. */
-bool pp_assess_words_is_xlsx(const char *path);
-
 /* Prints the end of the help: criteria and profiles. */
 void pp_assess_words_help(FILE *out);
 

@@ -4,10 +4,9 @@
 #include "cli/assess/assess_run.h"
 #include "cli/assess/assess_sweep.h"
 #include "cli/assess/assess_words.h"
+#include "cli/assess/schedule_file.h"
 #include "cli/command.h"
 #include "cli/format_option.h"
-#include "cli/output.h"
-#include "cli/program/program_place.h"
 #include "cli/sweep/sweep_options.h"
 #include "cli/terminal.h"
 #include "reports/assess/assess_csv.h"
@@ -15,8 +14,6 @@
 #include "reports/assess/assess_table.h"
 #include "reports/assess/assess_table_json.h"
 #include "reports/assess/assess_text.h"
-#include "reports/assess/schedule_csv.h"
-#include "reports/assess/schedule_xlsx.h"
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
@@ -25,41 +22,12 @@ static const char about[] =
     "the verdict. Daylight factors are simulated, and each verdict has a probability; "
     "--by-hand uses hand methods instead. FILE is a room file; - is standard input.";
 
-static enum pp_status put_schedule(const struct pp_window_schedule *schedule,
-                                   const char *path, struct pp_error *err)
-{
-    struct pp_output output;
-    enum pp_status status = pp_output_open(&output, path, err);
-    if (status == PP_OK && pp_assess_words_is_xlsx(path))
-        status = pp_schedule_xlsx(schedule, pp_program_place_temporary(), output.stream,
-                                  err);
-    else if (status == PP_OK)
-        pp_schedule_csv(schedule, output.stream);
-    return pp_output_close(&output, status, err);
-}
-
-/* Writes the file of --schedule. */
-static enum pp_status write_schedule(const struct pp_assess_run *run,
-                                     struct pp_error *err)
-{
-    struct pp_window_schedule schedule;
-    enum pp_status status =
-        pp_window_schedule_of(&schedule, run->all.list, run->all.count, err);
-    if (status == PP_OK && schedule.count == 0)
-        status = pp_fail(err, PP_BAD_INPUT,
-                         "--schedule: no sky or sunlight of windows was assessed; "
-                         "expected --for uk-planning, or --criteria with vertical-sky");
-    if (status == PP_OK)
-        status = put_schedule(&schedule, run->words->schedule, err);
-    pp_window_schedule_clear(&schedule);
-    return status;
-}
-
 static enum pp_status print_assess(const void *data, FILE *out, struct pp_error *err)
 {
     const struct pp_assess_run *run = data;
     if (run->words->schedule) {
-        enum pp_status status = write_schedule(run, err);
+        enum pp_status status =
+            pp_schedule_file_write(run->words->schedule, &run->all, err);
         if (status != PP_OK)
             return status;
     }

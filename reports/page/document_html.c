@@ -9,7 +9,8 @@
 static const char more_style[] =
     "td{vertical-align:top}th{white-space:normal;vertical-align:bottom}"
     "td.l{text-align:left;color:var(--soft);width:8rem}"
-    "th.g{color:var(--ink);padding-top:.7rem}code{overflow-wrap:anywhere}\n"
+    ".wide+.wide{margin-top:1.5rem}th.g{color:var(--ink);padding-top:.7rem}code{"
+    "overflow-wrap:anywhere}\n"
     "figure{margin:1rem 0}"
     "figure svg{width:100%;height:auto;background:#fff;border:1px solid var(--line)}"
     "figcaption{color:var(--soft);font-size:.9rem}\n"
@@ -21,10 +22,11 @@ static const char more_style[] =
 /* The attribute "class" for the tone of a cell in a column. */
 static const char *class_of(enum pp_document_column_kind kind, enum pp_tone tone)
 {
+    const bool is_number = kind == PP_COLUMN_NUMBERS;
     if (tone == PP_TONE_GOOD)
-        return "w good";
+        return is_number ? "good" : "w good";
     if (tone == PP_TONE_BAD)
-        return "w bad";
+        return is_number ? "bad" : "w bad";
     return kind == PP_COLUMN_WORDS ? "w" : kind == PP_COLUMN_LABELS ? "l" : NULL;
 }
 

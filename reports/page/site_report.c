@@ -10,6 +10,7 @@
 #include "model/base/text.h"
 #include "reports/page/limits_chapter.h"
 #include "reports/page/made_chapter.h"
+#include "reports/page/project_table.h"
 #include "reports/page/room_chapter.h"
 #include "reports/page/rooms_table.h"
 #include "reports/parts/figure_unit.h"
@@ -363,26 +364,6 @@ static enum pp_status put_tables(struct pp_document *document,
 
 /* ---- the whole ---- */
 
-static void put_facts_of_project(struct pp_document *document,
-                                 const struct pp_project *project)
-{
-    bool any = false;
-    for (int i = 0; i < PP_PROJECT_FACTS; i++) {
-        const char *fact = pp_project_at(project, i);
-        if (!fact)
-            continue;
-        if (!any) {
-            pp_document_table(document);
-            pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
-            pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
-        }
-        any = true;
-        pp_document_row(document, PP_ROW_CELLS);
-        pp_document_cell(document, PP_TONE_PLAIN, "%s", pp_project_facts[i].label);
-        pp_document_cell(document, PP_TONE_PLAIN, "%s", fact);
-    }
-}
-
 static void put_title(struct pp_document *document, const struct pp_site_report *report)
 {
     const struct pp_assessments *all = report->all;
@@ -393,7 +374,7 @@ static void put_title(struct pp_document *document, const struct pp_site_report 
     pp_document_paragraph(document, PP_TONE_SOFT, "Daylight: %s%s",
                           all->count ? all->list[0].room->file : "",
                           finished ? "" : "; NOT FINISHED, interrupted");
-    put_facts_of_project(document, report->project);
+    pp_project_table(document, report->project);
 }
 
 enum pp_status pp_site_report(struct pp_document *document,

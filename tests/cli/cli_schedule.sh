@@ -53,7 +53,28 @@ else
         skip "with the names of rooms" "no unzip"
     fi
 fi
-check "other endings are refused" refuses 2 "ends in .csv or .xlsx" \
+html=$scratch/windows.html
+run assess --by-hand --for uk-planning --table --schedule "$html" "$site"
+check "a page has the figures of the CSV" grep -q ">$(printf '%.2f' "$(field vsc_proposed W3)")<" "$html"
+check "below the floors" test "$(grep -c 'floor at +3.50 m' "$html")" -eq 2
+check "it marks losses of 20 % or more" grep -q \
+    "<td class=\"bad\">$(printf '%.1f' "$(field vsc_loss_percent W3)")<" "$html"
+check "and is whole" grep -q "</html>" "$html"
+pdf=$scratch/windows.pdf
+run assess --by-hand --for uk-planning --table --schedule "$pdf" "$site"
+check "a PDF is of one landscape sheet" awk '/\/MediaBox/ { n++; wide = $4 + 0 > $5 + 0 || wide }
+    END { exit n != 1 }' "$pdf"
+if command -v pdftotext >/dev/null; then
+    pdftotext -layout "$pdf" "$scratch/windows.txt"
+    check "with a line a window" test "$(grep -cE ' W[1-5] ' "$scratch/windows.txt")" -eq 5
+    check "and the figures of the CSV" grep -qF "$(printf '%.2f' "$(field vsc_proposed W3)")" \
+        "$scratch/windows.txt"
+else
+    skip "with a line a window" "no pdftotext"
+fi
+run assess --by-hand -c vertical-sky --schedule "$html" "$examples/office.xml"
+check "without a former state there are no losses" sh -c "! grep -q 'loss' '$html'"
+check "other endings are refused" refuses 2 "ends in .csv, .xlsx, .html or .pdf" \
     assess --by-hand --schedule "$scratch/windows.ods" "$site"
 check "a schedule needs sky or sunlight" refuses 1 "no sky or sunlight of windows was assessed" \
     assess --by-hand -c average --schedule "$scratch/none.csv" "$site"

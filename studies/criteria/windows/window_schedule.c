@@ -10,7 +10,7 @@
 
 const char *const pp_schedule_titles[PP_SCHEDULE_CHANGES] = {
     "vertical sky component, %", "sunlight hours of the year, %",
-    "sunlight hours in winter, %", "area with a view of the sky, m2",
+    "sunlight hours in winter, %", "area with a view of the sky, m²",
     "vertical sky component without own balconies, %"};
 
 double pp_schedule_loss(struct pp_schedule_change change)

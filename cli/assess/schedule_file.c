@@ -1,0 +1,123 @@
+/* schedule_file.c - see schedule_file.h. */
+#include "cli/assess/schedule_file.h"
+
+#include <string.h>
+#include <strings.h>
+
+#include "charts/document/document_sheets.h"
+#include "cli/output.h"
+#include "cli/program/program_place.h"
+#include "reports/assess/schedule_csv.h"
+#include "reports/assess/schedule_document.h"
+#include "reports/assess/schedule_xlsx.h"
+#include "reports/page/document_html.h"
+
+/* Most columns of figures on an HTML page, and on landscape A4. */
+enum { HTML_FIGURES = 9, PDF_FIGURES = 12 };
+
+enum schedule_format {
+    SCHEDULE_CSV,
+    SCHEDULE_XLSX,
+    SCHEDULE_HTML,
+    SCHEDULE_PDF,
+    SCHEDULE_FORMATS /* their number: the ending is unknown */
+};
+
+static enum schedule_format format_of(const char *path)
+{
+    static const char *const endings[SCHEDULE_FORMATS] = {".csv", ".xlsx", ".html",
+                                                          ".pdf"};
+    int format = 0;
+    for (; format < SCHEDULE_FORMATS; format++) {
+        size_t length = strlen(path), ending = strlen(endings[format]);
+        if (length > ending && strcasecmp(path + length - ending, endings[format]) == 0)
+            break;
+    }
+    return (enum schedule_format)format;
+}
+
+enum pp_status pp_schedule_file_check(const char *path, struct pp_error *err)
+{
+    return format_of(path) != SCHEDULE_FORMATS
+               ? PP_OK
+               : pp_fail(err, PP_BAD_INPUT,
+                         "--schedule: expected a name that ends in .csv, .xlsx, .html "
+                         "or .pdf, not \"%.100s\"",
+                         path);
+}
+
+static enum pp_status print_schedule_pdf(const struct pp_document *document,
+                                         const char *title, FILE *out,
+                                         struct pp_error *err)
+{
+    const struct pp_sheet sheet = {.format = PP_CHART_PDF,
+                                   .paper = PP_PAPER_A4,
+                                   .landscape = true,
+                                   .title = title,
+                                   .description = "Schedule of windows"};
+    struct pp_canvas *canvas;
+    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_document_sheets_draw(canvas, document, title, NULL, err);
+    if (status == PP_OK)
+        status = pp_canvas_write(canvas, pp_output_put, out, err);
+    pp_canvas_destroy(canvas);
+    return status;
+}
+
+static enum pp_status print_schedule_document(const struct pp_window_schedule *schedule,
+                                              bool is_pdf, FILE *out,
+                                              struct pp_error *err)
+{
+    const struct pp_study_room *first = schedule->rows[0].room->room;
+    const char *building = pp_building_name(first->building);
+    const char *title = building             ? building
+                        : first->world->name ? first->world->name
+                                             : first->file;
+    struct pp_document document = {0};
+    enum pp_status status = pp_schedule_document(
+        &document, schedule, title, pp_building_project(first->building),
+        is_pdf ? PDF_FIGURES : HTML_FIGURES, err);
+    if (status == PP_OK && is_pdf)
+        status = print_schedule_pdf(&document, title, out, err);
+    else if (status == PP_OK)
+        pp_document_html(&document, title, NULL, out);
+    pp_document_clear(&document);
+    return status;
+}
+
+static enum pp_status write_file(const char *path,
+                                 const struct pp_window_schedule *schedule,
+                                 struct pp_error *err)
+{
+    const enum schedule_format format = format_of(path);
+    struct pp_output output;
+    enum pp_status status = pp_output_open(&output, path, err);
+    if (status == PP_OK && format == SCHEDULE_XLSX)
+        status = pp_schedule_xlsx(schedule, pp_program_place_temporary(), output.stream,
+                                  err);
+    else if (status == PP_OK && format == SCHEDULE_CSV)
+        pp_schedule_csv(schedule, output.stream);
+    else if (status == PP_OK)
+        status = print_schedule_document(schedule, format == SCHEDULE_PDF,
+                                         output.stream, err);
+    return pp_output_close(&output, status, err);
+}
+
+enum pp_status pp_schedule_file_write(const char *path,
+                                      const struct pp_assessments *all,
+                                      struct pp_error *err)
+{
+    struct pp_window_schedule schedule;
+    enum pp_status status =
+        pp_window_schedule_of(&schedule, all->list, all->count, err);
+    if (status == PP_OK && schedule.count == 0)
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "--schedule: no sky or sunlight of windows was assessed; "
+                         "expected --for uk-planning, or --criteria with vertical-sky");
+    if (status == PP_OK)
+        status = write_file(path, &schedule, err);
+    pp_window_schedule_clear(&schedule);
+    return status;
+}

@@ -1,0 +1,181 @@
+/* schedule_document.c - see schedule_document.h. */
+#include "reports/assess/schedule_document.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "model/base/text.h"
+#include "reports/page/project_table.h"
+#include "studies/criteria/br209_count.h"
+
+/* Quantities that stand in one table. */
+struct schedule_part {
+    const struct pp_window_schedule *schedule;
+    enum pp_schedule_quantity quantities[PP_SCHEDULE_CHANGES];
+    int count;
+    bool compares; /* some window has an existing value */
+};
+
+/* Columns of each quantity: proposed; with a former state existing and loss; with a
+ * cumulative state that. */
+static int columns_each(const struct schedule_part *part)
+{
+    return (part->compares ? 3 : 1) + (part->schedule->has_cumulative ? 1 : 0);
+}
+
+static bool has_quantity(const struct pp_window_schedule *schedule,
+                         enum pp_schedule_quantity quantity)
+{
+    for (int i = 0; i < schedule->count; i++) {
+        const struct pp_schedule_change *change = &schedule->rows[i].changes[quantity];
+        if (isfinite(change->existing) || isfinite(change->proposed))
+            return true;
+    }
+    return false;
+}
+
+static bool has_existing(const struct pp_window_schedule *schedule)
+{
+    for (int i = 0; i < schedule->count; i++)
+        for (int k = 0; k < PP_SCHEDULE_CHANGES; k++)
+            if (isfinite(schedule->rows[i].changes[k].existing))
+                return true;
+    return false;
+}
+
+static void put_columns(struct pp_document *document, const struct schedule_part *part)
+{
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "room");
+    pp_document_column(document, PP_COLUMN_WORDS, "window");
+    for (int n = 0; n < part->count; n++) {
+        enum pp_schedule_quantity k = part->quantities[n];
+        const bool is_sun = k == PP_SCHEDULE_YEAR || k == PP_SCHEDULE_WINTER;
+        const char *title = pp_schedule_titles[k], *sun = !is_sun ? ""
+                                                          : part->schedule->probable
+                                                              ? "probable "
+                                                              : "possible ";
+        if (part->compares)
+            pp_document_column(document, PP_COLUMN_NUMBERS, "%s%s: existing", sun,
+                               title);
+        pp_document_column(document, PP_COLUMN_NUMBERS,
+                           part->compares ? "proposed" : "%s%s", sun, title);
+        if (part->compares)
+            pp_document_column(document, PP_COLUMN_NUMBERS, "loss, %%");
+        if (part->schedule->has_cumulative)
+            pp_document_column(document, PP_COLUMN_NUMBERS, "cumulative");
+        if (k == PP_SCHEDULE_SKY)
+            pp_document_column(document, PP_COLUMN_WORDS, "BR 209, sky");
+    }
+}
+
+/* A number, or a dash if it is not known. */
+static void put_figure(struct pp_document *document, enum pp_tone tone, int decimals,
+                       double value)
+{
+    if (isfinite(value))
+        pp_document_cell(document, tone, "%.*f", decimals, value + 0.0);
+    else
+        pp_document_cell(document, PP_TONE_PLAIN, "–");
+}
+
+static void put_change(struct pp_document *document, const struct schedule_part *part,
+                       enum pp_schedule_quantity quantity,
+                       const struct pp_schedule_row *row)
+{
+    const struct pp_schedule_change change = row->changes[quantity];
+    const double scale = pp_schedule_scale(quantity), loss = pp_schedule_loss(change);
+    if (part->compares)
+        put_figure(document, PP_TONE_PLAIN, 2, scale * change.existing);
+    put_figure(document, PP_TONE_PLAIN, 2, scale * change.proposed);
+    if (part->compares)
+        put_figure(document, loss >= pp_loss_bands[1] ? PP_TONE_BAD : PP_TONE_PLAIN, 1,
+                   100.0 * loss);
+    if (part->schedule->has_cumulative)
+        put_figure(document, PP_TONE_PLAIN, 2, scale * change.cumulative);
+    if (quantity == PP_SCHEDULE_SKY)
+        pp_document_cell(
+            document,
+            row->verdict == PP_MET       ? PP_TONE_GOOD
+            : row->verdict == PP_NOT_MET ? PP_TONE_BAD
+                                         : PP_TONE_PLAIN,
+            "%s", row->verdict == PP_STATED ? "–" : pp_finding_word(row->verdict));
+}
+
+/* True if both windows are on the same floor of the same house. */
+static bool same_floor(const struct pp_schedule_row *a, const struct pp_schedule_row *b)
+{
+    const char *house_a = a->room->room->world->address,
+               *house_b = b->room->room->world->address;
+    return a->level_m == b->level_m
+           && strcmp(house_a ? house_a : "", house_b ? house_b : "") == 0;
+}
+
+static void put_floor(struct pp_document *document, const struct pp_schedule_row *row)
+{
+    const char *house = row->room->room->world->address;
+    pp_document_row(document, PP_ROW_GROUP);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s%sfloor at %+.2f m",
+                     house ? house : "", house ? ", " : "", row->level_m);
+}
+
+static void put_part(struct pp_document *document, const struct schedule_part *part)
+{
+    const struct pp_window_schedule *schedule = part->schedule;
+    put_columns(document, part);
+    for (int i = 0; i < schedule->count; i++) {
+        const struct pp_schedule_row *row = &schedule->rows[i];
+        const struct pp_world *world = row->room->room->world;
+        if (i == 0 || !same_floor(row, row - 1))
+            put_floor(document, row);
+        pp_document_row(document, PP_ROW_CELLS);
+        pp_document_cell(
+            document, PP_TONE_PLAIN, "%s%s%s", world->ref ? world->ref : "",
+            world->ref && world->name ? " " : "", world->name ? world->name : "");
+        pp_document_cell(document, PP_TONE_PLAIN, "%s", row->window);
+        for (int n = 0; n < part->count; n++)
+            put_change(document, part, part->quantities[n], row);
+    }
+}
+
+/* The known quantities, in as many tables as they need. */
+static void put_parts(struct pp_document *document,
+                      const struct pp_window_schedule *schedule, int most_figures)
+{
+    struct schedule_part part = {.schedule = schedule,
+                                 .compares = has_existing(schedule)};
+    for (int k = 0; k < PP_SCHEDULE_CHANGES; k++) {
+        if (!has_quantity(schedule, (enum pp_schedule_quantity)k))
+            continue;
+        if ((part.count + 1) * columns_each(&part) > most_figures) {
+            put_part(document, &part);
+            part.count = 0;
+        }
+        part.quantities[part.count++] = (enum pp_schedule_quantity)k;
+    }
+    if (part.count > 0)
+        put_part(document, &part);
+}
+
+enum pp_status pp_schedule_document(struct pp_document *document,
+                                    const struct pp_window_schedule *schedule,
+                                    const char *title, const struct pp_project *project,
+                                    int most_figures, struct pp_error *err)
+{
+    pp_document_heading(document, 1, "%s", title);
+    pp_document_paragraph(document, PP_TONE_SOFT, "Schedule of windows: daylight%s",
+                          has_existing(schedule) ? ", existing and proposed" : "");
+    pp_project_table(document, project);
+    put_parts(document, schedule, most_figures);
+    if (has_existing(schedule))
+        pp_document_paragraph(
+            document, PP_TONE_SOFT,
+            "Losses are in per cent of the existing value; those of %.0f %% or more "
+            "are "
+            "marked. "
+            "A dash means that the figure was not assessed for this window.",
+            100.0 * pp_loss_bands[1]);
+    return pp_document_status(document, err);
+}

@@ -1,0 +1,18 @@
+/* schedule_document.h - the schedule of windows as a document, for HTML or paper. */
+#ifndef PP_REPORTS_ASSESS_SCHEDULE_DOCUMENT_H
+#define PP_REPORTS_ASSESS_SCHEDULE_DOCUMENT_H
+
+#include "model/results/document.h"
+#include "model/room/project.h"
+#include "studies/criteria/windows/window_schedule.h"
+
+/* Makes a document with one line for each window, in the order of the schedule, below
+ * the floor and house of its room. Quantities without any value are left out. A table
+ * has at most `most_figures` columns of figures (4 or more); other quantities follow in
+ * further tables. title: title of the building or the room. PP_SYSTEM: no memory. The caller clears the document in any case. */
+enum pp_status pp_schedule_document(struct pp_document *document,
+                                    const struct pp_window_schedule *schedule,
+                                    const char *title, const struct pp_project *project,
+                                    int most_figures, struct pp_error *err);
+
+#endif
