@@ -1,8 +1,9 @@
 /* bench_drawing_board.c - deviation of the drawing-board diagrams from the integral
- * that they approximate, by the shape of the window: the tables of the manual.
+ * that they approximate, by the shape of the window. The manual contains these tables.
  *
- * Windows of all shapes with clear single glass under the overcast sky. Sills are at up
- * to half the head height. The sideways offset is at most the distance of the point.
+ * The windows have all shapes and clear single glazing, under the overcast sky. Sills
+ * are at no more than half the height of the head. The lateral offset of a point is no
+ * more than its distance from the window.
  */
 #include <math.h>
 #include <stdint.h>

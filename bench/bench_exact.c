@@ -1,5 +1,5 @@
-/* bench_exact.c - speed of the direct component on one core: rates and times, without
- * limits. */
+/* bench_exact.c - speed of the direct component on one core: rates and times. There are
+ * no targets. */
 #include <stdio.h>
 
 #include "bench/bench.h"

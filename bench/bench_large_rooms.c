@@ -1,5 +1,5 @@
-/* bench_large_rooms.c - processor time for rooms with hundreds of equal parts, all
- * methods, one point and the average; without limits. */
+/* bench_large_rooms.c - processor time of all methods, for one point and the average,
+ * in rooms with hundreds of identical parts. There are no targets. */
 #include <math.h>
 #include <stdio.h>
 
@@ -77,12 +77,12 @@ int main(void)
     begin_room(&text);
     add_box(text.out, 3.1);
     add_blocks(text.out, 500);
-    time_room("500 blocks before a window", &text);
+    time_room("500 blocks outside a window", &text);
 
     begin_room(&text);
     add_box(text.out, 3.1);
     add_blocks(text.out, 5000);
-    time_room("5,000 blocks before a window", &text);
+    time_room("5,000 blocks outside a window", &text);
 
     begin_room(&text);
     add_ring(text.out, 500, 7.0);

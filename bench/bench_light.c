@@ -1,4 +1,5 @@
-/* bench_light.c - gain by next-event estimation: rays and time for equal error. */
+/* bench_light.c - benefit of next-event estimation: rays and time needed for equal
+ * error. */
 #include <math.h>
 #include <stdio.h>
 
@@ -139,8 +140,9 @@ static void openings(const char *name, const char *xml)
                cost(&found) / cost(&stored));
         log_sum += log(cost(&found) / cost(&stored));
     }
-    printf("  in the mean (geometric) time to equal error is %.1f times less\n",
-           exp(log_sum / world->receiver_count));
+    printf(
+        "  the time for equal error is reduced by a factor of %.1f (geometric mean)\n",
+        exp(log_sum / world->receiver_count));
     pp_opening_store_destroy(store);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);

@@ -1,6 +1,6 @@
-/* bench_nomogram.c - deviation of `nomogram` from `bre` in 1,000 random side-lit rooms,
- * in total and separately for the rule R_cw = k R_fw and for the reading: a table of
- * the manual. */
+/* bench_nomogram.c - deviation of `nomogram` from `bre` in 1,000 random side-lit rooms:
+ * the total, the part due to the rule R_cw = k R_fw, and the part due to reading the
+ * scales. The manual contains this table. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>

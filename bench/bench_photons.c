@@ -1,8 +1,9 @@
-/* bench_photons.c - photons compared with the path tracer at equal error, by kind of
- * room: the ratio of processor time times squared error.
+/* bench_photons.c - photons compared with the path tracer at equal error, for several
+ * kinds of rooms: the ratio of processor time times squared error.
  *
- * Above 1 the path tracer is faster. Its scenes are diffuse. The room with a mirror is
- * calculated by the sensors of simulate/transport, which also trace paths.
+ * Above 1 the path tracer is faster. The path tracer treats all surfaces as matt. The
+ * room with a mirror is therefore compared with the sensors of simulate/transport,
+ * which also trace paths.
  */
 #include <math.h>
 #include <stdio.h>

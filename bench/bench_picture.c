@@ -1,5 +1,5 @@
-/* bench_picture.c - a picture by the irradiance cache: its time, and the deviation of
- * its pixels from a converged picture; also the noise of pixels in rooms with polished
+/* bench_picture.c - time for pictures with an irradiance cache, and deviation of their
+ * pixels from a converged picture; also the noise of pixels in rooms with polished
  * metal. */
 #include <math.h>
 #include <stdio.h>
@@ -226,7 +226,7 @@ static double deep_room(int samples, struct pp_cache_options wanted, int threads
            "time\n",
            pp_irradiance_cache_count(cache), growing, start, spent);
     if (full)
-        printf("  off a converged picture by %.2f %% RMS\n",
+        printf("  deviation from a converged picture: %.2f %% RMS\n",
                100.0
                    * error_of(pp_render_picture(render), scene, environment, &options));
     pp_render_destroy(render);
@@ -247,8 +247,8 @@ static void threads_of_picture(void)
         for (int i = 0; i < THREADS; i++)
             taken[i] += deep_room(SAMPLES, pp_irradiance_cache_defaults(), i + 1, false)
                         / TURNS;
-    printf("the same in turn, the mean of %d: by 1 thread in %.2f s, by 2 in %.2f s "
-           "(%.2f times as fast)\n",
+    printf("the same, in alternating runs, mean of %d: %.2f s with 1 thread, %.2f s "
+           "with 2 (%.2f times as fast)\n",
            TURNS, taken[0], taken[1], taken[0] / taken[1]);
 }
 

@@ -1,4 +1,4 @@
-/* bench_process.c - processor time and memory of whole processes of the command, from
+/* bench_process.c - processor time and memory of complete runs of the command, from
  * start to end. */
 #include <fcntl.h>
 #include <math.h>
@@ -47,8 +47,8 @@ static void bench(const char *what, const char *wanted, char *const *words)
         sum += one.processor_s;
         most_mib = fmax(most_mib, one.most_mib);
     }
-    printf("%-46s %6.1f ms at best, %6.1f in the mean, %5.1f MiB%s\n", what, 1e3 * best,
-           1e3 * sum / RUNS, most_mib, wanted);
+    printf("%-46s %6.1f ms at best, %6.1f ms on average, %5.1f MiB%s\n", what,
+           1e3 * best, 1e3 * sum / RUNS, most_mib, wanted);
     fflush(stdout);
 }
 
@@ -58,21 +58,22 @@ int main(int argc, char **argv)
     char *room = argc > 2 ? argv[2] : (char *)"../examples/deep-office.xml";
     char page[] = "bench_process.pdf";
 #define WORDS(...) ((char *[]){program, __VA_ARGS__, NULL})
-    printf("whole processes, the deep office, %d runs each, one thread:\n", (int)RUNS);
+    printf("complete processes for the deep office, %d runs of each, one thread:\n",
+           (int)RUNS);
     bench("--version", "", WORDS((char *)"--version"));
     bench("df, the usual methods", "",
           WORDS((char *)"df", (char *)"-j", (char *)"1", room));
-    bench("df, all hand methods", " (wanted: 10 ms)",
+    bench("df, all hand methods", " (target: 10 ms)",
           WORDS((char *)"df", (char *)"-j", (char *)"1", (char *)"-m", (char *)"all",
                 room));
     bench("chart section", "",
           WORDS((char *)"chart", (char *)"section", (char *)"-o", page, room));
-    bench("chart plan, with contours", " (wanted: 50 ms)",
+    bench("chart plan, with contours", " (target: 50 ms)",
           WORDS((char *)"chart", (char *)"plan", (char *)"-o", page, room));
-    bench("chart plan, under ISO 12", " (wanted: 300 ms)",
+    bench("chart plan, under ISO 12", " (target: 300 ms)",
           WORDS((char *)"chart", (char *)"plan", (char *)"--sky",
                 (char *)"iso-12,35,180", (char *)"-o", page, room));
-    bench("df --simulate, 17 points at 1 %", " (wanted: 64 MiB)",
+    bench("df --simulate, 17 points at 1 %", " (target: 64 MiB)",
           WORDS((char *)"df", (char *)"-q", (char *)"-j", (char *)"1",
                 (char *)"--simulate", room));
     unlink(page);

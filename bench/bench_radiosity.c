@@ -1,6 +1,10 @@
-/* bench_radiosity.c - finite elements by level of refinement, in the deep office with
- * 400 points, in a street and behind a partition: elements, terms and time, deviation
- * from a finely traced reference, and the time of the path tracer for 1 %. */
+/* bench_radiosity.c - the radiosity engine at each level of refinement, in the deep
+ * office with 400 points, in a street and in a room with a partition.
+ *
+ * Each level has its numbers of elements and terms, its time, and its deviation from an
+ * accurate simulation. The time that the path tracer needs for an error of 1 % is given
+ * for comparison.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -86,11 +90,11 @@ static void bench_room(const char *name, const char *inside)
         compare(elements, points, truth, &off, &stated);
         printf(
             "  level %d: %5d elements, %5d cells outside, %8lld terms; %.2f s in all, "
-            "%.1f times the tracer's; off by %.2f %%",
+            "%.1f times that of the tracer; deviation %.2f %%",
             level + 1, size.elements, size.cells, size.terms, taken, taken / path_s,
             100.0 * off);
         if (level > 0)
-            printf(", stated %.2f %%", 100.0 * stated);
+            printf(", estimated %.2f %%", 100.0 * stated);
         printf("\n");
     }
     pp_radiosity_destroy(elements);

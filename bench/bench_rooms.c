@@ -1,5 +1,5 @@
-/* bench_rooms.c - a thousand random rooms, and the simulation's time as a function of
- * the numbers of points, windows, polygons, rooms and threads. */
+/* bench_rooms.c - time for the simulation of a thousand random rooms, and of one room
+ * with different numbers of points, windows, polygons and threads. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,7 +46,7 @@ static void bench_rooms(void)
 {
     enum { POINTS = 8, THREADS = 2, ROOMS = 1000 };
     struct times sum = {0.0, 0.0};
-    printf("rooms of the random kind (tests/lib/random_rooms.h), %d points at 1 %%, %d "
+    printf("random rooms (tests/lib/random_rooms.h), %d points at 1 %%, %d "
            "threads:\n",
            (int)POINTS, (int)THREADS);
     for (int i = 0, told = 10; i < ROOMS; i++) {
@@ -56,7 +56,7 @@ static void bench_rooms(void)
         pp_world_destroy(world);
         if (i + 1 == told) {
             printf("  %d: %.2f s, %.2f s of processor time%s\n", told, sum.clock_s,
-                   sum.processor_s, told == ROOMS ? " (wanted: 20 s)" : "");
+                   sum.processor_s, told == ROOMS ? " (target: 20 s)" : "");
             fflush(stdout);
             told *= 10;
         }
@@ -167,7 +167,7 @@ static void bench_threads(void)
             double taken = trace_xml(xml, threads, true);
             best[threads] = round > 0 ? fmin(best[threads], taken) : taken;
         }
-    printf("threads, 512 points, by the clock: 1: %.3g s", best[1]);
+    printf("clock time by number of threads, 512 points: 1: %.3g s", best[1]);
     for (int threads = 2; threads <= end; threads *= 2)
         printf(", %d: %.3g s (%.2f times as fast)", threads, best[threads],
                best[1] / best[threads]);

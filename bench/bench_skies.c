@@ -1,4 +1,5 @@
-/* bench_skies.c - a hundred skies for one scene: one build, a hundred integrations. */
+/* bench_skies.c - time for a hundred skies over one scene, which is built once and
+ * integrated a hundred times. */
 #include "bench/bench.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/fast/tracer.h"

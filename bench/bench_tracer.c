@@ -1,5 +1,5 @@
-/* bench_tracer.c - cost of tracing: whole rooms, and rays compared with the bare ray
- * kernels. */
+/* bench_tracer.c - cost of path tracing: time for whole rooms, and time of a ray
+ * compared with that of the ray kernels alone. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -70,8 +70,8 @@ static void bench_error(const char *name, const struct pp_world *world,
     printf("%s: %d points and the average at %.1f %%: %.3f s of one core (mean of "
            "%d)\n",
            name, count, 100.0 * error, taken / runs, runs);
-    printf("  RMS error %.2f %%, worst %.2f %%, %.2f of the standard errors, against a "
-           "finer run\n",
+    printf("  RMS error %.2f %%, worst %.2f %%, %.2f standard errors, compared with a "
+           "more accurate run\n",
            100.0 * sqrt(squares / (runs * count)), 100.0 * worst,
            sqrt(z_squares / (runs * count)));
     printf("  %.2f million paths, %.2f million rays, %lld leaks\n", 1e-6 * work.paths,
@@ -278,7 +278,7 @@ int main(void)
         &light, "<room version='1'><plan width='4' depth='6' height='3'/>"
                 "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'/>"
                 "<grid spacing='1'/></room>");
-    bench_rays("seven polygons, known rays left out", world, &light, 64, false);
+    bench_rays("seven polygons, without known rays", world, &light, 64, false);
     bench_rays("seven polygons", world, &light, 64, true);
     pp_world_destroy(world);
     world = world_of(&light, L_SHAPED);

@@ -272,17 +272,17 @@ compare() {
     theirs_s=$(limit=600 && rays "$scratch/theirs" "$scratch/few.pts" $paths -ad "$fine")
     apart=$(paste -d' ' "$scratch/ours" "$scratch/theirs" |
         awk '{ d = $1 / $3 - 1; s += d; q += d * d; own += $2 / $1 ^ 2 }
-            END { printf "%+.2f ± %.2f %% on average and %.2f %% RMS, including %.2f %% noise of df",
+            END { printf "%+.2f ± %.2f %% on average and by %.2f %% RMS,\nincluding noise of %.2f %% in the `df` reference",
                 100 * s / NR, 100 * sqrt((q - s * s / NR) / (NR - 1) / NR), 100 * sqrt(q / NR),
                 100 * sqrt(own / NR) }')
 
     printf '\n### %s: %d points\n\n' "$(sed -n 's/.*<room [^>]*name="\([^"]*\)".*/\1/p' \
         "$scratch/room.xml")$([ "$scene" = triangles ] && echo ', 100,000 triangles')" "$count"
-    printf 'The references at %d points are the mean of eight runs of `df --simulate --error 0.2%%`\n' \
+    printf 'The reference values at %d points are the mean of eight runs of `df --simulate --error 0.2%%`\n' \
         "$number"
-    printf '(%.1f s) and `rtrace %s -ad %d` (%.1f s).\nThe references differ by %s. ' \
+    printf '(%.1f s) and, for comparison, one run of `rtrace %s -ad %d` (%.1f s).\nThe two references differ by %s. ' \
         "$ours_s" "$paths" "$fine" "$theirs_s" "$apart"
-    printf 'Errors are relative\nRMS errors in per cent, without the noise of the reference of df.\n\n'
+    printf 'Errors in the table are relative RMS errors in per cent,\nwithout this noise.\n\n'
     echo '| run | processor time, s | error | mean error | error against rtrace |'
     echo '| --- | ---: | ---: | ---: | ---: |'
     for error in 2% 1% 0.4%; do
@@ -330,10 +330,12 @@ ratios() {
                 if (e[i] <= $3 && (!best || t[i] < t[best])) best = i
             sub(/^expert-/, "")
             if (best)
-                printf "Expert, %s: %.3g s for an error of %.2g %% (bias %s %%), df %.2g s for %.2g %%; ratio %.0f, as measured.  \n",
+                printf "- Expert, %s: Radiance takes %.3g s for an error of %.2g %% (mean error %s %%);\n" \
+                    "  `df` takes %.2g s for an error of %.2g %%. The ratio of these measured times is %.0f.\n",
                     $1, $2, $3, $4, t[best], e[best], $2 / t[best]
             else
-                printf "Expert, %s: %.2g s to %.2g %% (bias %s %%): none of ours has so small an error.  \n",
+                printf "- Expert, %s: Radiance takes %.2g s for an error of %.2g %% (mean error %s %%);\n" \
+                    "  no run of `df` has so small an error.\n",
                     $1, $2, $3, $4
         }
         END {
@@ -345,8 +347,9 @@ ratios() {
                     if (!best || s < least) { best = j; least = s }
                 }
                 if (best && own > 0)
-                    printf "Unbiased, at %g %%: df %.3g s (extrapolated from %.2g %%), rtrace %.3g s (extrapolated from %.2g %%); ratio %.0f.  \n",
-                        wanted[i], own, e[i], least, re[best], least / own
+                    printf "- Without a cache, for an error of %g %%: `rtrace` takes %.3g s, extrapolated from an error of %.2g %%;\n" \
+                        "  `df` takes %.3g s, extrapolated from an error of %.2g %%. The ratio of these times is %.0f.\n",
+                        wanted[i], least, re[best], own, e[i], least / own
             }
         }' "$scratch/runs"
 }

@@ -143,12 +143,12 @@ apart=$(paste -d' ' "$scratch/a" "$scratch/b" | awk '
     FNR == NR { wanted[$1] = FNR; next }
     FNR in wanted { print ($1 + $2) / 2 }' "$scratch/some" - | paste -d' ' - "$scratch/rtrace" |
     awk '{ d = $1 / $2 - 1; s += d; q += d * d }
-        END { printf "%+.2f %% in the mean of %d pixels, %.2f %% RMS", 100 * s / NR, NR, 100 * sqrt(q / NR) }')
+        END { printf "%+.2f %% on average over %d pixels and by %.2f %% RMS", 100 * s / NR, NR, 100 * sqrt(q / NR) }')
 
 printf '\n### Deep office: a picture of %d by %d pixels\n\n' "$size" "$size"
-printf 'References: two of `render --engine path --samples 256` (%.1f s each); from `rtrace` without its\n' "$reference_s"
-printf 'cache they differ by %s. Error: RMS, relative, per cent, where neighbours are alike.\n\n' "$apart"
-echo '| run | processor s | error |'
+printf 'The references are two runs of `render --engine path --samples 256` (%.1f s each). They differ from\n' "$reference_s"
+printf '`rtrace` without a cache by %s.\nErrors are relative RMS errors in per cent, at pixels that differ little from their neighbours.\n\n' "$apart"
+echo '| run | processor time, s | error |'
 echo '| --- | ---: | ---: |'
 for options in '--samples 4 --accuracy 0.2' '--samples 8' ''; do
     # shellcheck disable=SC2086 # options are several words
@@ -160,7 +160,7 @@ for run in $expert_runs; do
     taken=$(theirs "$scratch/found" "$run")
     words="expert, $run: \`mkillum $samples $outside\`, twice \`rpict $inside\`"
     if [ "$taken" = 0.00 ] || [ -z "$taken" ]; then
-        printf '| %s | not done after %d s | |\n' "$words" "$limit"
+        printf '| %s | not finished after %d s | |\n' "$words" "$limit"
         continue
     fi
     row "$words" "$taken" "$scratch/found" theirs
@@ -171,6 +171,6 @@ awk '
         best = 0
         for (i = 1; i <= n; i++)
             if (e[i] <= $3 && (!best || t[i] < t[best])) best = i
-        printf "\n%.2f s to %.2g %% by rpict; ours %.2f s to %.2g %%: %.0f times, both measured.\n", $2, $3,
+        printf "\n`rpict` takes %.2f s for an error of %.2g %%, `render` %.2f s for %.2g %%; ratio of these times: %.0f.\n", $2, $3,
             t[best], e[best], $2 / t[best]
     }' "$scratch/runs"

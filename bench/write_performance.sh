@@ -40,9 +40,10 @@ about() {
 cat <<END
 # Performance
 
-\`make bench\` writes this page; do not edit. Run the benchmarks on an otherwise idle machine. Rates
-and times depend on the machine, ratios less so. Times are processor times of all threads together,
-unless marked as clock times. Results are shown next to their target, called \`wanted\`.
+\`make bench\` writes this page; do not edit it by hand. Run the benchmarks on an otherwise idle machine.
+Rates and times depend on the machine; ratios depend on it less. Times are the processor times of all
+threads together, unless they are marked as clock times. If a result has a target, the target follows in
+brackets.
 
 | | |
 | --- | --- |
@@ -70,26 +71,30 @@ cat <<'END'
 
 ## Against Radiance
 
-`bench/compare_radiance.sh` calculates the same rooms, exported by `pepperpot export`, with Radiance
-and with `df --simulate`. All runs use one processor, one after the other. Radiance runs in two ways.
-First, `rtrace` traces every path to its end without a cache, as in the exported script: points share
-nothing, and the results are unbiased. Second, an expert would use these settings: panes in parts of
-0.3 m, whose light `mkillum` gathers at low cost; plain materials; the ground beyond 60 m as a glow; an
-overture and a second pass with the same ambient file and fine `-ds`. These times include `mkillum` and
-both passes. The ambient cache causes a bias.
+`bench/compare_radiance.sh` calculates the same rooms with `df --simulate` and with Radiance, for which
+they are exported by `pepperpot export`. All runs use one processor, one after the other. Radiance is run
+in two ways. In the first, `rtrace` follows every path to its end without an ambient cache, as in the
+exported script. Points share no results, and the results are unbiased. The second way uses
+the settings of an expert. The panes are divided into parts of at most 0.3 m, and `mkillum` calculates
+the light on each part at low cost. Two-sided materials (`mixfunc`) are replaced by plain ones, and the
+ground beyond 60 m is a `glow`. A first pass (the overture) fills an ambient file; a second pass with the
+same file and a fine `-ds` gives the results. The times include `mkillum` and both passes. The ambient
+cache causes a bias.
 
-The error is the root mean square of (found - true)/true over the points. The mean of (found -
-true)/true is also given; it is the bias where it exceeds the noise. The true values are the means of
-eight fine runs of `df --simulate`; their own noise, from the spread of the runs, is subtracted. A fine
-run of `rtrace` tests for a common error of all our runs. Above each table is the mean difference of the
-two references with its standard error; the last column is the error against `rtrace`, including its
-noise.
+The error is the root mean square of (result - reference)/reference over the points. The mean error is
+the mean of the same ratio; if it exceeds the noise, it shows a bias. The reference values are the means
+of eight accurate runs of `df --simulate`. Their own noise, estimated from the spread of the eight runs,
+is subtracted from the errors. A second reference, an accurate run of `rtrace`, would reveal an error
+common to all runs of `df`. The text above each table gives the mean difference between the two
+references, with its standard error. The last column of the table is the error relative to the `rtrace`
+reference, including the noise of this reference.
 
-Below each table is the ratio of times. An expert run is compared, as measured, with our fastest run of
-no larger error. Runs without a cache are compared at equal error, by the law of unbiased estimates: time
-times squared error is constant. Such figures are marked as extrapolated. `df` stops at a standard error
-of 0.002 % daylight factor. For a point of 0.14 %, as behind leaves, this is 1.4 % of the value, so such
-points do not reach an error of 0.4 %.
+The lines below each table compare the times of Radiance and `df`. Each expert run is compared with the
+fastest run of `df` whose error is no larger; both times were measured. Runs without a cache are compared
+at equal error. Their times are extrapolated from measured runs, since for unbiased estimates the
+product of time and squared error is constant. `df` stops at a standard error of 0.002 % daylight factor.
+At a point with a daylight factor of 0.14 %, as behind leaves, this is 1.4 % of the value, so such points
+do not reach an error of 0.4 %.
 END
 # shellcheck disable=SC2086 # several words, or none: all scenes
 sh "$here/compare_radiance.sh" "$program" ${SCENES:-}
@@ -99,7 +104,7 @@ cat <<'END'
 ## Against rpict
 
 `bench/compare_rpict.sh` calculates one view of the deep office with `render` and with Radiance's
-`rpict`, each on one processor. `rpict` has the expert settings above, with a sixteenth of the pixels in
-the overture.
+`rpict`, each on one processor. `rpict` uses the expert settings above; its overture has a sixteenth of
+the pixels.
 END
 sh "$here/compare_rpict.sh" "$program"
