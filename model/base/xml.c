@@ -337,8 +337,9 @@ static void note_end(struct xml_builder *b)
     pp_text_excerpt(name, sizeof name, open ? open->name : "");
     if (open)
         pp_mistakes_add(b->mistakes, pp_xml_text_line(&b->text, end),
-                        "the file ends inside <%s> of line %d; expected </%s>", name,
-                        open->line, name);
+                        "the file ends inside the <%s> that begins on line %d; "
+                        "expected </%s>",
+                        name, open->line, name);
     else
         pp_mistakes_add(b->mistakes, pp_xml_text_line(&b->text, end),
                         "the file ends inside a tag");

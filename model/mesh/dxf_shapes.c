@@ -321,7 +321,7 @@ static enum pp_status add_record(const struct pp_dxf_entity *vertex, int first,
         if (index > count)
             return pp_mesh_lines_fail(vertex->lines, line, err,
                                       "VERTEX: refers to corner %d of the mesh; "
-                                      "expected one of the %d before it",
+                                      "expected one of the %d corners above it",
                                       index, count);
         if (index > 0)
             corners[sides++] = first + index - 1;

@@ -56,9 +56,10 @@ enum pp_status pp_dxf_tags_read(struct pp_dxf_tags *tags, struct pp_mesh_lines *
     }
     if (lines->left > 0)
         return pp_mesh_lines_fail(lines, lines->line, err,
-                                  "there is a NUL byte; expected a DXF file of text");
+                                  "there is a NUL byte; expected a text (ASCII) DXF "
+                                  "file");
     return pp_mesh_lines_fail(lines, lines->line, err,
-                              "the file ends too early; expected EOF at its end");
+                              "the file is incomplete; expected EOF at its end");
 }
 
 void pp_dxf_tags_clear(struct pp_dxf_tags *tags)

@@ -195,14 +195,15 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
     if (!found)
         return pp_mesh_lines_fail(
             dxf->lines, line, err,
-            "INSERT: there is no block \"%s\" in the file; expected "
-            "one of its BLOCKS",
+            "INSERT: there is no block \"%s\" in the file; expected a block of its "
+            "BLOCKS section",
             shown);
     columns = fmax(floor(columns), 1.0), rows = fmax(floor(rows), 1.0);
     if (depth >= DEPTH_MOST || !(columns * rows <= INSERTS_MOST - dxf->inserts))
         return pp_mesh_lines_fail(dxf->lines, line, err,
-                                  "INSERT: there are too many blocks, the first one "
-                                  "\"%s\"; expected at most %d levels, and %d in all",
+                                  "INSERT: blocks are nested too deeply or inserted "
+                                  "too often, first in \"%s\"; expected at most %d "
+                                  "levels, and %d insertions in all",
                                   shown, DEPTH_MOST, INSERTS_MOST);
     dxf->inserts += (int)(columns * rows);
     status = move_of(&move, steps, e, base, err);
@@ -245,7 +246,8 @@ static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
         if (status == PP_OK && thickness != 0.0)
             status = pp_mesh_lines_fail(
                 e->lines, tag->line, err,
-                "%s: a thickness is not supported here; expected it for polylines only",
+                "%s: a thickness is not supported here; expected a thickness of "
+                "polylines only",
                 raised[i]);
         return status;
     }
@@ -310,12 +312,12 @@ static enum pp_status read_file(struct dxf *dxf, struct pp_error *err)
         return status;
     if (!find_section(range, dxf, "ENTITIES"))
         return pp_mesh_lines_fail(dxf->lines, dxf->lines->line, err,
-                                  "the file has no section ENTITIES; expected one");
+                                  "the file has no ENTITIES section; expected one");
     status = read_entities(dxf, range[0], range[1], &none, 0, err);
     if (status == PP_OK && dxf->mesh->triangle_count == 0)
         status =
             pp_mesh_lines_fail(dxf->lines, dxf->lines->line, err,
-                               "the file has no surface; expected 3DFACE, polyface "
+                               "the file has no surfaces; expected 3DFACE, polyface "
                                "meshes, or polylines with a thickness (group 39)");
     return status;
 }

@@ -19,8 +19,7 @@ static bool ends_with(const char *name, const char *end)
 static enum pp_status fail_kind(const char *name, struct pp_error *err)
 {
     return pp_fail(err, PP_BAD_INPUT,
-                   "%.200s: the type of file is not known; expected .obj or .dxf",
-                   name);
+                   "%.200s: the file type is unknown; expected .obj or .dxf", name);
 }
 
 enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
@@ -66,7 +65,7 @@ enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *pat
     if (length > PP_MESH_FILE_BYTES_MOST)
         status =
             pp_fail(err, PP_BAD_INPUT,
-                    "%.200s: the file has more than %d MB; expected a coarser model",
+                    "%.200s: the file is larger than %d MB; expected a coarser model",
                     path, PP_MESH_FILE_BYTES_MOST >> 20);
     else
         status = pp_mesh_file_parse(mesh, text, length, path, err);

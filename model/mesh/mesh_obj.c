@@ -92,8 +92,8 @@ static enum pp_status read_face(struct pp_mesh_triangles *mesh, struct corners *
         if (corner < 0)
             return pp_mesh_lines_fail(
                 lines, line, err,
-                "f: \"%s\" is not a corner; expected one of the %d before it, counted "
-                "from 1 or backwards from -1",
+                "f: \"%s\" is not a corner; expected one of the %d corners above it, "
+                "counted from 1, or backwards from -1",
                 pp_text_excerpt(shown, sizeof shown, word), mesh->corner_count);
         if (pp_array_reserve(&corners->list, &corners->space, corners->count + 1,
                              sizeof *corners->list, err)
@@ -144,11 +144,10 @@ enum pp_status pp_mesh_obj_read(struct pp_mesh_triangles *mesh,
         status = read_statement(mesh, &corners, lines, line, statement, err);
     free(corners.list);
     if (status == PP_OK && lines->left > 0)
-        status =
-            pp_mesh_lines_fail(lines, lines->line, err,
-                               "there is a NUL byte; expected an OBJ file of text");
+        status = pp_mesh_lines_fail(lines, lines->line, err,
+                                    "there is a NUL byte; expected a text OBJ file");
     if (status == PP_OK && mesh->triangle_count == 0)
         status = pp_mesh_lines_fail(lines, lines->line, err,
-                                    "the file has no face; expected lines v and f");
+                                    "the file has no faces; expected v and f lines");
     return status;
 }

@@ -23,7 +23,7 @@ const char *pp_mesh_triangles_add_corner(struct pp_mesh_triangles *mesh,
     if (!(fabs(corner.x) < PP_MESH_COORDINATE_MOST
           && fabs(corner.y) < PP_MESH_COORDINATE_MOST
           && fabs(corner.z) < PP_MESH_COORDINATE_MOST))
-        return "a coordinate is beyond 1e12; expected the size of a building";
+        return "a coordinate exceeds 1e12; expected a model the size of a building";
     if (mesh->corner_count >= PP_MESH_CORNERS_MOST)
         return "there are more than 3000000 corners; expected a coarser model";
     if (pp_array_reserve(&mesh->corners, &mesh->corner_space, mesh->corner_count + 1,

@@ -237,6 +237,7 @@ enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,
     if (!fault)
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "the point %g,%g,%g %s; expected a point in the room's free space",
+                   "the point %g,%g,%g %s; expected a point in the free space of the "
+                   "room",
                    place.x, place.y, place.z, fault);
 }

@@ -105,7 +105,7 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
     if (sky.kind == PP_SKY_PICTURE) {
         if (!comma || !comma[1])
             return pp_fail(err, PP_BAD_INPUT,
-                           "the sky \"picture\" has no file; expected picture,FILE");
+                           "the sky \"picture\" needs a file; expected picture,FILE");
         enum pp_status status = read_sky_file(&sky.picture, comma + 1, err);
         if (status == PP_OK) {
             pp_sky_words_clear(part);
@@ -116,7 +116,7 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
     double altitude_deg, bearing_deg;
     if (comma && !read_sun(comma + 1, &altitude_deg, &bearing_deg))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the sky \"%s\" has no valid sun; expected "
+                       "the sky \"%s\" has no valid position of the sun; expected "
                        "TYPE,ALTITUDE,BEARING, with 0 to 90 and -360 to 360 degrees",
                        pp_text_excerpt(shown, sizeof shown, spec));
     if (comma) {

@@ -138,7 +138,7 @@ static bool check_comparable(struct pp_resolver *r)
         return true;
     pp_mistakes_add(r->mistakes, room->line,
                     "room: has %d faces, %d openings, %d blocks and %d surfaces, too "
-                    "many to check against each other; expected fewer",
+                    "many to check for overlaps; expected fewer",
                     room->plan.face_count, room->opening_count, room->block_count,
                     room->surface_count);
     return false;
@@ -173,7 +173,7 @@ static void mark_stated_inner_walls(struct pp_resolver *r)
             if (r->world->openings[k].face != face)
                 continue;
             pp_mistakes_add(r->mistakes, part->line,
-                            "wall: is an internal wall, but has the opening of line "
+                            "wall: is an internal wall, but has the opening on line "
                             "%d; expected no opening, or kind \"outer\"",
                             r->world->openings[k].line);
             break;

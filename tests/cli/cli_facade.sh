@@ -62,5 +62,5 @@ check "an export has it" export_to -q -o "$scratch/scene" "$scratch/facade.xml"
 check "among what stands outside" grep -q "^facade polygon" "$scratch/scene/outside.rad"
 room Facade 0.6 "$recessed" >"$scratch/wrong.xml"
 check "a reveal deeper than the facade is a mistake of its line" refuses 1 \
-    "wrong.xml:3: facade: its depth of 0.5 m is less than the reveal of 0.6 m" df "$scratch/wrong.xml"
+    "wrong.xml:3: facade: its depth of 0.5 m is less than the reveal depth of 0.6 m" df "$scratch/wrong.xml"
 tap_done

@@ -151,13 +151,13 @@ check "a file that is not there" refuses 1 'wrong.xml:4: mesh: ' df "$scratch/wr
 room '<mesh file="box.obj" scale="0.001" y="12"/>' >"$scratch/wrong.xml"
 check "a mesh in the room" refuses 1 'wrong.xml:4: mesh: intersects a ' df "$scratch/wrong.xml"
 room '<mesh file="box.obj" scale="1000"/>' >"$scratch/wrong.xml"
-check "a mesh out of scale" refuses 1 'extends beyond 100000 m' df "$scratch/wrong.xml"
+check "a mesh out of scale" refuses 1 'extends more than 100000 m' df "$scratch/wrong.xml"
 printf '0\nSECTION\n2\nENTITIES\n0\n' >"$scratch/none"
 room '<mesh file="-"/>' >"$scratch/wrong.xml"
 check "standard input is no mesh, by its name" refuses 1 'expected .obj or .dxf' \
     df "$scratch/wrong.xml"
 room '<mesh file="none"/>' >"$scratch/wrong.xml"
-check "nor is a file of another ending" refuses 1 'none: the type of file is not known' \
+check "nor is a file of another ending" refuses 1 'none: the file type is unknown' \
     df "$scratch/wrong.xml"
 mkfifo "$scratch/pipe.obj"
 room '<mesh file="pipe.obj"/>' >"$scratch/wrong.xml"

@@ -65,7 +65,7 @@ sed 's/name="High" *use/name="High" use/; s/<room name=.High. \(.*\) y=.0./<room
 check "rooms on both sides" refuses 1 "are on opposite sides of the line" \
     assess --by-hand --mirror-image=$line "$scratch/apart.xml"
 sed "s/ x='0' y='0'//; s/ z='2.7'//" "$scratch/terrace.xml" >"$scratch/loose.xml"
-check "rooms without a place" refuses 1 "no room with a position" \
+check "rooms without a place" refuses 1 "no building to mirror" \
     assess --by-hand --mirror-image=$line "$scratch/loose.xml"
 check "a site without states" refuses 1 "nothing in the file has a state" \
     assess --by-hand --mirror-image=$line "$scratch/image.xml"

@@ -83,7 +83,7 @@ head -c 3000 "$scratch/overcast.hdr" >"$scratch/cut.hdr"
 check "a picture that is cut off" refuses 2 "cut.hdr: row" \
     df --sky "picture,$scratch/cut.hdr" "$deep"
 sed 's|<plan |<sky file="clear.pfm"/><plan |' "$deep" >"$scratch/bad.xml"
-check "a file without the type" refuses 1 "file is for a photograph" \
+check "a file without the type" refuses 1 "file applies only to photographs" \
     df "$scratch/bad.xml"
 sed 's|<plan |<sky type="picture" file="clear.pfm" horizon="95"/><plan |' \
     "$deep" >"$scratch/bad.xml"

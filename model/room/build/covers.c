@@ -97,7 +97,7 @@ static enum pp_status check_door(bool *good, struct pp_resolver *r,
     else if (status == PP_OK && !*good)
         pp_mistakes_add(
             r->mistakes, part->line,
-            "door: %.4g m2 of the door are outside %s; expected all of it within",
+            "door: %.4g m2 of the door is outside %s; expected all of it within",
             out_m2, wall);
     int most = world->opening_count + world->surface_count;
     for (int i = 0; i < most && *good && status == PP_OK; i++) {
@@ -113,7 +113,7 @@ static enum pp_status check_door(bool *good, struct pp_resolver *r,
             continue;
         *good = false;
         pp_mistakes_add(r->mistakes, part->line,
-                        "door: overlaps the %s of line %d by %.4g m2; expected them "
+                        "door: overlaps the %s on line %d by %.4g m2; expected them "
                         "side by side",
                         i < world->opening_count ? "opening" : "door", line, area_m2);
     }
@@ -283,7 +283,7 @@ static bool put_dado(struct pp_resolver *r, int *dado, int i)
     if (!other || (other->wall == NULL) != (part->wall == NULL))
         return true;
     pp_mistakes_add(r->mistakes, part->line,
-                    "dado: %s already has a dado, in line %d; expected only one",
+                    "dado: %s already has a dado, on line %d; expected only one",
                     part->wall ? "the wall" : "every wall", other->line);
     return false;
 }

@@ -190,7 +190,8 @@ static enum pp_status resolve_plan(struct pp_resolver *r, struct pp_error *err)
 
     /* Continues with the reversed plan, to find further mistakes. */
     pp_mistakes_add(r->mistakes, plan->line,
-                    "plan: is clockwise seen from above; expected counter-clockwise");
+                    "plan: its vertices are clockwise seen from above; expected "
+                    "counter-clockwise");
     struct pp_vec3 *turned = malloc(count * sizeof *turned);
     if (!turned)
         return pp_fail_memory(err);
@@ -252,8 +253,8 @@ static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err
         int wall = pp_resolve_wall_index(r, finish->wall, "finish", finish->line);
         if (wall >= 0 && lines[wall] > 0)
             pp_mistakes_add(r->mistakes, finish->line,
-                            "finish: the wall already has a finish, in line %d; "
-                            "expected one at most",
+                            "finish: the wall already has a finish, on line %d; "
+                            "expected at most one",
                             lines[wall]);
         else if (wall >= 0)
             lines[wall] = finish->line;

@@ -112,10 +112,10 @@ static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_par
     const char *name = r->world->name;
     pp_text_excerpt(own, sizeof own, name ? name : "");
     pp_text_excerpt(other, sizeof other, part->name ? part->name : "");
-    snprintf(said, sizeof said, "room: \"%s\" and the room \"%s\" of line %d overlap, ",
+    snprintf(said, sizeof said, "room: \"%s\" and the room \"%s\" on line %d overlap, ",
              own, other, part->line);
     snprintf(there, sizeof there,
-             "room: \"%s\" and the room \"%s\" of line %d overlap, ", other, own,
+             "room: \"%s\" and the room \"%s\" on line %d overlap, ", other, own,
              r->room->line);
     if (has_been_said(r->mistakes, r->room->line, said)
         || has_been_said(r->mistakes, part->line, there))
@@ -159,7 +159,8 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         else if (cross && !part->is_room_outside)
             pp_mistakes_add(
                 r->mistakes, part->line,
-                "%s: intersects a %s of the room%s at (%g, %g, %g); expected it all %s",
+                "%s: intersects a %s of the room%s at (%g, %g, %g); expected all of it "
+                "%s",
                 what, role_word(face->role), room_words(words, r, part), where.x,
                 where.y, where.z,
                 part->is_of_block || part->is_of_site ? "outside"
@@ -182,7 +183,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         struct pp_vec3 in = seen->inside_at, out = seen->outside_at;
         pp_mistakes_add(r->mistakes, part->line,
                         "%s: is in the room at (%g, %g, %g) and outside at (%g, %g, "
-                        "%g); expected it all inside or all outside",
+                        "%g); expected all of it inside or all outside",
                         what, in.x, in.y, in.z, out.x, out.y, out.z);
     }
     if (!cross && part->is_of_room && seen->outside) {
@@ -225,7 +226,7 @@ static void check_openings(struct pp_resolver *r, const struct pp_surface_part *
             continue;
         pp_mistakes_add(
             r->mistakes, opening->line,
-            "the opening is blocked by the %s \"%s\" of line %d in front of it; "
+            "the opening is blocked by the %s \"%s\" on line %d in front of it; "
             "expected open air",
             part->is_front ? "facade of the room" : "room",
             pp_text_excerpt(name, sizeof name, part->name ? part->name : ""),

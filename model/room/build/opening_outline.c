@@ -216,7 +216,8 @@ int pp_opening_outline_face(struct pp_resolver *r, const struct pp_opening_part 
                < 0.0) {
         pp_mistakes_add(
             r->mistakes, part->line,
-            "opening: is clockwise seen from inside; expected counter-clockwise");
+            "opening: its vertices are clockwise seen from inside; expected "
+            "counter-clockwise");
         face = -1;
     }
     return face;

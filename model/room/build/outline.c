@@ -27,8 +27,8 @@ static bool has_repeated(struct pp_resolver *r, const char *what,
         repeated = true;
         pp_mistakes_add(
             r->mistakes, vertices->lines[i],
-            "%s: vertex %d at (%g, %g, %g) repeats vertex %d of line %d; expected "
-            "1 mm or more between them",
+            "%s: vertex %d at (%g, %g, %g) is in the same place as vertex %d on line "
+            "%d; expected 1 mm or more between them",
             what, i + 1, v.x, v.y, v.z, before + 1, vertices->lines[before]);
     }
     return repeated;
@@ -158,8 +158,8 @@ bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,
 
     if (!thin && uneven > PP_SAME_M) {
         pp_mistakes_add(r->mistakes, line,
-                        "%s: is not plane, because a vertex is off by %.3g m; expected "
-                        "all vertices within 1 mm of one plane",
+                        "%s: is not planar, because a vertex is %.3g m off the plane; "
+                        "expected all vertices within 1 mm of one plane",
                         what, uneven);
         return false;
     }
@@ -168,7 +168,8 @@ bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,
     if (thin) {
         pp_mistakes_add(
             r->mistakes, line,
-            "%s: has no area; expected vertices that are not all on one line", what);
+            "%s: has no area; expected vertices that are not all on one straight line",
+            what);
         return false;
     }
     return true;

@@ -41,7 +41,7 @@ static enum pp_status fit_in_face(bool *fits, struct pp_resolver *r,
                         where.z);
     else if (out_m2 > 0.0)
         pp_mistakes_add(r->mistakes, part->line,
-                        "%s: %.4g m2 of it are outside %s; expected all of it within",
+                        "%s: %.4g m2 of it is outside %s; expected all of it within",
                         pp_opening_outline_word(part), out_m2, words);
     else if (!whole)
         pp_mistakes_add(r->mistakes, part->line,
@@ -206,7 +206,7 @@ static enum pp_status check_overlaps(bool *free_of_others, struct pp_resolver *r
         if (area_m2 > PP_ROUNDING_M * (other->width_m + other->height_m)) {
             *free_of_others = false;
             pp_mistakes_add(r->mistakes, part->line,
-                            "%s: overlaps the one of line %d by %.4g m2; expected "
+                            "%s: overlaps the opening on line %d by %.4g m2; expected "
                             "openings side by side",
                             pp_opening_outline_word(part), other->line, area_m2);
         }

@@ -56,7 +56,7 @@ static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list
     else
         pp_mistakes_add(
             r->mistakes, line,
-            "%s: the room has %.0f points with these; expected at most %.0f",
+            "%s: with these, the room has %.0f points; expected at most %.0f",
             kinds[part->kind], list->count + count, most);
     return true;
 }
@@ -78,12 +78,13 @@ static void check_places(struct pp_resolver *r, const char *what, int line,
     }
     if (bad > 0 && count == 1)
         pp_mistakes_add(r->mistakes, line,
-                        "%s: (%g, %g, %g) %s; expected a place in the room", what,
-                        first.x, first.y, first.z, first_fault);
+                        "%s: (%g, %g, %g) %s; expected a point in the free space of "
+                        "the room",
+                        what, first.x, first.y, first.z, first_fault);
     else if (bad > 0)
         pp_mistakes_add(r->mistakes, line,
                         "%s: %d of its %d points cannot be used; the first, (%g, %g, "
-                        "%g), %s; expected places in the room",
+                        "%g), %s; expected all points in the free space of the room",
                         what, bad, count, first.x, first.y, first.z, first_fault);
 }
 
@@ -258,7 +259,8 @@ static enum pp_status resolve_default(struct pp_resolver *r, struct receiver_lis
     if (list->count == 0)
         pp_mistakes_add(r->mistakes, r->room->line,
                         "room: the fittings leave no space for points on the working "
-                        "plane; expected <point>s elsewhere, or another working-plane");
+                        "plane; expected <point> elements elsewhere, or a different "
+                        "working-plane");
     return PP_OK;
 }
 

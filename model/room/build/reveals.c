@@ -49,7 +49,7 @@ static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening
             continue;
         pp_mistakes_add(r->mistakes, opening->line,
                         "reveal: is %g m deep, which puts the glass inside another "
-                        "part of the room, at (%g, %g, %g); expected it outside",
+                        "part of the room, at (%g, %g, %g); expected the glass outside",
                         opening->reveal_m, point.x, point.y, point.z);
         return;
     }

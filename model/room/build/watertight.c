@@ -109,7 +109,7 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
         }
         pp_mistakes_add(r->mistakes, faces[c->edges[end - 1].face].line,
                         "face: its edge from (%g, %g, %g) to (%g, %g, %g) belongs to "
-                        "%d faces, the first in line %d; expected two",
+                        "%d faces, the first on line %d; expected two",
                         edge->from.x, edge->from.y, edge->from.z, edge->to.x,
                         edge->to.y, edge->to.z, end - i, faces[edge->face].line);
     }
@@ -119,8 +119,8 @@ static void match_edges(struct pp_resolver *r, struct watertight_check *c)
         const struct envelope_edge *edge = &c->edges[c->faces[i].first_open];
         pp_mistakes_add(
             r->mistakes, faces[i].line,
-            "face: the envelope is open at %d edges, such as that from (%g, %g, %g) to "
-            "(%g, %g, %g); expected two faces at every edge, corner to corner",
+            "face: the envelope is open at %d edges, such as the one from (%g, %g, %g) "
+            "to (%g, %g, %g); expected two faces at every edge, with common corners",
             c->faces[i].open_edges, edge->from.x, edge->from.y, edge->from.z,
             edge->to.x, edge->to.y, edge->to.z);
     }
@@ -199,13 +199,15 @@ static void turn_faces(struct pp_resolver *r, struct watertight_check *c,
     }
     if (all)
         pp_mistakes_add(r->mistakes, r->room->plan.line,
-                        "envelope: is inside out: all its faces are clockwise seen "
-                        "from inside; expected counter-clockwise");
+                        "envelope: is inside out, because the vertices of all its "
+                        "faces are clockwise seen from inside; expected "
+                        "counter-clockwise");
     for (int i = 0; i < world->face_count && !all; i++)
         if (c->faces[i].turned)
             pp_mistakes_add(
                 r->mistakes, world->surfaces[i].line,
-                "face: is clockwise seen from inside; expected counter-clockwise");
+                "face: its vertices are clockwise seen from inside; expected "
+                "counter-clockwise");
 }
 
 /* Reports several separate rooms. A part with negative volume is a solid in the room
@@ -259,7 +261,7 @@ static enum pp_status check_crossings(struct pp_resolver *r, struct pp_error *er
                 continue;
             r->watertight = false;
             pp_mistakes_add(r->mistakes, world->surfaces[i].line,
-                            "face: intersects the face of line %d at (%g, %g, %g); "
+                            "face: intersects the face on line %d at (%g, %g, %g); "
                             "expected faces to meet at their edges only",
                             world->surfaces[k].line, where.x, where.y, where.z);
         }

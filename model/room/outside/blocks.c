@@ -102,16 +102,17 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         char name[64];
         pp_mistakes_add(
             r->mistakes, block->line,
-            "block: overlaps the room \"%s\" of line %d; expected it "
-            "outside all rooms of the building",
+            "block: overlaps the room \"%s\" on line %d; expected it outside all rooms "
+            "of the building",
             pp_text_excerpt(name, sizeof name, world->name ? world->name : ""),
             r->room->line);
         return PP_OK;
     }
     if (overlaps) {
         pp_mistakes_add(r->mistakes, block->line,
-                        "block: overlaps the room; expected it outside (x %g, y %g, "
-                        "base %g is its lower corner, about which it is rotated)",
+                        "block: overlaps the room; expected it outside the room (its "
+                        "lower corner, about which it is rotated, is at x %g, y %g, "
+                        "base %g)",
                         block->corner.x, block->corner.y, block->corner.z);
         return PP_OK;
     }
@@ -124,7 +125,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
             continue;
         *clear = false;
         pp_mistakes_add(r->mistakes, block->line,
-                        "block: is within the depth of the opening of line %d; "
+                        "block: extends into the reveal of the opening on line %d; "
                         "expected it outside the glass",
                         opening->line);
     }

@@ -96,7 +96,7 @@ static void note_clash(struct pp_resolver *r, struct facade_site *site,
     if (!site->reported)
         pp_mistakes_add(
             r->mistakes, site->part->line,
-            "facade: intersects the room at (%g, %g, %g); expected it all outside",
+            "facade: intersects the room at (%g, %g, %g); expected all of it outside",
             where.x, where.y, where.z);
     site->reported = true;
 }
@@ -139,8 +139,9 @@ static bool check_depth(struct pp_resolver *r, const struct facade_site *site)
             || opening->reveal_m < site->depth_m + PP_ROUNDING_M)
             continue;
         pp_mistakes_add(r->mistakes, site->part->line,
-                        "facade: its depth of %g m is less than the reveal of %g m of "
-                        "the opening in line %d; expected at least the reveal",
+                        "facade: its depth of %g m is less than the reveal depth of %g "
+                        "m of the opening on line %d; expected at least the reveal "
+                        "depth",
                         site->depth_m, opening->reveal_m, opening->line);
         return false;
     }
@@ -156,7 +157,7 @@ static bool check_wall(struct pp_resolver *r, const struct pp_facade_part *part,
         if (world->facades[i].face == face) {
             pp_mistakes_add(
                 r->mistakes, part->line,
-                "facade: the wall already has a facade, in line %d; expected only one",
+                "facade: the wall already has a facade, on line %d; expected only one",
                 world->facades[i].line);
             return false;
         }
@@ -178,7 +179,7 @@ static bool check_others(struct pp_resolver *r, const struct facade_site *site)
             || !meets_sheet(site, other->corners, 4))
             continue;
         pp_mistakes_add(r->mistakes, site->part->line,
-                        "facade: overlaps the facade of line %d, whose wall is in the "
+                        "facade: overlaps the facade on line %d, whose wall is in the "
                         "same plane; expected one facade for both walls",
                         other->line);
         return false;

@@ -85,8 +85,8 @@ static enum pp_status add_mesh_triangles(struct pp_resolver *r,
         pairs += near ? r->world->face_count : 0;
         if (pairs > near_pairs_most) {
             say(r, part,
-                "has too many triangles within the bounds of the room; expected it "
-                "beside the room");
+                "has too many triangles within the bounding box of the room; expected "
+                "a mesh beside the room");
             return PP_OK;
         }
         status =
@@ -120,8 +120,8 @@ static enum pp_status add_mesh(struct pp_resolver *r, const struct pp_mesh_part 
     made->side_count = world->surface_count - made->first_side;
     if (status == PP_OK && is_far_away(&made->bounds))
         say(r, part,
-            "extends beyond 100000 m; expected a \"scale\" in metres per unit, and "
-            "\"x\", \"y\" and \"z\" near the room");
+            "extends more than 100000 m from the origin; expected a \"scale\" in "
+            "metres per unit, and \"x\", \"y\" and \"z\" near the room");
     return status;
 }
 

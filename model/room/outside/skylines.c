@@ -76,7 +76,7 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
     for (int i = 0; i < world->skyline_count; i++)
         if (world->skylines[i].face == face) {
             pp_mistakes_add(r->mistakes, part->line,
-                            "skyline: the wall already has a skyline, in line %d; "
+                            "skyline: the wall already has a skyline, on line %d; "
                             "expected only one",
                             world->skylines[i].line);
             return false;
@@ -92,7 +92,7 @@ static bool is_good(struct pp_resolver *r, const struct pp_skyline_part *part, i
     if (hypot(n.x, n.y) < PP_LEVEL_RAD) {
         pp_mistakes_add(
             r->mistakes, part->line,
-            "skyline: its wall is horizontal; expected a wall that faces sideways");
+            "skyline: its wall is horizontal; expected a vertical or sloping wall");
         return false;
     }
     double reach = reach_outside(world, face);

@@ -406,13 +406,13 @@ static bool count_is_good(const struct pp_element_rule *rule,
             first = c->line;
         if (child->most == 1 && count == 2)
             pp_mistakes_add(mistakes, c->line,
-                            "%s: there is a second <%s>, after the one of line %d; "
+                            "%s: there is a second <%s>, after the one on line %d; "
                             "expected only one",
                             rule->name, name, first);
         else if (child->most > 1 && count == child->most + 1)
             pp_mistakes_add(mistakes, c->line,
-                            "%s: there are more than %d <%s>, which is the limit",
-                            rule->name, child->most, name);
+                            "%s: exceeds the limit of %d <%s> elements", rule->name,
+                            child->most, name);
     }
     if (count < child->least && !may_be_fewer) {
         pp_mistakes_add(mistakes, element->line,

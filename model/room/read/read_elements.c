@@ -42,7 +42,7 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
     }
     if (form.country && strcmp(form.country, "UK") == 0) {
         pp_mistakes_add(r->mistakes, e->line,
-                        "site: country is \"UK\", which is not a code of ISO 3166; did "
+                        "site: country is \"UK\", which is not an ISO 3166 code; did "
                         "you mean \"GB\"?");
         return;
     }
@@ -163,7 +163,7 @@ static void read_receiver(struct pp_reader *r, struct pp_room *room,
         || !normal_of(r, &part.normal, &form, e))
         return;
     if (kind == PP_LINE && form.from[0] == form.to[0] && form.from[1] == form.to[1]) {
-        pp_mistakes_add(r->mistakes, e->line, "line: from and to are the same place");
+        pp_mistakes_add(r->mistakes, e->line, "line: from and to are the same point");
         return;
     }
     part.x = form.x;
@@ -317,8 +317,8 @@ static void check_common_skylines(struct pp_reader *r, const struct pp_room *com
         if (isfinite(common->skylines[i].distance_m))
             pp_mistakes_add(
                 r->mistakes, common->skylines[i].line,
-                "skyline: has a distance, but applies to all rooms of the building at "
-                "the same angle; expected no distance, or a <block> instead");
+                "skyline: has a distance, but a skyline of a building has the same "
+                "angle for all rooms; expected no distance, or a <block> instead");
 }
 
 static void read_building(struct pp_reader *r, struct pp_building *building,
@@ -360,7 +360,7 @@ static void read_building(struct pp_reader *r, struct pp_building *building,
         if (room->placement.given && !isnan(room->north_rad))
             pp_mistakes_add(r->mistakes, room->line,
                             "room: has its own north, but is placed in the building; "
-                            "expected north in the building only");
+                            "expected north only in the building");
         if (room->placement.given && !room->site_is_own)
             room->site.ground_level_m -= room->placement.z;
         pp_read_outside_stand_on_ground(room);

@@ -43,8 +43,8 @@ void pp_read_fitting_column(struct pp_reader *r, struct pp_room *room,
     bool round = !isnan(form.diameter_m);
     if (round == !isnan(form.width_m) || (round && !isnan(form.depth_m))) {
         pp_mistakes_add(r->mistakes, e->line,
-                        "column: has %s; expected a diameter, or a width and, unless "
-                        "square, a depth",
+                        "column: has %s; expected a diameter, or a width and a depth "
+                        "(for a square column, a width only)",
                         round ? "a diameter, and a width or a depth"
                               : "neither a width nor a diameter");
         return;
@@ -72,7 +72,7 @@ void pp_read_fitting_partition(struct pp_reader *r, struct pp_room *room,
     double dx = form.to[0] - form.from[0], dy = form.to[1] - form.from[1];
     if (!(hypot(dx, dy) > 0.0)) {
         pp_mistakes_add(r->mistakes, e->line,
-                        "partition: from and to are the same place");
+                        "partition: from and to are the same point");
         return;
     }
     add_fitting(

@@ -76,8 +76,8 @@ static struct pp_shared_mesh *read_mesh_file(struct pp_reader *r, const char *fi
 {
     if (!r->folder) {
         pp_mistakes_add(r->mistakes, line,
-                        "mesh: the room was not read from a file, so there is no "
-                        "folder for the file of the mesh; expected a room from a file");
+                        "mesh: the room was not read from a file, so its mesh file "
+                        "cannot be located; expected a room read from a file");
         return NULL;
     }
     struct pp_shared_mesh *shared = calloc(1, sizeof *shared);
@@ -166,8 +166,8 @@ static void read_box(struct pp_reader *r, struct pp_room *room,
     bool is_flat = form.roof == PP_ROOF_FLAT, has_pitch = !isnan(form.pitch_rad);
     if (is_flat == has_pitch) {
         pp_mistakes_add(r->mistakes, e->line,
-                        is_flat ? "block: has a pitch but a flat roof; expected a roof "
-                                  "that is \"mono\", \"gable\" or \"hip\""
+                        is_flat ? "block: has a pitch, but its roof is flat; expected "
+                                  "a \"mono\", \"gable\" or \"hip\" roof"
                                 : "block: pitch is missing; expected a number of "
                                   "degrees above 0, up to 85");
         return;
@@ -223,8 +223,8 @@ static void read_footprint(struct pp_reader *r, struct pp_room *room,
     if (good && !(pp_polygon_area_vector(outline.list, outline.count).z > 0.0)) {
         good = false;
         pp_mistakes_add(r->mistakes, e->line,
-                        "block: its outline is clockwise seen from above, or has no "
-                        "area; expected counter-clockwise");
+                        "block: its vertices are clockwise seen from above, or its "
+                        "outline has no area; expected counter-clockwise vertices");
     }
     if (good)
         raise_walls(r, room, &form, e->line, &outline);

@@ -32,17 +32,17 @@ static const char *roof_fault(const struct pp_plan_form *form, int vertices)
 {
     bool is_flat = form->roof == PP_ROOF_FLAT;
     if (is_flat && !isnan(form->pitch_rad))
-        return "has a pitch but a flat roof; expected a roof that is \"mono\", "
-               "\"gable\", \"hip\" or \"saw-tooth\"";
+        return "has a pitch, but its roof is flat; expected a \"mono\", \"gable\", "
+               "\"hip\" or \"saw-tooth\" roof";
     if (is_flat)
         return NULL;
     if (vertices > 0)
-        return "has a roof and vertices; expected width and depth, because roofs are "
-               "for rectangles";
+        return "has a roof and vertices; expected width and depth, because only "
+               "rectangular plans can have a roof";
     if (isnan(form->pitch_rad))
         return "pitch is missing; expected a number of degrees above 0, up to 85";
     return form->teeth && form->roof != PP_ROOF_SAW_TOOTH
-               ? "has teeth; expected teeth only for a \"saw-tooth\" roof"
+               ? "has teeth, which only a \"saw-tooth\" roof can have"
                : NULL;
 }
 
@@ -146,7 +146,7 @@ void pp_read_shape_check(struct pp_reader *r, const struct pp_xml_element *e)
             continue;
         if (outline && strcmp(outline->name, c->name) != 0) {
             pp_mistakes_add(r->mistakes, c->line,
-                            "room: has both <%s> and the <%s> of line %d; expected "
+                            "room: has both <%s> and the <%s> on line %d; expected "
                             "only one of them",
                             c->name, outline->name, outline->line);
             return;

@@ -63,11 +63,12 @@ static bool read_photograph(struct pp_reader *r, struct pp_sky_part *part,
     struct pp_sky_picture_options options;
     if (!form->file)
         pp_mistakes_add(r->mistakes, part->line,
-                        "sky: picture has no file; expected the file of a photograph");
+                        "sky: type \"picture\" needs a file; expected the name of a "
+                        "photograph");
     else if (!r->folder)
         pp_mistakes_add(r->mistakes, part->line,
-                        "sky: the room was not read from a file, so there is no folder "
-                        "for its picture; expected a room from a file");
+                        "sky: the room was not read from a file, so its picture cannot "
+                        "be located; expected a room read from a file");
     else if (read_options(r, &options, form, part->line))
         part->picture = read_files(r, form, &options, part->line);
     return part->picture != NULL;
@@ -93,7 +94,8 @@ static bool read_formula(struct pp_reader *r, const struct pp_sky_part *part,
     const char *stray = given_option(form);
     if (stray)
         pp_mistakes_add(r->mistakes, part->line,
-                        "sky: %s is for a photograph; expected type=\"picture\"",
+                        "sky: %s applies only to photographs; expected "
+                        "type=\"picture\"",
                         stray);
     bool sunless =
         part->iso > 0 && pp_sky_iso_has_sun(part->iso) && !(altitude && bearing);

@@ -89,8 +89,9 @@ static void files_other_than_gbxml_are_refused_in_words(void **state)
     static const struct {
         const char *bytes, *words;
     } files[] = {
-        {"<gbXML>\n<Campus>", "a.xml:2: the file ends inside <Campus> of line 2; "
-                              "expected </Campus>"},
+        {"<gbXML>\n<Campus>",
+         "a.xml:2: the file ends inside the <Campus> that begins on line 2; "
+         "expected </Campus>"},
         {"<gbXML>\n<Campus id='a", "a.xml:2: the file ends inside the tag"},
         {"<gbXML>\n</Campus></gbXML>",
          "a.xml:2: there is </Campus>; expected </gbXML> to close line 1"},

@@ -179,10 +179,10 @@ static void wrong_files_are_refused_by_line(void **state)
     static const struct {
         const char *name, *text, *says;
     } wrong[] = {
-        {"a.obj", "", "a.obj:0: the file has no face"},
+        {"a.obj", "", "a.obj:0: the file has no faces"},
         {"a.obj", "v 0 0\n", "a.obj:1: v: has 2 numbers"},
         {"a.obj", "v 0 nan 0\n", "a.obj:1: v: \"nan\" is not a number"},
-        {"a.obj", "v 0 0 0\nv 1 0 1e308\n", "a.obj:2: a coordinate is beyond"},
+        {"a.obj", "v 0 0 0\nv 1 0 1e308\n", "a.obj:2: a coordinate exceeds"},
         {"a.obj", "v 0 0 0\nf 1 1 2\n", "a.obj:2: f: \"2\" is not a corner"},
         {"a.obj", "v 0 0 0\nf 1 1 -2\n", "a.obj:2: f: \"-2\" is not a corner"},
         {"a.obj", "v 0 0 0\nf 1 0 1\n", "a.obj:2: f: \"0\" is not a corner"},
@@ -190,12 +190,12 @@ static void wrong_files_are_refused_by_line(void **state)
         {"a.obj", "v 0 0 0\nf 99999999999999999999 1 1\n", "is not a corner"},
         {"a.obj", "#\ncurv 0 1 1 2\n", "a.obj:2: curv: this keyword is not supported"},
         {"a.ply", "ply\n", "expected .obj or .dxf"},
-        {"a.dxf", "", "a.dxf:0: the file ends too early"},
+        {"a.dxf", "", "a.dxf:0: the file is incomplete"},
         {"a.dxf", "AutoCAD Binary DXF\r\n\x1a", "a.dxf:1: this is a binary DXF file"},
         {"a.dxf", "PK\n", "a.dxf:1: \"PK\" is not a group code"},
-        {"a.dxf", "0\nEOF\n", "no section ENTITIES"},
+        {"a.dxf", "0\nEOF\n", "no ENTITIES section"},
         {"a.dxf", DXF(""), "the file has no surface"},
-        {"a.dxf", "0\nSECTION\n2\nENTITIES\n" RAISED, "the file ends too early"},
+        {"a.dxf", "0\nSECTION\n2\nENTITIES\n" RAISED, "the file is incomplete"},
         {"a.dxf", DXF("0\n3DSOLID\n70\n1\n"),
          "a.dxf:6: 3DSOLID: this entity is not supported"},
         {"a.dxf", DXF("0\nLINE\n39\n2\n"),
@@ -210,7 +210,7 @@ static void wrong_files_are_refused_by_line(void **state)
         {"a.dxf",
          SECTION("BLOCKS", "0\nBLOCK\n2\nA\n0\nINSERT\n2\nA\n0\nENDBLK\n")
              DXF("0\nINSERT\n2\nA\n"),
-         "there are too many blocks, the first one \"A\""},
+         "blocks are nested too deeply or inserted too often, first in \"A\""},
         {"a.dxf",
          SECTION("BLOCKS", "0\nBLOCK\n2\nA\n70\n4\n1\nother.dwg\n0\nENDBLK\n")
              DXF("0\nINSERT\n2\nA\n"),
@@ -218,7 +218,7 @@ static void wrong_files_are_refused_by_line(void **state)
         {"a.dxf",
          SECTION("BLOCKS", "0\nBLOCK\n2\nA\n0\nENDBLK\n")
              DXF("0\nINSERT\n2\nA\n70\n1000000\n"),
-         "there are too many blocks, the first one \"A\""},
+         "blocks are nested too deeply or inserted too often, first in \"A\""},
         {"a.dxf", DXF("0\nMESH\n92\n2\n" POINT(0, 0, 1)), "has 1 corners; expected 2"},
         {"a.dxf",
          DXF("0\nMESH\n92\n1\n" POINT(0, 0, 1) "93\n4\n90\n3\n90\n0\n90\n0\n"

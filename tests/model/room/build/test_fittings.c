@@ -124,9 +124,9 @@ static void what_stands_in_a_room_is_all_inside(void **state)
     check_wrong("<furniture x='8' y='2' width='1' depth='1' height='1'/>",
                 "is outside the room");
     check_wrong("<furniture x='5.5' y='2' width='1' depth='1' height='1'/>",
-                "expected it all inside");
+                "expected all of it inside");
     check_wrong("<column x='3' y='2' width='0.3' height='4'/>",
-                "expected it all inside");
+                "expected all of it inside");
 }
 
 /* Within a wardrobe, a round column and a partition, and on the floor under them, light is

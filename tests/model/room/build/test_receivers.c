@@ -233,7 +233,7 @@ static void a_place_is_refused_for_what_is_there(void **state)
     assert_string_equal(
         err.message,
         "the point 1.5,4.5,0.85 lies outside the room; expected a point in "
-        "the room's free space");
+        "the free space of the room");
     pp_world_destroy(world);
 }
 

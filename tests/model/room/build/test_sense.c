@@ -101,7 +101,8 @@ static void a_clockwise_plan_keeps_its_walls(void **state)
         "<window wall=\"2\" left=\"0\" sill=\"1\" width=\"5\" height=\"1\"/>\n"
         "<window wall=\"3\" left=\"0\" sill=\"1\" width=\"5\" height=\"1\"/>\n"
         "<window wall=\"4\" left=\"0\" sill=\"1\" width=\"5\" height=\"1\"/>\n</room>",
-        "2 is clockwise", "4 ends 1 m to the right", "6 ends 1 m to the right");
+        "2 its vertices are clockwise", "4 ends 1 m to the right",
+        "6 ends 1 m to the right");
 }
 
 static void surfaces_stay_on_one_side_of_the_room_s_faces(void **state)
@@ -142,7 +143,7 @@ static void a_block_keeps_clear_of_the_glass(void **state)
              "reveal=\"0.5\"/>\n"
              "<block x=\"0\" y=\"-3\" width=\"3\" depth=\"2.6\" height=\"3\"/>\n"
              "<block x=\"0\" y=\"-3\" width=\"3\" depth=\"2.4\" height=\"3\"/>\n"),
-        "4 within the depth of the opening of line 3");
+        "4 extends into the reveal of the opening on line 3");
 }
 
 static void a_skyline_keeps_clear_of_the_room(void **state)
@@ -249,8 +250,8 @@ static void faces_meet_in_their_edges_only(void **state)
                                                          V("0", "0",
                                                            "3") "</face>\n"
                                                                 "</envelope></room>",
-        "4 intersects the face of line 3", "5 intersects the face of line 3",
-        "6 intersects the face of line 3", "7 intersects the face of line 3");
+        "4 intersects the face on line 3", "5 intersects the face on line 3",
+        "6 intersects the face on line 3", "7 intersects the face on line 3");
 #undef V
 #undef TIP
 }
