@@ -66,7 +66,7 @@ static enum pp_status read_stream(char **bytes, size_t *length, size_t most, int
     if (status == PP_OK && less && *length > PP_READ_FILE_STREAM_MOST)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s: the decompressed file has more than %d MiB; expected a smaller file",
+            "%s: the decompressed file is larger than %d MiB; expected a smaller file",
             name, (int)(PP_READ_FILE_STREAM_MOST >> 20));
     return status;
 }

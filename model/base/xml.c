@@ -150,15 +150,16 @@ static bool within_limits(struct xml_builder *b, int attribute_count, int line)
 {
     if (b->depth == b->format->depth_most)
         pp_mistakes_add(b->mistakes, line,
-                        "elements are nested more than %d deep, which is the limit",
+                        "elements are nested more than %d levels deep; expected fewer "
+                        "levels",
                         b->format->depth_most);
     else if (b->elements == b->format->elements_most)
         pp_mistakes_add(b->mistakes, line,
-                        "the file has more than %d elements, which is the limit",
+                        "the file has more than %d elements; expected fewer",
                         b->format->elements_most);
     else if (attribute_count > PP_XML_ATTRIBUTES_MOST)
         pp_mistakes_add(b->mistakes, line,
-                        "an element has more than %d attributes, which is the limit",
+                        "an element has more than %d attributes; expected fewer",
                         PP_XML_ATTRIBUTES_MOST);
     else
         return true;

@@ -11,9 +11,11 @@ static const char bad_tag[] =
     "this tag is malformed; expected a space, > or />, or a missing quotation mark";
 static const char open_tag[] = "this tag is not closed; expected > or /> at its end";
 static const char bad_start[] = "the <?xml ...?> at the start of the file is malformed";
-static const char bad_reference[] = "this character reference &#...; is empty, or for "
-                                    "a control character that XML does not allow";
-static const char bad_letter[] = "control characters are not allowed in XML";
+static const char bad_reference[] = "this character reference &#...; is empty, or "
+                                    "stands for a control character that XML does not "
+                                    "allow";
+static const char bad_letter[] = "there is a control character, which XML does not "
+                                 "allow";
 
 static const struct {
     int code;
@@ -51,7 +53,7 @@ static const struct {
     {XML_ERR_EQUAL_REQUIRED, PP_XML_HERE, bad_start},
     {XML_ERR_STRING_NOT_STARTED, PP_XML_HERE, bad_start},
     {XML_ERR_STRING_NOT_CLOSED, PP_XML_HERE, bad_start},
-    {XML_ERR_MISPLACED_CDATA_END, PP_XML_HERE, "there is ]]> between elements"},
+    {XML_ERR_MISPLACED_CDATA_END, PP_XML_HERE, "there is a ]]> between elements"},
 };
 
 /* libxml2 reports several mistakes with one error code; the bytes around the position

@@ -239,7 +239,7 @@ enum pp_status pp_xml_text_read(struct pp_xml_text *text, const char *bytes,
     *text = (struct pp_xml_text){.bytes = length ? bytes : "", .length = length};
     if (length > format->bytes_most) {
         pp_mistakes_add(mistakes, 0,
-                        "the file is larger than %zu MiB, which is the limit",
+                        "the file is larger than %zu MiB; expected a smaller file",
                         format->bytes_most >> 20);
         pp_xml_text_clear(text);
         return PP_OK;

@@ -52,7 +52,7 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
                                 struct pp_error *err)
 {
     return pp_fail(err, PP_BAD_INPUT, "%s failed: %s", what,
-                   clipper->said[0] ? clipper->said : "the reason is not known");
+                   clipper->said[0] ? clipper->said : "the cause is unknown");
 }
 
 /* ---- regions of rings ---- */
@@ -173,7 +173,7 @@ enum pp_status pp_clipper_by_crossings(struct pp_clipper *clipper,
         return status;
     GEOSGeometry *faces = faces_of(geos, xy, count);
     if (!faces)
-        return fail_geos(clipper, "finding the faces of an outline", err);
+        return fail_geos(clipper, "the search for the faces of an outline", err);
     int face_count = GEOSGetNumGeometries_r(geos, faces), found = 0;
     struct pp_region *inside = calloc((size_t)face_count + 1, sizeof *inside);
     struct pp_ring ring = {count, (double(*)[2])xy};
@@ -302,7 +302,7 @@ enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *re
     GEOSGeometry *inside = widen_figure(geos, whole, -distance);
     GEOSGeom_destroy_r(geos, whole);
     if (!inside)
-        return fail_geos(clipper, "the inside of an outline", err);
+        return fail_geos(clipper, "the inward offset of an outline", err);
     return pp_geos_region_from(result, geos, inside, clipper->grid, err);
 }
 

@@ -184,7 +184,8 @@ static enum pp_status check_scatter(const struct pp_material *material,
     if (!within(sum, 1.0 + ROUNDING))
         return wrong(material,
                      "the material reflects and transmits more light than it receives; "
-                     "expected a sum of at most 1 in each channel",
+                     "expected the sum of reflectance and transmittance to be at most "
+                     "1 in each channel",
                      err);
     for (int i = 0; i < 2; i++)
         if (!(material->roughness[i] >= 0.0 && material->roughness[i] <= 1.0))

@@ -32,7 +32,8 @@ static enum pp_status grow_shape_list(void *list, int count, int *space, int mor
 {
     if (more > INT_MAX / 2 - count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the scene has more than %d parts of one kind", INT_MAX / 2);
+                       "the scene has more than %d parts of the same kind",
+                       INT_MAX / 2);
     return pp_array_reserve(list, space, count + more, size, err);
 }
 
@@ -125,7 +126,9 @@ static enum pp_status check_plane(const struct pp_vec3 *corners, int count,
         uneven = fmax(uneven, fabs(pp_vec_dot(n, pp_vec_sub(corners[i], corners[0]))));
     if (uneven > MOST_UNEVEN * size)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a polygon is not plane, because a corner is off by %g", uneven);
+                       "a polygon is not planar, because a corner is %g m off the "
+                       "plane",
+                       uneven);
     return PP_OK;
 }
 
@@ -136,7 +139,9 @@ enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *sce
 {
     for (int i = 0; i < count; i++)
         if (!is_finite(corners[i]))
-            return pp_fail(err, PP_BAD_INPUT, "a corner of a polygon is not a number");
+            return pp_fail(err, PP_BAD_INPUT,
+                           "a coordinate of a polygon corner is not "
+                           "a number");
     enum pp_status status = GROW(scene, vertices, vertex, count, err);
     if (status != PP_OK)
         return status;
@@ -171,8 +176,8 @@ static enum pp_status check_cone(const struct pp_shape *shape, struct pp_error *
         return pp_fail(err, PP_BAD_INPUT, "a cone or cylinder has no length");
     if (!(radii[0] >= 0.0) || !(radii[1] >= 0.0) || !(radii[0] + radii[1] > 0.0)
         || isinf(radii[0] + radii[1]))
-        return pp_fail(err, PP_BAD_INPUT, "a cone has radii %g and %g", radii[0],
-                       radii[1]);
+        return pp_fail(err, PP_BAD_INPUT, "a cone has the invalid radii %g and %g",
+                       radii[0], radii[1]);
     return PP_OK;
 }
 
@@ -183,7 +188,7 @@ static enum pp_status check_shape(struct pp_shape *shape, struct pp_error *err)
     case PP_SHAPE_SPHERE:
         if (!is_finite(shape->is.sphere.centre) || !(shape->is.sphere.radius_m > 0.0)
             || isinf(shape->is.sphere.radius_m))
-            return pp_fail(err, PP_BAD_INPUT, "a sphere has radius %g",
+            return pp_fail(err, PP_BAD_INPUT, "a sphere has the invalid radius %g",
                            shape->is.sphere.radius_m);
         return PP_OK;
     case PP_SHAPE_CONE:
@@ -194,13 +199,15 @@ static enum pp_status check_shape(struct pp_shape *shape, struct pp_error *err)
             && (!is_finite(shape->is.ring.centre) || !(shape->is.ring.radii_m[0] >= 0.0)
                 || !(shape->is.ring.radii_m[1] > shape->is.ring.radii_m[0])
                 || isinf(shape->is.ring.radii_m[1])))
-            return pp_fail(err, PP_BAD_INPUT, "a ring has radii %g and %g",
+            return pp_fail(err, PP_BAD_INPUT, "a ring has the invalid radii %g and %g",
                            shape->is.ring.radii_m[0], shape->is.ring.radii_m[1]);
         return status;
     case PP_SHAPE_DISTANT:
         if (!(shape->is.distant.half_angle_rad > 0.0)
             || !(shape->is.distant.half_angle_rad <= PP_PI))
-            return pp_fail(err, PP_BAD_INPUT, "a distant source has an angle of %g deg",
+            return pp_fail(err, PP_BAD_INPUT,
+                           "a distant source has the invalid angle "
+                           "of %g degrees",
                            2.0 * shape->is.distant.half_angle_rad / PP_RAD);
         return make_unit(&shape->is.distant.direction, "a distant source", err);
     default:

@@ -48,8 +48,8 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
     if (!(pp_vec_length(toward) > 0.0) || !isfinite(pp_vec_length(toward))
         || !(pp_vec_length(up) > 0.0) || !isfinite(pp_vec_length(up)))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the direction of view, or the up direction, has no length; "
-                       "expected a direction");
+                       "the view direction or the up direction is 0; expected a "
+                       "direction");
     enum pp_status status = check_size(kind, across, err);
     if (status == PP_OK)
         status = check_size(kind, down, err);
@@ -60,7 +60,8 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
     if (pp_vec_length(right) < least_angle_rad)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the view is parallel to its up direction; expected another up direction");
+            "the view direction is parallel to the up direction; expected another up "
+            "direction");
     right = pp_vec_unit(right);
     *camera = (struct pp_camera){
         kind, eye, toward, right, pp_vec_cross(right, toward), across, down};

@@ -10,8 +10,8 @@ enum pp_status pp_picture_init(struct pp_picture *picture, int width, int height
     if (width < 1 || height < 1 || width > PP_PICTURE_SIDE_MOST
         || height > PP_PICTURE_SIDE_MOST || height > PP_PICTURE_PIXELS_MOST / width)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a picture has %d x %d pixels; expected 1 to %d each way and at "
-                       "most %d million in all",
+                       "a picture has %d x %d pixels; expected 1 to %d in each "
+                       "direction and at most %d million in all",
                        width, height, PP_PICTURE_SIDE_MOST,
                        PP_PICTURE_PIXELS_MOST / 1000000);
     float *rgb = calloc((size_t)width * (size_t)height, 3 * sizeof *rgb);

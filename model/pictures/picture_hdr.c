@@ -217,8 +217,8 @@ static enum pp_status read_header(struct input *in, struct pp_hdr_notes *notes,
     for (;;) {
         if (!read_hdr_line(in, line))
             return pp_fail(err, PP_BAD_INPUT,
-                           "line %d: the header is incomplete, or has a line of more "
-                           "than %d characters",
+                           "line %d: the header is incomplete, or one of its lines has "
+                           "more than %d characters",
                            in->line + 1, LINE_MOST);
         if (line[0] == '\0')
             break;
@@ -229,7 +229,7 @@ static enum pp_status read_header(struct input *in, struct pp_hdr_notes *notes,
     if (!read_hdr_line(in, line) || !read_size(line, size, signs))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "line %d: the size is missing; expected one such as \"-Y 480 +X 640\"",
+            "line %d: the size is missing; expected a size such as \"-Y 480 +X 640\"",
             in->line);
     return PP_OK;
 }

@@ -74,7 +74,7 @@ enum pp_status pp_picture_pfm_read(struct pp_picture *picture,
     if (!read_word(order, bytes, length, &at) || !pp_text_parse_number(order, &scale)
         || scale == 0.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "line 3: no order of bytes; expected -1.0 or 1.0");
+                       "line 3: no byte order; expected -1.0 or 1.0");
     at++; /* the single white byte after the header */
     size_t channels = kind[1] == 'F' ? 3 : 1;
     if ((length - at) / (4 * channels) / (size_t)width < (size_t)height)

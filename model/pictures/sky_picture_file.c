@@ -46,7 +46,7 @@ static enum pp_status read_picture(struct file *file, const char *path,
         return status;
     const unsigned char *data = (const unsigned char *)bytes;
     if (length > BYTES_MOST)
-        status = pp_fail(err, PP_BAD_INPUT, "the picture has more than %zu bytes",
+        status = pp_fail(err, PP_BAD_INPUT, "the picture is larger than %zu bytes",
                          BYTES_MOST);
     else if (length > 2 && data[0] == 'P' && (data[1] == 'F' || data[1] == 'f'))
         status = pp_picture_pfm_read(&file->picture, data, length, err);
@@ -60,7 +60,7 @@ static enum pp_status read_picture(struct file *file, const char *path,
     if (status == PP_OK && file->notes.quantity[0]
         && strcmp(file->notes.quantity, "luminance") != 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "the pixels have the quantity \"%s\"; expected luminance",
+                         "the pixels hold the quantity \"%s\"; expected luminance",
                          file->notes.quantity);
     return of_file(path, status, err);
 }
@@ -144,7 +144,8 @@ static enum pp_status check_filled(const struct pp_sky_picture *picture,
     return pp_fail(
         err, PP_BAD_INPUT,
         "%.0f %% of the light comes from directions that the picture does not show; "
-        "expected at most %.0f %%, a second picture, or a luminance for them (fill)",
+        "expected at most %.0f %%, a second picture, or a luminance for these "
+        "directions (fill)",
         100.0 * picture->filled, 100.0 * FILLED_MOST);
 }
 
@@ -165,7 +166,7 @@ enum pp_status pp_sky_picture_file_read(struct pp_sky_picture **result,
         && picture->frames[0].projection == PP_SKY_LATITUDE_LONGITUDE)
         status = pp_fail(err, PP_BAD_INPUT,
                          "%s: a latitude-longitude picture shows all directions; "
-                         "expected no second one",
+                         "expected no second picture",
                          second);
     if (status == PP_OK && second)
         status = add_frame(picture, second, options, err);

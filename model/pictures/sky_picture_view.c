@@ -75,7 +75,7 @@ static enum pp_status set_projection(struct pp_sky_frame *frame,
     else if (said->type)
         return pp_fail(err, PP_BAD_INPUT,
                        "the picture has a view of type -vt%c; expected -vta or -vth, "
-                       "or the projection",
+                       "or a projection",
                        said->type);
     else
         frame->projection = wide ? PP_SKY_LATITUDE_LONGITUDE : PP_SKY_EQUIDISTANT;
@@ -122,8 +122,8 @@ static enum pp_status set_circle(struct pp_sky_frame *frame,
         || !(circle[1] >= 0.0) || !(circle[1] <= height)
         || !(circle[2] <= width + height))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the circle is \"%g %g %g\"; expected a centre within the "
-                       "picture's %d x %d pixels and a radius, for a fisheye",
+                       "the circle is \"%g %g %g\"; expected a fisheye picture, and "
+                       "for the circle a centre within its %d x %d pixels and a radius",
                        circle[0], circle[1], circle[2], frame->width, frame->height);
     frame->centre[0] = circle[0];
     frame->centre[1] = circle[1];
@@ -170,7 +170,8 @@ static enum pp_status set_axes(struct pp_sky_frame *frame, const struct said *sa
     struct pp_vec3 right = pp_vec_cross(toward, top);
     if (!(pp_vec_length(right) > 1e-9 * pp_vec_length(toward) * pp_vec_length(top)))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the top of the picture is in its direction of view");
+                       "the direction to the top of the picture is the same as its "
+                       "direction of view");
     frame->toward = pp_vec_unit(toward);
     frame->right = pp_vec_unit(right);
     frame->up = pp_vec_cross(frame->right, frame->toward);

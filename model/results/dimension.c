@@ -56,7 +56,7 @@ void pp_dimension_describe(char text[96], struct pp_dimension d)
         pp_text_append(text, 96, "%san angle%s", text[0] ? " times " : "",
                        same(d.degrees, 1.0) ? " (degrees)" : " to a power");
     if (!d.number && !same(d.per_cent, 0.0))
-        pp_text_append(text, 96, "%sper cent of the sky's light%s",
+        pp_text_append(text, 96, "%sa percentage of the sky's light%s",
                        text[0] ? " times " : "",
                        same(d.per_cent, 1.0) ? "" : " to a power");
     if (!text[0])

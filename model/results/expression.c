@@ -147,7 +147,9 @@ static struct term name(struct parser *parser, const char *start, int length)
         while (known < made->name_count && made->names[known] != i)
             known++;
         if (known == PP_EXPRESSION_NAMES_MOST)
-            return fail(parser, start, "expected fewer different quantities");
+            return fail(parser, start,
+                        "the formula has too many different quantities; "
+                        "expected fewer");
         made->names[known] = i;
         if (known == made->name_count)
             made->name_count++;
@@ -296,7 +298,8 @@ static struct term power(struct parser *parser)
 {
     if (parser->nested == PP_EXPRESSION_NESTED_MOST)
         return fail(parser, parser->at,
-                    "there are too many nested parts; expected fewer");
+                    "parentheses and powers are nested too deeply; expected fewer "
+                    "levels");
     parser->nested++;
     struct term term = power_parts(parser);
     parser->nested--;
@@ -323,10 +326,10 @@ static struct term power_parts(struct parser *parser)
         return exponent;
     if (!pp_dimension_is_ratio(exponent.dimension))
         return wrong_dimension(parser, exponent.start, exponent.dimension,
-                               "a number as exponent");
+                               "a number as the exponent");
     if (!pp_dimension_is_ratio(base.dimension) && !exponent.constant)
         return wrong_dimension(parser, base.start, base.dimension,
-                               "a ratio before an exponent that is not a plain number");
+                               "a ratio, because its exponent is not a plain number");
     emit(parser, PP_DO_POWER, sign);
     if (exponent.constant)
         base.dimension = pp_dimension_raised(base.dimension, exponent.value);
@@ -356,7 +359,7 @@ static struct term product(struct parser *parser)
             return factor;
         if (over && factor.constant && factor.value == 0.0)
             return fail(parser, factor.start,
-                        "this is 0; expected a number to divide by");
+                        "this divisor is 0; expected another number");
         emit(parser, over ? PP_DO_OVER : PP_DO_TIMES, sign);
         term.dimension =
             pp_dimension_times(term.dimension, factor.dimension, over ? -1.0 : 1.0);
@@ -400,7 +403,8 @@ bool pp_expression_parse(struct pp_expression *expression, const char *text, int
     expression->count = expression->name_count = 0;
     if (strlen(text) > PP_EXPRESSION_MOST) {
         char what[64];
-        snprintf(what, sizeof what, "the name is too long; expected at most %d letters",
+        snprintf(what, sizeof what,
+                 "the formula is too long; expected at most %d characters",
                  PP_EXPRESSION_MOST);
         fail(&parser, text + PP_EXPRESSION_MOST, what);
         return false;
@@ -408,7 +412,9 @@ bool pp_expression_parse(struct pp_expression *expression, const char *text, int
     expression->dimension = sum(&parser).dimension;
     if (!parser.failed && peek(&parser))
         fail(&parser, parser.at,
-             *parser.at == ')' ? "this \")\" has no \"(\"; expected the end"
-                               : "expected +, -, *, /, ^ or the end");
+             *parser.at == ')' ? "this \")\" has no \"(\"; expected the end of the "
+                                 "formula of the formula"
+                               : "expected +, -, *, /, ^ or the end of the formula of "
+                                 "the formula");
     return !parser.failed;
 }

@@ -10,7 +10,7 @@ check "a device is no room" refuses 1 "/dev/zero: this is a device; expected a f
 check "nor one without an end a scene" refuses 1 "/dev/zero: this is a device" import /dev/zero
 check "standard input that never ends" sh -c "
     '$pepperpot' import - </dev/zero 2>'$scratch/err'
-    [ \$? -eq 1 ] && grep -qF 'more than 512 MiB' '$scratch/err'"
+    [ \$? -eq 1 ] && grep -qF 'larger than 512 MiB' '$scratch/err'"
 check "an empty file" refuses 1 "standard input" df -
 
 cat >"$scratch/wrong.xml" <<'XML'

@@ -78,10 +78,10 @@ enum pp_status pp_field_create(struct pp_field **field_out,
     *field_out = 0;
     if (!(tolerance > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the tolerance of contours is %g; expected more than 0",
+                       "the tolerance for contours is %g; expected more than 0",
                        tolerance);
     if (region->count == 0)
-        return pp_fail(err, PP_BAD_INPUT, "the area for the contours is empty");
+        return pp_fail(err, PP_BAD_INPUT, "there is no area for the contours");
     struct pp_field *field = calloc(1, sizeof *field);
     if (!field)
         return pp_fail_memory(err);

@@ -11,11 +11,11 @@ struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet)
     struct pp_annual_leed leed = {.why_not = NULL};
     double sda = sheet->plane.sda.value;
     if (!sheet->has_blinds)
-        leed.why_not = "there is no sDA without blinds";
+        leed.why_not = "sDA needs blinds";
     else if (!sheet->is_grid)
         leed.why_not = "the points do not form a grid";
     else if (!sheet->standard_hours)
-        leed.why_not = "the hours are not 8 to 18 h on all days";
+        leed.why_not = "the hours are not 8:00 to 18:00 on all days";
     leed.points = leed.why_not ? 0 : (sda >= 0.40) + (sda >= 0.55) + (sda >= 0.75);
     leed.ase_to_explain = sheet->plane.ase.value > 0.10;
     return leed;

@@ -70,10 +70,10 @@ static void a_wrong_text_is_refused_at_its_place(void **state)
         {"sin(R)", 5, "an angle"},
         {"atan(h)", 6, "a ratio"},
         {"exp(W)", 5, "a ratio"},
-        {"2^h", 3, "a number as exponent"},
-        {"h^R", 1, "a ratio before"},
-        {"R / 0", 5, "divide by"},
-        {"R / (1 - 1)", 5, "divide by"},
+        {"2^h", 3, "a number as the exponent"},
+        {"h^R", 1, "a ratio, because"},
+        {"R / 0", 5, "this divisor is 0"},
+        {"R / (1 - 1)", 5, "this divisor is 0"},
         {"sin 3", 5, "\"(\" after"},
         {"sin(3, 4)", 8, "one argument"},
         {"max()", 5, "expected a number"},
@@ -110,7 +110,7 @@ static void a_text_has_an_end(void **state)
     memset(text, '(', PP_EXPRESSION_MOST);
     text[PP_EXPRESSION_MOST] = '\0';
     assert_false(pp_expression_parse(&expression, text, 0, names, NAMES, &mistake));
-    assert_non_null(strstr(mistake.what, "too many nested parts"));
+    assert_non_null(strstr(mistake.what, "nested too deeply"));
 }
 
 static void an_operation_without_a_result_is_named_with_its_column(void **state)

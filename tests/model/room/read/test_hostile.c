@@ -102,12 +102,12 @@ static void bulk_takes_no_more_than_its_share(void **state)
         {room, "&amp;", "</room>", "text \"&&&&"},
         {room, "x", "</room>", "text \"xxxx"},
         {room, "&uuml;", "</room>", "&uuml; is unknown"},
-        {room, "]]>", "</room>", "there is ]]> between elements"},
+        {room, "]]>", "</room>", "there is a ]]> between elements"},
         {"<!DOCTYPE room [", "<!ENTITY a 'b'>", "]><room/>",
          "a DOCTYPE is not allowed"},
         {room, "x<a/>", "</room>", "text \"x\""},
         {room, "x<a/>\n", "</room>", "text \"x\""},
-        {room, "<a>", "</room>", "nested more than 8 deep"},
+        {room, "<a>", "</room>", "nested more than 8 levels deep"},
         {room, "<a/>", "</room>", "more than 200000 elements"},
         {room, "<dor/>\n", "</room>", "more than 200000 elements"},
         {room, "<point x='1' y='nan'/>", "</room>", "y is \"nan\""},
@@ -196,7 +196,7 @@ static void malformed_xml_is_named_with_its_line(void **state)
     } files[] = {
         {"<room version='1'>" PLAN "\n<a>\n<b><c><d><e><f><g>\n<h/></g></f></e></d></c>"
          "</b></a></room>",
-         4, "elements are nested more than 8 deep"},
+         4, "elements are nested more than 8 levels deep"},
         {"<room version='1'>\n" PLAN "\n<!-- a\n b", 3, "a comment <!-- has no end"},
         {"<room version='1'>\n<![CDATA[\n", 2, "a <![CDATA[ has no end"},
         {"<room version='1'>\n<plan\n width='4\n depth='5'/></room>", 4,
