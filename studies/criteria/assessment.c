@@ -375,6 +375,10 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
         status = pp_gains_simulate(&assessment->gains, assessment->room->room,
                                    assessment->room->world, &assessment->room->light,
                                    options->study, err);
+    const struct pp_column *traced =
+        pp_report_find(&assessment->report, PP_DF, "traced");
+    if (status == PP_OK && assessment->has_gains && traced)
+        pp_gains_relate(&assessment->gains, traced->average.value);
     return status;
 }
 

@@ -166,6 +166,16 @@ enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *r
     return status;
 }
 
+void pp_gains_relate(struct pp_gains *gains, double average)
+{
+    const double scale = average / gains->now.average;
+    if (!isfinite(scale))
+        return;
+    gains->now.average = average;
+    for (int i = 0; i < gains->count; i++)
+        gains->list[i].values.average *= scale;
+}
+
 void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t size)
 {
     enum { NAMED = 3 };

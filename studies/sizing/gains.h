@@ -63,6 +63,11 @@ enum pp_status pp_gains_simulate(struct pp_gains *gains, const struct pp_room *r
                                  const struct pp_study_options *options,
                                  struct pp_error *err);
 
+/* Scales the averages so that the room has this one, which is more accurate, and the
+ * gains keep their ratios: rooms with the same seed have most of their noise in common.
+ * Does nothing if an average is not known. */
+void pp_gains_relate(struct pp_gains *gains, double average);
+
 /* The room's three largest faults as a sentence ("Main causes: low window heads and a
  * dark ceiling."), in `text` of `size` bytes; empty if no change raises the average. */
 void pp_gains_sentence(const struct pp_gains *gains, char *text, size_t size);

@@ -143,6 +143,24 @@ static void the_largest_gain_comes_first(void **state)
     assert_true(strncmp(sentence + 13, first, strlen(first)) == 0);
 }
 
+static void gains_relate_to_the_average_of_a_longer_simulation(void **state)
+{
+    (void)state;
+    struct pp_gains gains;
+    gains_of(&gains, office);
+    const struct pp_gains first = gains;
+    pp_gains_relate(&gains, 1.1 * first.now.average);
+    assert_relative(gains.now.average, 1.1 * first.now.average, 1e-12);
+    for (int i = 0; i < gains.count; i++) {
+        assert_relative(gains.list[i].values.average,
+                        1.1 * first.list[i].values.average, 1e-12);
+        assert_float_equal(gains.list[i].values.darkest, first.list[i].values.darkest,
+                           0.0);
+    }
+    pp_gains_relate(&gains, NAN);
+    assert_relative(gains.now.average, 1.1 * first.now.average, 1e-12);
+}
+
 static void what_is_as_good_as_can_be_is_no_gain(void **state)
 {
     (void)state;
@@ -235,6 +253,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_gain_is_that_of_the_changed_file),
         cmocka_unit_test(the_largest_gain_comes_first),
+        cmocka_unit_test(gains_relate_to_the_average_of_a_longer_simulation),
         cmocka_unit_test(what_is_as_good_as_can_be_is_no_gain),
         cmocka_unit_test(a_gain_of_a_hundredth_is_told_and_one_of_a_thousandth_is_not),
         cmocka_unit_test(where_bre_says_nothing_split_flux_does),
