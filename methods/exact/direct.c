@@ -84,10 +84,10 @@ struct sum_text {
 static struct sum_text closed_form(const struct pp_sky *sky)
 {
     double b = sky->gradation;
-    struct sum_text sum = {"100 E_0# / 3.141592653590"};
+    struct sum_text sum = {"100 E_0# / pi"};
     if (b != 0.0)
-        snprintf(sum.text, sizeof sum.text,
-                 "300 (E_0# + %g E_1#) / (%g * 3.141592653590)", b, 3.0 + 2.0 * b);
+        snprintf(sum.text, sizeof sum.text, "300 (E_0# + %g E_1#) / (%g pi)", b,
+                 3.0 + 2.0 * b);
     return sum;
 }
 

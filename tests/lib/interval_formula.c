@@ -4,7 +4,7 @@
  *     sum     = product { (+|-) product }
  *     product = power { [*|/] power }        from left to right; side by side: times
  *     power   = [-] primary [ ^ power ]
- *     primary = number | symbol | function ( sum {, sum} ) | ( sum )
+ *     primary = number | pi | symbol | function ( sum {, sum} ) | ( sum )
  *
  * A minus binds less tightly than ^ and more tightly than *.
  */
@@ -199,6 +199,11 @@ static struct interval symbol(struct parser *parser)
             parser->at += length;
             return parser->figures->list[i].value;
         }
+    if (strcmp(name, "pi") == 0) {
+        const double pi = 180.0 * degree;
+        parser->at += length;
+        return (struct interval){pi, pi};
+    }
     return fail(parser, "a symbol that is not set down before");
 }
 
