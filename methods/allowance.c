@@ -47,7 +47,8 @@ double pp_allowance_net_glass(struct pp_worksheet *sheet,
     double a = opening->inner.area_m2, B = opening->frame_factor;
     if (B == 1.0) {
         pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, formula->symbol,
-                         "net glass area (the whole opening, without a frame)");
+                         "net glass area (the whole opening, because there is no "
+                         "frame)");
         return a;
     }
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, a, "a", "area of the opening");

@@ -62,7 +62,7 @@ void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *meth
         if (!pp_steps_find(steps, first, own_symbols[components[i]]))
             pp_steps_add_named(steps, PP_UNIT_DAYLIGHT_FACTOR,
                                pp_component_steps_figure(&read, components[i]),
-                               own_symbols[components[i]], "%s, as read off",
+                               own_symbols[components[i]], "%s, as read",
                                pp_component_steps_names[components[i]]);
     char product[64];
     pp_allowance_steps(steps, method, world, opening, product, sizeof product);

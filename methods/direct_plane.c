@@ -100,7 +100,7 @@ static enum pp_status check_meshes(const struct pp_world *world, struct pp_error
     if ((double)triangles * world->opening_count <= mesh_triangles_most)
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,
-                   "the external meshes have %d triangles, too many for contours over "
+                   "the external meshes have %d triangles, too many for contours on "
                    "the working plane; expected single points, or at most %.0f "
                    "triangles divided by the number of openings",
                    triangles, mesh_triangles_most);

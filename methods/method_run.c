@@ -323,7 +323,7 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
         if (status == PP_OK && pp_beams_gave_up(run->shared.beams)) {
             *answer = (struct pp_method_answer){
                 .why = "the obstructions have too many parts; the average would take "
-                       "too long"};
+                       "too long to calculate"};
             return PP_OK;
         }
         if (status != PP_OK || known)

@@ -37,7 +37,7 @@ const char *pp_refusals_if_luminous(const struct pp_world *world)
 const char *pp_refusals_if_mesh(const struct pp_world *world)
 {
     return world->mesh_count > 0 ? "not valid with external meshes, because the method "
-                                   "uses vertical rectangles"
+                                   "represents obstructions by vertical rectangles"
                                  : NULL;
 }
 

@@ -84,15 +84,23 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
     }
 
 static const struct pp_formula_quantity of_upper[] = {
-    {"h", PP_UNIT_NUMBER, "upper edge over distance"},
-    {"T_hl", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the left jamb"},
-    {"T_hr", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the right jamb"},
+    {"h", PP_UNIT_NUMBER, "height of the upper edge divided by the distance"},
+    {"T_hl", PP_UNIT_DAYLIGHT_FACTOR,
+     "table value for the part from the normal to the "
+     "left jamb"},
+    {"T_hr", PP_UNIT_DAYLIGHT_FACTOR,
+     "table value for the part from the normal to the "
+     "right jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_lower[] = {
-    {"s", PP_UNIT_NUMBER, "lower edge over distance"},
-    {"T_sl", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the left jamb"},
-    {"T_sr", PP_UNIT_DAYLIGHT_FACTOR, "table value for the part to the right jamb"},
+    {"s", PP_UNIT_NUMBER, "height of the lower edge divided by the distance"},
+    {"T_sl", PP_UNIT_DAYLIGHT_FACTOR,
+     "table value for the part from the normal to the "
+     "left jamb"},
+    {"T_sr", PP_UNIT_DAYLIGHT_FACTOR,
+     "table value for the part from the normal to the "
+     "right jamb"},
     {0},
 };
 
@@ -112,7 +120,7 @@ const struct pp_formula pp_brs_edges_lower[3] = {
 static const struct pp_formula_quantity of_rectangle[] = {
     {"H", PP_UNIT_DAYLIGHT_FACTOR, "table value at the upper edge"},
     {"S", PP_UNIT_DAYLIGHT_FACTOR,
-     "table value at the lower edge (0 at the start of the table)"},
+     "table value at the lower edge (0 where the table starts)"},
     {0},
 };
 static const struct pp_formula_quantity of_hidden[] = {
@@ -127,13 +135,13 @@ static const char in_words[] = "sky component",
 
 const struct pp_formula pp_brs_edges_sky[2] = {
     BRS("sc", "H - S", in_words, of_rectangle, false),
-    BRS("sc", "H", "sky component, with the lower edge at the start of the table",
+    BRS("sc", "H", "sky component, for a lower edge where the table starts",
         of_rectangle, false)};
 const struct pp_formula pp_brs_edges_equivalent[2] = {
     BRS("e", "H - S", equivalent, of_rectangle, false),
     BRS("e", "H",
-        "equivalent sky component of the obstruction, with the lower edge at the start "
-        "of the table",
+        "equivalent sky component of the obstruction, for a lower edge where the table "
+        "starts",
         of_rectangle, false)};
 const struct pp_formula pp_brs_edges_reflected =
     BRS("erc", "f e", external, of_hidden, false);
@@ -142,7 +150,7 @@ const struct pp_formula pp_brs_edges_across[4] = {
     BRS("e", "H + S",
         "equivalent sky component of an obstruction, for a point under the glass",
         of_rectangle, true),
-    BRS("sc", "S - H", "sky component, with both edges on the lower side of the normal",
+    BRS("sc", "S - H", "sky component, for two edges on the lower side of the normal",
         of_rectangle, true),
     BRS("e", "S - H",
         "equivalent sky component of an obstruction, for a point under the glass",
@@ -167,7 +175,9 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
 {
     double left = fabs(at->left), right = fabs(at->right);
     bool both = at->left < 0.0 && at->right > 0.0;
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, up, edge->height, "%s over distance, %s",
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, up, edge->height,
+                     "%s: height divided by "
+                     "the distance, %s",
                      edge->what, measure);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, pp_brs_edges_read(table, up, left),
                      edge->left, "table value at this %s and w/d %.3f", measure, left);
@@ -178,7 +188,7 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
                       &edge->sums[both              ? 0
                                   : at->right > 0.0 ? 2
                                                     : 1],
-                      both ? "sum of the values on both sides of the normal"
+                      both ? "sum of the values for both sides of the normal"
                            : "value of the wider part minus that of the narrower part");
 }
 
@@ -201,10 +211,11 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
     pp_part_steps_next(terms);
     pp_worksheet_note(
         sheet, PP_UNIT_NUMBER, at->left,
-        "%s: distance of the left jamb from the normal over d, w/d (right positive)",
+        "%s: distance of the left jamb from the normal, divided by d: w/d (right "
+        "positive)",
         at->hidden ? "obstruction" : "sky");
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, at->right,
-                      "distance of the right jamb from the normal over d, w/d");
+                      "distance of the right jamb from the normal, divided by d: w/d");
     work_edge(sheet, &upper, table, fabs(at->high), at, measure);
     if (at->low != 0.0)
         work_edge(sheet, &lower, table, fabs(at->low), at, measure);

@@ -153,7 +153,8 @@ static const struct pp_formula *const formulae[] = {PP_BRS_EDGES_FORMULAE,
 
 const struct pp_method pp_method_brs_rooflight = {
     .name = "brs-table-rooflight",
-    .summary = "direct component by the BRS table and similar tables for rooflights",
+    .summary = "direct component by the BRS simplified daylight table and similar "
+               "tables for rooflights",
     .source = "HLG58",
     .formulae = formulae,
     .gives = PP_GIVES_DIRECT,

@@ -131,7 +131,7 @@ static void add_sky_steps(struct pp_part_steps *terms,
     if (figures->below == 0.0)
         return;
     pp_part_steps_read(terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "c",
-                       "component of the visible ground for a reflectance of 1");
+                       "component of the visible ground if its reflectance were 1");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "rho_g",
                        "reflectance of the ground");
     pp_part_steps_component(terms, true, figures->factor * figures->below, "rho_g# c#",
@@ -152,7 +152,8 @@ static void add_hidden_steps(struct pp_part_steps *terms,
     if (below)
         pp_part_steps_read(
             terms, PP_UNIT_DAYLIGHT_FACTOR, figures->below, "b",
-            "part of the obstruction below the horizon, at the same luminance");
+            "component of the part of the obstruction below the horizon, with the same "
+            "luminance");
     pp_part_steps_read(terms, PP_UNIT_NUMBER, figures->factor, "f",
                        "luminance factor of the obstruction");
     if (own)

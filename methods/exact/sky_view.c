@@ -152,8 +152,8 @@ enum pp_status pp_sky_view_pieces(const struct pp_sky_view *view, double size_ra
             for (int r = 0; r < patch->region.count; r++)
                 if (patch->region.rings[r].count > RING_MOST)
                     return pp_fail(err, PP_BAD_INPUT,
-                                   "the outline of the sky in an opening has %d "
-                                   "corners; expected at most %d",
+                                   "the outline of the sky seen through an opening has "
+                                   "%d corners; expected at most %d",
                                    patch->region.rings[r].count, RING_MOST);
             if (patch->hidden)
                 continue;

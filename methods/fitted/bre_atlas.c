@@ -33,12 +33,14 @@ static const struct pp_formula_quantity quantities[] = {
     PP_FITTED_PARTS_QUANTITIES,
     PP_FITTED_LIGHT_QUANTITIES,
     {"d_r", PP_UNIT_METRE,
-     "depth of the room, perpendicular to the wall of the opening"},
+     "depth of the room, perpendicular to the wall with the opening"},
     {"h_r", PP_UNIT_METRE, "height of the room"},
     PP_FITTED_POSITION_QUANTITIES,
     {"IRC_av", PP_UNIT_DAYLIGHT_FACTOR,
      "average internally reflected component by the published formula"},
-    {"L", PP_UNIT_NUMBER, "entering light relative to the published formula"},
+    {"L", PP_UNIT_NUMBER,
+     "ratio of the entering light to that of the published "
+     "formula"},
     {"irc_m", PP_UNIT_DAYLIGHT_FACTOR,
      "mean internally reflected component over the working plane"},
     {0},
@@ -50,7 +52,7 @@ static const struct pp_formula light_ratio = {
            " / (C R_fw + " PP_BRE_TERMS_GROUND ")",
     .source = "ATLAS",
     .unit = PP_UNIT_NUMBER,
-    .what = "entering light relative to the published formula",
+    .what = "ratio of the entering light to that of the published formula",
     .quantities = quantities,
 };
 
@@ -92,7 +94,7 @@ static const char *bre_atlas_refuses(const struct pp_world *world,
     struct pp_interior_parts parts =
         pp_interior_split_without(world, opening->middle_z_m, opening->face);
     if (!(parts.lower.reflectance > 0.0 || parts.upper.reflectance > 0.0))
-        return "is in a room where every surface has a reflectance of 0";
+        return "is in a room in which every surface has a reflectance of 0";
     return pp_fitted_parts_refuses(world, light, opening, receiver);
 }
 
@@ -112,7 +114,7 @@ static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
     pp_fitted_light_put(sheet, tools, world, opening);
     pp_fitted_parts_put(sheet, world, opening);
     pp_worksheet_work(sheet, &light_ratio,
-                      "entering light relative to the published formula");
+                      "ratio of the entering light to that of the published formula");
     pp_fitted_position_put_room(sheet, world, opening);
     if (receiver)
         pp_fitted_opening_put_breadth(sheet, opening);
@@ -124,7 +126,8 @@ static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
 const struct pp_method pp_method_bre_atlas = {
     .name = "bre-atlas",
     .summary =
-        "BRE inter-reflection formula by position, corrected to match simulated rooms",
+        "internally reflected component by position, by the BRE inter-reflection "
+        "formula corrected to match simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -13,9 +13,9 @@ static const struct pp_formula_quantity of_shade[] = {
     {"V", PP_UNIT_DAYLIGHT_FACTOR,
      "illuminance on the outside of the opening from the sky"},
     {"C_b", PP_UNIT_DAYLIGHT_FACTOR,
-     "illuminance on the opening from unshaded obstructions"},
+     "illuminance on the opening from obstructions if they are unshaded"},
     {"C_g", PP_UNIT_DAYLIGHT_FACTOR,
-     "illuminance on the opening from the visible, unshaded ground"},
+     "illuminance on the opening from the visible ground if it is unshaded"},
     {0},
 };
 
@@ -89,9 +89,11 @@ void pp_fitted_light_put(struct pp_worksheet *sheet, const void *tools,
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.V, "V",
                      "illuminance on the outside of the opening from the sky");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_b, "C_b",
-                     "illuminance on the opening from unshaded obstructions");
+                     "illuminance on the opening from obstructions if they are "
+                     "unshaded");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, on.C_g, "C_g",
-                     "illuminance on the opening from the visible, unshaded ground");
+                     "illuminance on the opening from the visible ground if it is "
+                     "unshaded");
     pp_worksheet_work(sheet, &pp_fitted_light_E_b,
                       "illuminance on the opening from obstructions");
     pp_worksheet_work(sheet, &pp_fitted_light_E_g,

@@ -38,9 +38,9 @@ extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
     {"V", PP_UNIT_DAYLIGHT_FACTOR,                                                     \
      "illuminance on the outside of the opening from the sky"},                        \
         {"C_b", PP_UNIT_DAYLIGHT_FACTOR,                                               \
-         "illuminance on the opening from unshaded obstructions"},                     \
+         "illuminance on the opening from obstructions if they are unshaded"},         \
         {"C_g", PP_UNIT_DAYLIGHT_FACTOR,                                               \
-         "illuminance on the opening from the visible, unshaded ground"},              \
+         "illuminance on the opening from the visible ground if it is unshaded"},      \
         {"E_b", PP_UNIT_DAYLIGHT_FACTOR,                                               \
          "illuminance on the opening from obstructions"},                              \
     {                                                                                  \

@@ -27,6 +27,6 @@ const char *pp_fitted_parts_refuses(const struct pp_world *world,
 {
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     if (!(parts.upper.area_m2 > 0.0 && parts.lower.area_m2 > 0.0))
-        return "has all room surfaces on one side of its centre, above or below";
+        return "has all surfaces of the room either above or below its centre";
     return pp_fitted_light_refuses(world, light, opening, receiver);
 }

@@ -10,7 +10,7 @@
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_PARTS_QUANTITIES                                                     \
     {"A_u", PP_UNIT_SQUARE_METRE,                                                      \
-     "area of surfaces above the centre of the opening, without openings"},            \
+     "area of surfaces above the centre of the opening, excluding openings"},          \
         {"rho_u", PP_UNIT_NUMBER, "mean reflectance of these surfaces"},               \
         {"A_l", PP_UNIT_SQUARE_METRE, "area of surfaces below this height"},           \
     {                                                                                  \

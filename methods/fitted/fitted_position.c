@@ -6,19 +6,19 @@
 #include "model/geometry/min_max.h"
 
 #define SECTION                                                                        \
-    {"w_r", PP_UNIT_METRE, "width of the room along the wall of the opening"},         \
+    {"w_r", PP_UNIT_METRE, "width of the room along the wall with the opening"},       \
     {                                                                                  \
         "h_r", PP_UNIT_METRE, "height of the room"                                     \
     }
 #define DEPTH                                                                          \
     {                                                                                  \
         "d_r", PP_UNIT_METRE,                                                          \
-            "depth of the room, perpendicular to the wall of the opening"              \
+            "depth of the room, perpendicular to the wall with the opening"            \
     }
 #define RANGE                                                                          \
     {"R", PP_UNIT_NUMBER, "mean reflectance of all interior surfaces"},                \
     {                                                                                  \
-        "l", PP_UNIT_METRE, "decay length of the light in a room with R = 0"           \
+        "l", PP_UNIT_METRE, "decay length of the light in a room where R = 0"          \
     }
 #define BREADTH                                                                        \
     {                                                                                  \
@@ -36,13 +36,15 @@ static const struct pp_formula_quantity of_f_d[] = {
     {"q_d", PP_UNIT_NUMBER,
      "depth of the room beyond the start of decay, in decay lengths"},
     {"m_d", PP_UNIT_NUMBER, "absolute value of q_d, at least 0.000001"},
-    {"x", PP_UNIT_METRE, "distance of the point from the wall of the opening"},
+    {"x", PP_UNIT_METRE, "distance of the point from the wall with the opening"},
     {0}};
 static const struct pp_formula_quantity of_f_s[] = {
     SECTION,
     DEPTH,
     RANGE,
-    {"q_s", PP_UNIT_NUMBER, "half the wall width beside the opening, in decay lengths"},
+    {"q_s", PP_UNIT_NUMBER,
+     "half the width of the wall beside the opening, in decay "
+     "lengths"},
     {"y", PP_UNIT_METRE, "distance from the centre of the opening along its wall"},
     {0}};
 
@@ -51,7 +53,8 @@ const struct pp_formula pp_fitted_position_l = {
     .sum = "2 w_r h_r / (w_r + h_r)",
     .unit = PP_UNIT_METRE,
     .what =
-        "decay length for R = 0: twice the area of the section over half its perimeter",
+        "decay length for R = 0: twice the area of the cross-section divided by half "
+        "its perimeter",
     .quantities = of_l,
 };
 
@@ -87,7 +90,8 @@ const struct pp_formula pp_fitted_position_q_s = {
     .sum = "max(" PP_FITTED_SIDE " (w_r - w) sqrt(1 - R) / l, 0.000001)",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "half the wall width beside the opening, in decay lengths, never 0",
+    .what = "half the width of the wall beside the opening, in decay lengths, at least "
+            "0.000001",
     .quantities = of_q_s,
 };
 
@@ -138,7 +142,7 @@ void pp_fitted_position_put_room(struct pp_worksheet *sheet,
 {
     const struct pp_fitted_place room = pp_fitted_position_of(world, opening, NULL);
     pp_worksheet_put(sheet, PP_UNIT_METRE, room.d_r, "d_r",
-                     "depth of the room, perpendicular to the wall of the opening");
+                     "depth of the room, perpendicular to the wall with the opening");
     pp_worksheet_put(sheet, PP_UNIT_METRE, room.w_r, "w_r", "width");
     pp_worksheet_put(sheet, PP_UNIT_METRE, room.h_r, "h_r", "height");
 }
@@ -158,7 +162,7 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
     const struct pp_fitted_place place =
         pp_fitted_position_of(world, opening, receiver);
     pp_worksheet_work(sheet, &pp_fitted_position_l,
-                      "decay length of the light in a room with R = 0");
+                      "decay length of the light in a room where R = 0");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.x, "x",
                      "distance of the point from this wall");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.y, "y",
@@ -169,7 +173,8 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
     pp_worksheet_work(sheet, &pp_fitted_position_f_d,
                       "factor for the depth of the point");
     pp_worksheet_work(sheet, &pp_fitted_position_q_s,
-                      "half the wall width beside the opening, in decay lengths");
+                      "half the width of the wall beside the opening, in decay "
+                      "lengths");
     pp_worksheet_work(sheet, &pp_fitted_position_f_s,
                       "factor for the position of the point along the wall");
 }

@@ -91,7 +91,8 @@ static enum pp_status evaluate_split_flux_atlas(const struct pp_world *world,
 
 const struct pp_method pp_method_split_flux_atlas = {
     .name = "split-flux-atlas",
-    .summary = "split-flux formula by position, corrected to match simulated rooms",
+    .summary = "internally reflected component by position, by the split-flux formula "
+               "corrected to match simulated rooms",
     .source = "ATLAS",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

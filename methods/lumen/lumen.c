@@ -40,9 +40,9 @@ static const double free_below_rad = 1e-3;
     }
 #define OF_WINDOW                                                                      \
     {"H", PP_UNIT_METRE, "window height"},                                             \
-        {"W", PP_UNIT_METRE, "width of the room, along the wall of the window"},       \
+        {"W", PP_UNIT_METRE, "width of the room, along the window wall"},              \
     {                                                                                  \
-        "D", PP_UNIT_METRE, "depth of the room, from the wall of the window"           \
+        "D", PP_UNIT_METRE, "depth of the room, from the window wall"                  \
     }
 #define OF_ENTERING                                                                    \
     {"tau", PP_UNIT_NUMBER, "total transmittance"},                                    \
@@ -67,7 +67,7 @@ static const struct pp_formula_quantity of_window[] = {OF_GLASS, OF_WINDOW, {0}}
 static const struct pp_formula_quantity of_transmittance[] = {
     OF_GLASS,
     OF_WINDOW,
-    {"R_a", PP_UNIT_NUMBER, "net glass area over the area of the band"},
+    {"R_a", PP_UNIT_NUMBER, "net glass area divided by the area of the window band"},
     {0}};
 static const struct pp_formula_quantity of_ground[] = {
     {"rho_g", PP_UNIT_NUMBER, "ground reflectance"}, {0}};
@@ -96,7 +96,8 @@ static const struct pp_formula_quantity of_rooflight[] = {
 
 static const struct pp_formula share_of_band = IES(
     "R_a", "A B / (W H)",
-    "net glass area over the area of a band as high as the window along the whole wall",
+    "net glass area divided by the area of a band as high as the window and as wide as "
+    "the wall",
     PP_UNIT_NUMBER, of_window);
 static const struct pp_formula side_transmittance =
     IES("tau", "T R_a M", "total transmittance of a window", PP_UNIT_NUMBER,
@@ -105,9 +106,9 @@ static const struct pp_formula ground_light =
     IES("E_g", "100 rho_g / 2", "illuminance on the window from the ground",
         PP_UNIT_DAYLIGHT_FACTOR, of_ground);
 static const struct pp_formula depth_in_heights =
-    IES("", "D / H", "room depth over window height", PP_UNIT_NUMBER, of_window);
+    IES("", "D / H", "ratio of room depth to window height", PP_UNIT_NUMBER, of_window);
 static const struct pp_formula width_in_heights =
-    IES("", "W / H", "room width over window height", PP_UNIT_NUMBER, of_window);
+    IES("", "W / H", "ratio of room width to window height", PP_UNIT_NUMBER, of_window);
 static const struct pp_formula side =
     IES("df", "tau (E_s CU_s + E_g CU_g)", "daylight factor from a window",
         PP_UNIT_DAYLIGHT_FACTOR, of_two);
@@ -176,7 +177,8 @@ static enum pp_status read_window(struct reading *r, const struct pp_world *worl
     if (status != PP_OK)
         return status;
     if (alpha_rad > free_below_rad) {
-        r->why = "has an external obstruction, but the tables are for an open sky";
+        r->why = "has an external obstruction, but the tables are for an unobstructed "
+                 "sky";
         return PP_OK;
     }
     r->height_m = opening->height_m;
@@ -306,12 +308,13 @@ static void put_window(struct pp_worksheet *sheet, const struct reading *r,
     put_glass(sheet, opening);
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->height_m, "H", "window height");
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->width_m, "W",
-                     "width of the room, along the wall of the window");
+                     "width of the room, along the window wall");
     pp_worksheet_put(sheet, PP_UNIT_METRE, r->depth_m, "D",
-                     "depth of the room, from the wall of the window");
+                     "depth of the room, from the window wall");
     pp_worksheet_work(
         sheet, &share_of_band,
-        "net glass area over the area of a band as high as the window along the wall");
+        "net glass area divided by the area of a band as high as the window and as "
+        "wide as the wall");
     pp_worksheet_work(sheet, &side_transmittance, "total transmittance");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, r->E_s, "E_s",
                      "illuminance on the window from the sky");
@@ -324,14 +327,14 @@ static double window_value(const struct reading *r, const struct pp_opening *ope
                            double share, bool one, struct pp_worksheet *sheet)
 {
     put_window(sheet, r, opening);
-    pp_worksheet_work(sheet, &depth_in_heights, "room depth over window height");
-    pp_worksheet_work(sheet, &width_in_heights, "room width over window height");
+    pp_worksheet_work(sheet, &depth_in_heights, "ratio of room depth to window height");
+    pp_worksheet_work(sheet, &width_in_heights, "ratio of room width to window height");
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->ceiling, "ceiling reflectance");
     pp_worksheet_note(sheet, PP_UNIT_NUMBER, r->walls,
                       "mean reflectance of the other walls");
     if (!isnan(share))
         pp_worksheet_note(sheet, PP_UNIT_NUMBER, share,
-                          "distance of the point from the window wall over D");
+                          "distance of the point from the window wall, divided by D");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_sky, share), "CU_s",
                      "coefficient of utilization for the sky, from the table");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, coefficient(r->cu_ground, share), "CU_g",

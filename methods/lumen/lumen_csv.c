@@ -131,7 +131,7 @@ static void unknown_column(struct reader *reader, const char *text)
     else
         pp_mistakes_add(reader->mistakes, reader->number,
                         "unknown column \"%s\"; expected a column name of the tables, "
-                        "or a ratio of width to window height",
+                        "or a ratio of room width to window height",
                         written);
 }
 
@@ -177,8 +177,8 @@ static void check_columns(struct reader *reader)
         pp_mistakes_add(reader->mistakes, reader->number,
                         reader->top
                             ? "unexpected width columns in a table for light from above"
-                            : "no column of coefficients; expected columns named by "
-                              "the ratio of room width to window height");
+                            : "there are no columns of coefficients; expected columns "
+                              "named after ratios of room width to window height");
 }
 
 static void read_header(struct reader *reader, const struct csv_fields *fields)
@@ -239,8 +239,8 @@ static int read_position(struct reader *reader, const char *text)
     pp_text_excerpt(written, sizeof written, text);
     pp_mistakes_add(
         reader->mistakes, reader->number,
-        "position_percent is \"%s\"; expected 10, 30, 50, 70, 90, or nothing for "
-        "the average",
+        "position_percent is \"%s\"; expected 10, 30, 50, 70 or 90, or an empty field "
+        "for the average",
         written);
     return 0;
 }
@@ -307,8 +307,8 @@ static void read_side(struct reader *reader, const struct csv_fields *fields)
         pp_text_excerpt(written, sizeof written, component);
         pp_mistakes_add(
             reader->mistakes, reader->number,
-            "component is \"%s\"; expected \"sky\", with a number as Ev_over_Eh, "
-            "or \"ground\", without one",
+            "component is \"%s\"; expected \"sky\" with a number for Ev_over_Eh, or "
+            "\"ground\" without a number",
             written);
     }
 }
@@ -407,8 +407,7 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
         length -= 3;
     }
     if (memchr(text, '\0', length)) {
-        pp_mistakes_add(mistakes, 0,
-                        "this is not a text file; expected a table in CSV");
+        pp_mistakes_add(mistakes, 0, "this is not a text file; expected a CSV table");
         length = 0;
     }
     for (size_t start = 0; start < length && memory;) {
@@ -421,8 +420,9 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
     if (reader.count == 0 && mistakes->count == 0)
         pp_mistakes_add(mistakes, 0,
                         reader.columns == 0
-                            ? "the file is empty; expected a table in CSV"
-                            : "no lines below the column names; expected at least one");
+                            ? "the file is empty; expected a CSV table"
+                            : "there are no lines below the column names; expected at "
+                              "least one");
     enum pp_status status = PP_OK;
     if (!memory)
         status = pp_fail_memory(err);

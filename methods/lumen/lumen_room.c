@@ -330,7 +330,7 @@ enum pp_status pp_lumen_room_sky(struct pp_sky *sky, double ev_over_eh,
             high = altitude;
     }
     if (!(fabs(pp_sky_on_plane(sky, out) - ev_over_eh) < 1e-6))
-        return pp_fail(err, PP_BAD_INPUT, "no clear sky has an Ev/Eh of %g",
+        return pp_fail(err, PP_BAD_INPUT, "no clear sky has the ratio Ev/Eh of %g",
                        ev_over_eh);
     return PP_OK;
 }

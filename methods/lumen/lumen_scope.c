@@ -57,8 +57,8 @@ const char *pp_lumen_scope_refuses_room(const struct pp_world *world)
         return "the tables apply to empty rooms; this room has objects in it";
     double floor = floor_of(world)->front;
     if (floor < 0.10 - small || floor > 0.50 + small)
-        return "the tables apply to floor reflectances of 0.1 to 0.5 (they were made "
-               "for 0.3)";
+        return "the tables apply to floor reflectances of 0.1 to 0.5 (they were "
+               "calculated for 0.3)";
     return pp_refusals_if_luminous(world);
 }
 
@@ -94,8 +94,8 @@ static const char *refuses_neighbours(const struct pp_world *world,
         if (neighbour->face != opening->face) {
             if (pp_vec_dot(neighbour->inner.normal, opening->inner.normal)
                 > small - 1.0)
-                return "is not in the same wall as the other windows, or in the "
-                       "opposite one";
+                return "is neither in the same wall as the other windows nor in the "
+                       "opposite wall";
             continue;
         }
         polygon_range(other, &neighbour->inner, opening->up);

@@ -164,8 +164,8 @@ static double interpolate(const struct pp_lumen_side_table *table, int light,
 static const char *const axis_names[PP_LUMEN_SIDE_AXES] = {
     [PP_LUMEN_CEILING] = "is in a room whose ceiling reflectance is",
     [PP_LUMEN_WALLS] = "is in a room whose mean wall reflectance is",
-    [PP_LUMEN_DEPTH] = "is in a room whose depth over window height is",
-    [PP_LUMEN_WIDTH] = "is in a room whose width over window height is",
+    [PP_LUMEN_DEPTH] = "is in a room whose ratio of depth to window height is",
+    [PP_LUMEN_WIDTH] = "is in a room whose ratio of width to window height is",
 };
 
 /* Writes a message that a value is outside its axis; returns false. */
@@ -194,7 +194,8 @@ static bool find_light(struct between *light, const struct pp_lumen_side_table *
     if (query->overcast) {
         if (clear == 0) {
             snprintf(why, room,
-                     "faces an overcast sky, but the table covers only Ev/Eh from %.3g",
+                     "faces an overcast sky, but the table covers only clear skies, "
+                     "with Ev/Eh of %.3g or more",
                      table->sky.count > 0 ? table->sky.at[0] : NAN);
             return false;
         }

@@ -111,7 +111,8 @@ enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
                        + pp_lumen_table_build_cell(table, light, at, lines[i].position);
         if (!isnan(cell[0]))
             pp_mistakes_add(mistakes, lines[i].line,
-                            "duplicate line; an earlier line gives its coefficients");
+                            "duplicate line; an earlier line already gives "
+                            "coefficients for these values");
         for (int k = 0; k < widths->count; k++)
             cell[k] = lines[i].cu[k];
     }
@@ -148,7 +149,8 @@ enum pp_status pp_lumen_table_build_top(struct pp_lumen_top_table *table,
             table->cu + (r * table->axes[1].count + c) * table->axes[2].count + w;
         if (!isnan(*cell))
             pp_mistakes_add(mistakes, lines[i].line,
-                            "duplicate line; an earlier line gives its coefficient");
+                            "duplicate line; an earlier line already gives a "
+                            "coefficient for these values");
         *cell = lines[i].cu;
     }
     return PP_OK;

@@ -60,13 +60,13 @@ static void add_steps(struct pp_worksheet *sheet, const struct pp_nomogram *nomo
         snprintf(shift, sizeof shift, " %s %.0f", reading->tens > 0 ? "times" : "over",
                  pow(10.0, abs(reading->tens)));
     pp_steps_add_named(steps, PP_UNIT_NUMBER, nomogram->k, "k",
-                       "ratio of R_cw to R_fw that the chart assumes");
+                       "ratio of R_cw to R_fw that the nomogram assumes");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->glass_m2, "W",
                      "net glass area");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, reading->inside_m2, "S",
                      "area of all interior surfaces");
     pp_worksheet_work(sheet, &pp_nomogram_reading_ratio,
-                      "ratio of glass area to interior surfaces");
+                      "ratio of the glass area to the area of all interior surfaces");
     pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_A], "A",
                        "scale A, set to this ratio%s", shift);
     pp_steps_add_named(steps, PP_UNIT_NUMBER, value[PP_STEM_B], "B",

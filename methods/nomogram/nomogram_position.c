@@ -73,10 +73,10 @@ static const char *find_off_scale(const struct pp_nomogram *nomogram, double lig
         return "receives an illuminance outside scale D (0.1 to 50 %)";
     for (int i = 0; i < 2; i++) {
         if (!(q[i] >= PP_NOMOGRAM_LEAST_Q && q[i] <= PP_NOMOGRAM_MOST_Q))
-            return "is in a room whose depth or width in decay lengths is outside the "
-                   "curve (-1 to 6)";
+            return "is in a room whose depth or width, in decay lengths, is outside "
+                   "the range of the curve (-1 to 6)";
         if (!pp_nomogram_scale_contains(nomogram, PP_STEM_H, share[i]))
-            return "is too far from the point along the wall for scale H";
+            return "is too far from the point, measured along the wall, for scale H";
         double factor = factor_of(q[i], share[i]);
         product *= factor;
         if (!pp_nomogram_scale_contains(nomogram, PP_STEM_F, factor))

@@ -221,11 +221,11 @@ static enum pp_status add_nomogram_windows(struct room_on_sheet *room,
         room->method->destroy_tools(room->tools);
     if (status == PP_OK && sheet->window_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       top ? "the room has no rooflight; use --which average or "
-                             "minimum for windows"
+                       top ? "the room has no rooflight; for windows, use --which "
+                             "average or --which minimum"
                        : room->tools ? "the room has no vertical window"
-                                     : "the room has no vertical window; use --which "
-                                       "rooflight for rooflights");
+                                     : "the room has no vertical window; for "
+                                       "rooflights, use --which rooflight");
     return status;
 }
 

@@ -154,8 +154,8 @@ static enum pp_status average_pepper_pot_sky(struct pp_beams *beams,
 
 const struct pp_method pp_method_pepper_pot_sky = {
     .name = "pepper-pot-sky",
-    .summary = "direct component by counting dots generated for the given sky, glass "
-               "slope and receiver",
+    .summary = "direct component by counting dots on a pepper-pot diagram generated "
+               "for the sky, glass slope and receiver",
     .source = "PLE54",
     .formulae = pp_window_drawing_formulae,
     .gives = PP_GIVES_DIRECT,

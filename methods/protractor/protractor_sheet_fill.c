@@ -153,8 +153,8 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
             "protractors do not cover diffusing glass; expected clear glass");
     if (pp_sky_has_azimuth(&protractor->sky))
         return pp_fail(err, PP_BAD_INPUT,
-                       "protractors do not cover this sky; expected one without "
-                       "azimuth dependence");
+                       "protractors do not cover this sky; expected a sky whose "
+                       "luminance does not depend on azimuth");
     struct pp_protractor_dial *dial = malloc(sizeof *dial);
     if (!dial)
         return pp_fail_memory(err);
@@ -223,9 +223,9 @@ enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
     for (int i = 0; i < world->opening_count && status == PP_OK; i++)
         status = keep_if_largest(sheet, light, dial, &world->openings[i], err);
     if (status == PP_OK && !sheet->opening)
-        status =
-            pp_fail(err, PP_BAD_INPUT,
-                    "no part of an opening is visible above the horizon of the point");
+        status = pp_fail(err, PP_BAD_INPUT,
+                         "no part of any opening is visible from the point above the "
+                         "horizon");
     struct pp_protractor protractor;
     if (status == PP_OK)
         status =

@@ -303,8 +303,8 @@ static enum pp_status evaluate_upright_protractor(
 
 const struct pp_method pp_method_protractor_upright = {
     .name = "protractor-upright",
-    .summary = "direct component at points that face horizontally, by protractors made "
-               "for them",
+    .summary = "direct component at points that face horizontally, by protractors for "
+               "vertical planes",
     .source = "BRE309",
     .formulae = formulae,
     .gives = PP_GIVES_DIRECT,

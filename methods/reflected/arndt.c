@@ -57,7 +57,8 @@ static enum pp_status evaluate_arndt(const struct pp_world *world,
 const struct pp_method pp_method_arndt = {
     .name = "arndt",
     .summary =
-        "average internally reflected component from one mean reflectance for the room",
+        "average internally reflected component from a single mean reflectance of the "
+        "room",
     .source = "ARN38",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -23,7 +23,7 @@ static const struct pp_formula_quantity quantities[] = {
     {"IRC_av", PP_UNIT_DAYLIGHT_FACTOR, "average internally reflected component"},
     {"R_w", PP_UNIT_NUMBER, "mean reflectance of the walls"},
     {"k", PP_UNIT_NUMBER,
-     "ratio of the average to the minimum for these walls, from the table"},
+     "ratio of the average to the minimum for this wall reflectance, from the table"},
     {0},
 };
 
@@ -57,7 +57,8 @@ static enum pp_status evaluate_bre_min(const struct pp_world *world,
                      "mean reflectance of the walls");
     pp_worksheet_put(
         &part->sheet, PP_UNIT_NUMBER, pp_irc_minimum_average_ratio(walls), "k",
-        "ratio of the average to the minimum for these walls, from the table");
+        "ratio of the average to the minimum for this wall reflectance, from the "
+        "table");
     part->value = pp_worksheet_work(&part->sheet, &minimum,
                                     "minimum internally reflected component");
     return PP_OK;
@@ -65,7 +66,7 @@ static enum pp_status evaluate_bre_min(const struct pp_world *world,
 
 const struct pp_method pp_method_bre_min = {
     .name = "bre-min",
-    .summary = "minimum internally reflected component, from the result of bre and "
+    .summary = "minimum internally reflected component, from the average of bre and "
                "published ratios",
     .source = "BRE310",
     .formulae = formulae,

@@ -34,7 +34,7 @@ static const struct pp_formula glass_over_floor = {
     .sum = "100 W_all / F",
     .unit = PP_UNIT_NUMBER,
     .source = "BRE310",
-    .what = "glass area over floor area, per cent",
+    .what = "ratio of glass area to floor area, per cent",
     .quantities = of_glass,
     .fixed = true,
 };
@@ -51,8 +51,7 @@ static const struct pp_formula factor_for_obstruction = {
 };
 
 static const struct pp_formula_quantity of_minimum[] = {
-    {"T", PP_UNIT_DAYLIGHT_FACTOR,
-     "minimum for this glass area, floor and walls, from the table"},
+    {"T", PP_UNIT_DAYLIGHT_FACTOR, "minimum for p, R_f and R_w, from the table"},
     {"k_F", PP_UNIT_NUMBER, "factor for the floor area, from the table"},
     {"k_c", PP_UNIT_NUMBER, "factor for the ceiling, from the table"},
     {"k_o", PP_UNIT_NUMBER, "factor for the obstruction"},
@@ -70,8 +69,8 @@ static const struct pp_formula minimum = {
     .sum = "T k_F k_c k_o W / W_all",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "BRE310",
-    .what = "minimum internally reflected component: this opening's share, by its "
-            "glass area",
+    .what = "this opening's share of the minimum internally reflected component, by "
+            "its glass area",
     .quantities = of_minimum,
 };
 
@@ -109,7 +108,9 @@ static void put_reading(struct pp_worksheet *sheet,
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->glass_m2, "W_all",
                      "net glass area of all openings");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F", "floor area");
-    pp_worksheet_work(sheet, &glass_over_floor, "glass area over floor area, per cent");
+    pp_worksheet_work(sheet, &glass_over_floor,
+                      "ratio of glass area to floor area, "
+                      "per cent");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->floor, "R_f",
                      "reflectance of the floor");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->walls, "R_w",

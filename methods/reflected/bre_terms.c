@@ -40,10 +40,12 @@ void pp_bre_terms_put_reflected(struct pp_worksheet *sheet,
 {
     pp_worksheet_put(
         sheet, PP_UNIT_NUMBER, terms->R_fw, "R_fw",
-        "reflectance of floor and walls below %.2f m, without the window wall",
+        "mean reflectance of the floor and of the walls below %.2f m, without the "
+        "window wall",
         opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, terms->R_cw, "R_cw",
-                     "reflectance of ceiling and walls above, without the window wall");
+                     "mean reflectance of the ceiling and of the walls above, without "
+                     "the window wall");
     pp_worksheet_put(sheet, PP_UNIT_ANGLE, terms->alpha_rad, "alpha",
                      "angle of the obstruction");
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, terms->C, "C",

@@ -27,11 +27,11 @@
 #define PP_BRE_TERMS_OPENING                                                           \
     {"W", PP_UNIT_SQUARE_METRE, "net glass area: opening area times frame factor"},    \
         {"R_fw", PP_UNIT_NUMBER,                                                       \
-         "mean reflectance of floor and walls below the centre of the opening, "       \
-         "without the window wall"},                                                   \
+         "mean reflectance of the floor and of the walls below the centre of the "     \
+         "opening, without the window wall"},                                          \
         {"R_cw", PP_UNIT_NUMBER,                                                       \
-         "mean reflectance of ceiling and walls above the centre, without the window " \
-         "wall"},                                                                      \
+         "mean reflectance of the ceiling and of the walls above the centre, without " \
+         "the window wall"},                                                           \
         {"alpha", PP_UNIT_ANGLE, "angle of the obstruction"},                          \
     {                                                                                  \
         "C", PP_UNIT_DAYLIGHT_FACTOR,                                                  \

@@ -71,14 +71,14 @@ static const struct pp_formula clear = {
     .symbol = "irc",
     .sum = "tau Ag k_u / (S (1 - k_u k_l)) (C_g + k_l C)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "internally reflected component, clear glass",
+    .what = "internally reflected component, for clear glass",
     .quantities = of_clear,
 };
 static const struct pp_formula diffusing = {
     .symbol = "irc",
     .sum = "tau Ag k_u / (S (1 - k_u k_l)) (C_g + C) (u + (1 - u) k_l)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "internally reflected component, diffusing pane",
+    .what = "internally reflected component, for a diffusing pane",
     .quantities = of_diffusing,
 };
 
@@ -128,7 +128,7 @@ static enum pp_status evaluate_dresler(const struct pp_world *world,
 
 const struct pp_method pp_method_dresler = {
     .name = "dresler",
-    .summary = "internally reflected component, with the upper and lower part of the "
+    .summary = "internally reflected component, with the upper and lower parts of the "
                "room as cavities",
     .source = "DRE54",
     .formulae = formulae,

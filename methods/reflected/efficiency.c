@@ -80,13 +80,13 @@ static const struct pp_formula on_window = {
 };
 static const struct pp_formula on_sloping =
     OWN("E_o", "C_hv (1 - 0.85 alpha / 90)", PP_UNIT_DAYLIGHT_FACTOR,
-        "illuminance on other glass from sky and obstructions", of_E_o);
+        "illuminance on glass of another slope from sky and obstructions", of_E_o);
 
 /* ---- the efficiencies ---- */
 
 static const struct pp_formula_quantity of_sky[] = {
     {"f", PP_UNIT_DAYLIGHT_FACTOR,
-     "illuminance on the glass from light that goes straight to the plane"},
+     "illuminance on the glass from open-sky light that reaches the plane directly"},
     {"C_hv", PP_UNIT_DAYLIGHT_FACTOR,
      "illuminance on glass of this slope from the open sky"},
     {0},
@@ -114,7 +114,7 @@ static const struct pp_formula_quantity of_efficiency[] = {
     {"u_c", PP_UNIT_NUMBER,
      "fraction of the light on the ceiling that reaches the plane"},
     {"u_p", PP_UNIT_NUMBER, "fraction of the light from the plane that returns to it"},
-    {"rho_p", PP_UNIT_NUMBER, "effective reflectance below the plane"},
+    {"rho_p", PP_UNIT_NUMBER, "effective reflectance of the cavity below the plane"},
     {0},
 };
 static const struct pp_formula_quantity of_average[] = {
@@ -162,7 +162,7 @@ static const struct pp_formula average_level = {
     .sum = "T Ag E_o eta M / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "FRU28",
-    .what = "average daylight factor over the working plane, horizontal glass",
+    .what = "average daylight factor over the working plane, for horizontal glass",
     .quantities = of_average,
 };
 
@@ -284,8 +284,8 @@ static void put_direct(struct pp_worksheet *sheet, const struct pp_world *world,
         pp_worksheet_put(
             sheet, PP_UNIT_DAYLIGHT_FACTOR,
             pp_point_factor_sky(middle, normal, &world->plane, z, &light->sky), "f",
-            "illuminance on the centre of the opening from open-sky light that goes "
-            "straight to the plane");
+            "illuminance on the centre of the opening from open-sky light that reaches "
+            "the plane directly");
     pp_worksheet_work(sheet, opening->glass.diffusing ? &on_plane_diffuse : &on_plane,
                       "fraction of the sky light on the plane");
 }
@@ -351,7 +351,7 @@ static const char *efficiency_refuses(const struct pp_world *world,
 
 const struct pp_method pp_method_efficiency = {
     .name = "efficiency",
-    .summary = "average daylight factor from the efficiency of the windows",
+    .summary = "average daylight factor by the efficiency of the openings",
     .source = "FRU28",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,

@@ -17,8 +17,8 @@ const struct pp_formula pp_entering_light_C = {
     .sum = "C_hv (1 - alpha / 90)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN",
-    .what = "illuminance on the glass from above the horizon (vertical glass, overcast "
-            "sky: table)",
+    .what = "illuminance on the glass from above the horizon (for vertical glass under "
+            "an overcast sky, from the table)",
     .quantities = of_C,
 };
 
@@ -34,7 +34,7 @@ const struct pp_formula pp_entering_light_C_of_well = {
     .symbol = "C",
     .sum = "C_hv (1 - alpha / 90) N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "light from above the horizon through the foot of a well",
+    .what = "light from above the horizon that leaves the foot of a well",
     .quantities = of_C_of_well,
     .fixed = true,
 };
@@ -65,7 +65,7 @@ const struct pp_formula pp_entering_light_C_g_of_well = {
     .symbol = "C_g",
     .sum = "100 rho_g (1 - cos(beta)) / 2 N",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "ground-reflected light through the foot of a well",
+    .what = "ground-reflected light that leaves the foot of a well",
     .quantities = of_C_g_of_well,
     .fixed = true,
 };
@@ -83,7 +83,8 @@ const struct pp_formula pp_entering_light_E_w = {
     .symbol = "E_w",
     .sum = "tau Ag (C + C_g) (1 - N_d / N) f / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "illuminance on the working plane from light reflected in the well",
+    .what = "illuminance on the working plane from light reflected by the sides of the "
+            "well",
     .quantities = of_E_w,
 };
 
@@ -91,7 +92,7 @@ static const struct pp_formula_quantity of_with_well[] = {
     {"irc", PP_UNIT_DAYLIGHT_FACTOR,
      "internally reflected component from the formula for the room"},
     {"E_w", PP_UNIT_DAYLIGHT_FACTOR,
-     "illuminance on the working plane from the sides of the well"},
+     "illuminance on the working plane from light reflected by the sides of the well"},
     {0},
 };
 
@@ -99,7 +100,7 @@ const struct pp_formula pp_entering_light_with_well = {
     .symbol = "irc",
     .sum = "irc + E_w",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "internally reflected component, with light from the sides of a well",
+    .what = "internally reflected component, including light from the sides of a well",
     .quantities = of_with_well,
     .fixed = true,
 };
@@ -129,7 +130,8 @@ static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *lig
                      "illuminance on glass of this slope from the open sky");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_of_well,
-                          "light from above the horizon through the foot of the well");
+                          "light from above the horizon that leaves the foot of the "
+                          "well");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C,
                           "illuminance on the glass from above the horizon");
@@ -160,7 +162,7 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                      "slope of the glass");
     if (pp_well_is(opening))
         pp_worksheet_work(sheet, &pp_entering_light_C_g_of_well,
-                          "ground-reflected light through the foot of the well");
+                          "ground-reflected light that leaves the foot of the well");
     else
         pp_worksheet_work(sheet, &pp_entering_light_C_g,
                           "illuminance on the glass from the ground");
@@ -180,8 +182,9 @@ double pp_entering_light_of_well(struct pp_worksheet *sheet,
         return irc;
     pp_well_put_foot(sheet, world, opening);
     pp_worksheet_work(sheet, E_w,
-                      "illuminance on the working plane from the sides of the well");
+                      "illuminance on the working plane from light reflected by the "
+                      "sides of the well");
     return pp_worksheet_work(
         sheet, &pp_entering_light_with_well,
-        "internally reflected component, with light from the sides of the well");
+        "internally reflected component, including light from the sides of the well");
 }

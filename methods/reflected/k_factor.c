@@ -49,7 +49,7 @@ static const struct pp_formula rooflight = {
     .sum = "W K R_fw / (A (1 - R))",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "TS93, algorithm 2.43",
-    .what = "average internally reflected component, horizontal rooflights",
+    .what = "average internally reflected component, for horizontal rooflights",
     .quantities = of_rooflight,
 };
 
@@ -67,7 +67,8 @@ static const struct pp_formula well = {
     .symbol = "E_w",
     .sum = "W K (1 - N_d / N) f / S",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "illuminance on the working plane from light reflected in the well",
+    .what = "illuminance on the working plane from light reflected by the sides of the "
+            "well",
     .quantities = of_E_w,
 };
 
@@ -153,8 +154,8 @@ static enum pp_status evaluate_k_factor(const struct pp_world *world,
 
 const struct pp_method pp_method_k_factor = {
     .name = "k-factor",
-    .summary = "average internally reflected component, with the K factor for "
-               "rooflights and wells",
+    .summary = "average internally reflected component, by the K factor for rooflights "
+               "and wells",
     .source = "BRE310",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -16,7 +16,9 @@
     {"F", PP_UNIT_NUMBER, "form factor between plane and ceiling"},                    \
         {"m", PP_UNIT_NUMBER,                                                          \
          "form factor from the walls to the plane, and to the ceiling"},               \
-        {"rho_p", PP_UNIT_NUMBER, "effective reflectance below the plane"},            \
+        {"rho_p", PP_UNIT_NUMBER,                                                      \
+         "effective reflectance of the cavity below the "                              \
+         "plane"},                                                                     \
         {"rho_c", PP_UNIT_NUMBER, "reflectance of the ceiling"},                       \
     {                                                                                  \
         "rho_v", PP_UNIT_NUMBER, "mean reflectance of the walls above the plane"       \
@@ -57,7 +59,7 @@ static const struct pp_formula_quantity of_u_p[] = {
 
 const struct pp_formula pp_room_zones_below =
     OWN("rho_p", "rho_l S / (A_l (1 - rho_l) + rho_l S)", PP_UNIT_NUMBER,
-        "effective reflectance below the plane", of_cavity_below);
+        "effective reflectance of the cavity below the plane", of_cavity_below);
 const struct pp_formula pp_room_zones_above =
     OWN("rho_c", "rho_a S / (A_c (1 - rho_a) + rho_a S)", PP_UNIT_NUMBER,
         "effective reflectance of the ceiling cavity", of_cavity_above);

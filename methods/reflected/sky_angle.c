@@ -31,8 +31,8 @@ static const struct pp_formula_quantity of_limits[] = {
         .quantities = of_limits                                                        \
     }
 const struct pp_formula pp_sky_angle_upper[2] = {
-    UPPER("180 - beta", "upper limit of the visible sky, sloping glass"),
-    UPPER("180 - alpha", "upper limit of the visible sky, horizontal glass"),
+    UPPER("180 - beta", "upper limit of the visible sky, for sloping glass"),
+    UPPER("180 - alpha", "upper limit of the visible sky, for horizontal glass"),
 };
 
 static const struct pp_formula_quantity of_theta[] = {

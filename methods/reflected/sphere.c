@@ -19,10 +19,10 @@
 #define QUANTITIES                                                                     \
     PP_ENTERING_LIGHT_QUANTITIES, PP_INTERIOR_QUANTITIES,                              \
         {"rho_u", PP_UNIT_NUMBER,                                                      \
-         "mean reflectance above the centre of the opening, with window walls, "       \
-         "without openings"},                                                          \
+         "mean reflectance of surfaces above the centre of the opening, including "    \
+         "window walls, excluding openings"},                                          \
     {                                                                                  \
-        "rho_l", PP_UNIT_NUMBER, "mean reflectance below this height"                  \
+        "rho_l", PP_UNIT_NUMBER, "mean reflectance of surfaces below this height"      \
     }
 
 static const struct pp_formula_quantity of_clear[] = {QUANTITIES, {0}};
@@ -34,7 +34,7 @@ static const struct pp_formula clear = {
     .sum = "tau Ag / (A (1 - R)) (rho_u C_g + rho_l C)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN, eq. 15",
-    .what = "average internally reflected component, clear glass",
+    .what = "average internally reflected component, for clear glass",
     .quantities = of_clear,
 };
 
@@ -42,7 +42,7 @@ static const struct pp_formula diffusing = {
     .symbol = "irc",
     .sum = "tau Ag / (A (1 - R)) (C_g + C) (u rho_u + (1 - u) rho_l)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "average internally reflected component, diffusing pane",
+    .what = "average internally reflected component, for a diffusing pane",
     .quantities = of_diffusing,
 };
 
@@ -66,10 +66,11 @@ static enum pp_status evaluate_sphere(const struct pp_world *world,
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     pp_interior_put(sheet, &all);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
-                     "mean reflectance above %.2f m, the centre of the opening",
+                     "mean reflectance of surfaces above %.2f m, the centre of the "
+                     "opening",
                      opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
-                     "mean reflectance below this height");
+                     "mean reflectance of surfaces below this height");
     double irc =
         pp_worksheet_work(sheet, opening->glass.diffusing ? &diffusing : &clear,
                           "average internally reflected component");

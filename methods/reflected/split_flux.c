@@ -25,15 +25,16 @@ static const char *split_flux_refuses(const struct pp_world *world,
     (void)light, (void)receiver;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     if (!(parts.upper.reflectance * parts.lower.reflectance < 1.0))
-        return "is in a room whose upper and lower part have a mean reflectance of 1";
+        return "is in a room whose upper and lower parts both have a mean reflectance "
+               "of 1";
     return NULL;
 }
 
 #define QUANTITIES                                                                     \
     PP_ENTERING_LIGHT_QUANTITIES,                                                      \
         {"A_u", PP_UNIT_SQUARE_METRE,                                                  \
-         "area of surfaces above the centre of the opening, with window walls, "       \
-         "without openings"},                                                          \
+         "area of surfaces above the centre of the opening, including window walls, "  \
+         "excluding openings"},                                                        \
         {"rho_u", PP_UNIT_NUMBER, "mean reflectance of these surfaces"},               \
         {"A_l", PP_UNIT_SQUARE_METRE, "area of surfaces below this height"},           \
     {                                                                                  \
@@ -49,7 +50,7 @@ static const struct pp_formula clear = {
     .sum = "tau Ag / (1 - rho_u rho_l) (rho_u C_g / A_u + rho_u rho_l C / A_l)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN, eq. 9",
-    .what = "average internally reflected component, clear glass",
+    .what = "average internally reflected component, for clear glass",
     .quantities = of_clear,
 };
 
@@ -60,7 +61,7 @@ static const struct pp_formula diffusing = {
         "A_l)",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
     .source = "GEEBELEN, eq. 12",
-    .what = "average internally reflected component, diffusing pane",
+    .what = "average internally reflected component, for a diffusing pane",
     .quantities = of_diffusing,
 };
 
@@ -113,8 +114,8 @@ static enum pp_status evaluate_split_flux(const struct pp_world *world,
 
 const struct pp_method pp_method_split_flux = {
     .name = "split-flux",
-    .summary = "average internally reflected component, with the light split into an "
-               "upward and a downward part",
+    .summary = "average internally reflected component, with the light split into "
+               "upward and downward flux",
     .source = "GEEBELEN",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -177,14 +177,13 @@ void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
 {
     struct pp_well_shape shape = shape_of(world, opening);
     struct pp_well_efficiency N = pp_well_of(world, light, opening);
-    pp_worksheet_put(sheet, PP_UNIT_NUMBER, pp_well_index(&shape), "w",
-                     "index of the well");
+    pp_worksheet_put(sheet, PP_UNIT_NUMBER, pp_well_index(&shape), "w", "well index");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, shape.sides, "rho_w",
                      "reflectance of the sides of the well");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.whole, "N",
                      "fraction of the entering light that leaves the well");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, N.direct, "N_d",
-                     "fraction that leaves the well without reflection in it");
+                     "fraction that leaves the well without reflection from its sides");
 }
 
 double pp_well_foot_to_plane(const struct pp_world *world,

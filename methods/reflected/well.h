@@ -68,12 +68,12 @@ void pp_well_put_foot(struct pp_worksheet *sheet, const struct pp_world *world,
 
 /* Rows of a formula's list of quantities. */
 #define PP_WELL_QUANTITIES                                                             \
-    {"w", PP_UNIT_NUMBER, "index of the well"},                                        \
+    {"w", PP_UNIT_NUMBER, "well index"},                                               \
         {"rho_w", PP_UNIT_NUMBER, "reflectance of the sides of the well"},             \
         {"N", PP_UNIT_NUMBER, "fraction of the entering light that leaves the well"},  \
     {                                                                                  \
         "N_d", PP_UNIT_NUMBER,                                                         \
-            "fraction that leaves the well without reflection in it"                   \
+            "fraction that leaves the well without reflection from its sides"          \
     }
 
 #endif

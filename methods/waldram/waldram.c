@@ -52,7 +52,7 @@ static const char *waldram_refuses_room(const struct pp_world *world,
                                         const struct pp_receiver *receiver)
 {
     if (pp_sky_has_azimuth(&light->sky))
-        return "valid only for skies without azimuth dependence";
+        return "valid only for skies whose luminance does not depend on azimuth";
     const char *why = pp_refusals_unless_up(receiver);
     why = why ? why : pp_refusals_if_fine_mesh(world);
     return why ? why : pp_refusals_if_luminous(world);
@@ -67,8 +67,8 @@ static const char *waldram_refuses(const struct pp_world *world,
     if (opening->glass.diffusing)
         return "has diffusing glass, but the diagram is for clear glass only";
     if (opening->glass.panes > 0 && pp_refusals_unless_vertical(opening))
-        return "has sloping glass, but the diagram with glass is for vertical openings "
-               "only";
+        return "has sloping glass, but the diagram that includes glass is for vertical "
+               "openings only";
     return NULL;
 }
 

@@ -46,7 +46,8 @@ static enum pp_status tabulate(struct pp_waldram *waldram, const struct pp_sky *
     if (pp_sky_has_azimuth(sky))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "no Waldram diagram for %s; expected a sky without azimuth dependence",
+            "no Waldram diagram for %s; expected a sky whose luminance does not depend "
+            "on azimuth",
             pp_sky_name(sky));
     waldram->sky = *sky;
     pp_interpolate_tabulate_integral(waldram->x, PP_WALDRAM_PANELS + 1, 0.0,

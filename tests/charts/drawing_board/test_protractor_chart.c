@@ -247,7 +247,7 @@ static void a_point_that_sees_no_opening_has_no_worked_chart(void **state)
     assert_int_equal(pp_protractor_sheet_fill_room(&sheet, world, &light,
                                                    world->receivers, spacing, &err),
                      PP_BAD_INPUT);
-    assert_non_null(strstr(err.message, "no part of an opening is visible"));
+    assert_non_null(strstr(err.message, "no part of any opening is visible"));
     pp_protractor_sheet_clear(&sheet);
     pp_world_destroy(world);
 }

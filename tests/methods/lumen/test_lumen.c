@@ -227,7 +227,7 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     p.window = WINDOW("0.3", "1.2", "2.4", "1.0", "");
     refused(p, "0.30 m above or below");
     p.window = WINDOW("0.3", "0.85", "2.4", "0.5", "");
-    refused(p, "depth over window height is 12; the table covers 1 to 10");
+    refused(p, "ratio of depth to window height is 12; the table covers 1 to 10");
     p.window = WINDOW("0.1", "0.85", "0.8", "1.5", "");
     refused(p, "too much wall without glass");
     p.window = WINDOW("0.3", "0.85", "2.4", "1.5", "reveal='0.4'");
@@ -247,7 +247,7 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
               "<vertex x='2' y='2' z='0.3'/><vertex x='2' y='3' z='0.3'/></surface>";
     refused(p, "empty rooms");
     p.after = "<window wall='east' left='1' sill='0.85' width='4' height='1.5'/>";
-    refused(p, "or in the opposite one");
+    refused(p, "nor in the opposite wall");
 }
 
 /* A clear sky with the sun before the window: brighter outside than the overcast

@@ -83,9 +83,8 @@ static void nothing_is_read_outside_it(void **state)
     assert_int_equal(parse(good, sizeof good - 1), PP_OK);
     struct pp_lumen_query query = {0.396, true, {0.7, 0.5, 4.0, 2.2}};
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
-    assert_string_equal(
-        why,
-        "is in a room whose width over window height is 2.2; the table covers 1 to 2");
+    assert_string_equal(why, "is in a room whose ratio of width to window height is "
+                             "2.2; the table covers 1 to 2");
     query.at[PP_LUMEN_WIDTH] = 1.5;
     query.at[PP_LUMEN_DEPTH] = 4.1;
     assert_false(pp_lumen_table_side(cu, table, &query, why, sizeof why));
@@ -164,7 +163,7 @@ static void mistakes_are_named_by_line(void **state)
     refused(SIDE "0.4,1,10,.2,-.1\n", 2, "above 0");
     refused(SIDE "0.4,1,10,.2,20\n", 2, "up to 2");
     refused(SIDE "0.4,1,10,0,.1\n", 2, "above 0");
-    refused(SIDE "0.4,1,20,.2,.1\n", 2, "10, 30, 50, 70, 90");
+    refused(SIDE "0.4,1,20,.2,.1\n", 2, "10, 30, 50, 70 or 90");
     refused(SIDE "0.4,0,10,.2,.1\n", 2, "depth_over_window_height");
     refused(SIDE "0.4,inf,10,.2,.1\n", 2, "depth_over_window_height");
     refused(SIDE "clear,1,10,.2,.1\n", 2, "Ev_over_Eh is \"clear\"");

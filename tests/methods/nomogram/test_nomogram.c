@@ -166,7 +166,7 @@ static void what_leaves_the_scales_is_refused(void **state)
     } cases[] = {
         {"<plan width='3' depth='40' height='2.5'/><window wall='south' left='1' "
          "sill='1' width='1' height='1'/>",
-         "outside the curve"},
+         "outside the range of the curve"},
         {"<plan width='3' depth='4' height='2.5'/><finishes walls='0.01' floor='0.01' "
          "ceiling='0.01'/><window wall='south' left='1' sill='1' width='1' "
          "height='1'/>",
