@@ -90,7 +90,7 @@ static void help_on_switches(FILE *out)
         {"glass=none", "openings without glass"},
         {"panes=1", "single panes instead of multiple"},
         {"frame=none", "no frames"},
-        {"dirt=none", "single panes instead of multiple panes"},
+        {"dirt=none", "no dirt on the glass"},
         {"plane=Z", "the points are at this height in metres"},
         {"sky=TYPE",
          "another sky: a value of --sky, or gensky: overcast, blended into the "

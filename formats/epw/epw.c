@@ -112,7 +112,7 @@ static bool is_after_last(struct record_reader *r)
     if (r->period < r->header->period_count)
         return false;
     pp_mistakes_add(r->mistakes, r->line,
-                    "there is a record after the last data period of line %d",
+                    "this record is after the end of the last data period on line %d",
                     r->header->periods_line);
     r->out_of_order = true;
     return true;
@@ -169,7 +169,7 @@ static bool check_minute(struct record_reader *r, int minute)
     }
     pp_mistakes_add(r->mistakes, r->line,
                     "minute %d (field 5) follows minute %d of the same hour; expected "
-                    "%d records an hour in order",
+                    "%d records per hour, in order",
                     minute, r->minute, r->header->records_an_hour);
     r->out_of_order = true;
     return false;
@@ -220,7 +220,7 @@ static double read_value(struct record_reader *r, int index, const char *name,
     }
     pp_mistakes_add(
         r->mistakes, r->line,
-        "%s (field %d) is \"%s\"; expected %g to %g, or %g where it is missing", name,
+        "%s (field %d) is \"%s\"; expected %g to %g, or %g for a missing value", name,
         index + 1, pp_text_excerpt(shown, sizeof shown, text), low, high, missing);
     return NAN;
 }
@@ -283,8 +283,8 @@ static void check_end(struct record_reader *r)
         return;
     pp_mistakes_add(
         r->mistakes, r->line,
-        "the file ends here, but a record of %s, hour %d was expected: the file is cut "
-        "off, or data period %d of line %d is shorter than that line says",
+        "the file ends here, but a record of %s, hour %d was expected: the file is "
+        "incomplete, or data period %d is shorter than line %d says",
         pp_month_day_words(wanted, sizeof wanted, r->date), r->hour, r->period + 1,
         r->header->periods_line);
 }

@@ -49,7 +49,7 @@ static void read_location(struct header_reader *r)
     struct pp_epw *epw = r->epw;
     if (epw->place) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "there is a second LOCATION; expected only one");
+                        "there is a second LOCATION line; expected only one");
         return;
     }
     r->out_of_memory |= !pp_epw_lines_append_text(&epw->place, "", "");
@@ -137,9 +137,10 @@ static void read_period(struct header_reader *r, int index)
     if (first > 0 && last > 0)
         period->years = last - first - pp_month_day_is_before(period->to, period->from);
     if (period->years < 0 || period->years > 200)
-        pp_mistakes_add(r->mistakes, r->line,
-                        "data period %d ends before it begins, or 200 years later",
-                        index + 1);
+        pp_mistakes_add(
+            r->mistakes, r->line,
+            "data period %d ends before it begins, or more than 200 years later",
+            index + 1);
 }
 
 static void read_periods(struct header_reader *r)
@@ -147,27 +148,29 @@ static void read_periods(struct header_reader *r)
     struct pp_epw_header *header = r->header;
     if (header->period_count > 0) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "there is a second DATA PERIODS; expected only one");
+                        "there is a second DATA PERIODS line; expected only one");
         return;
     }
     header->periods_line = r->line;
     double periods = read_header_number(r, 1, "the number of data periods (field 2)", 1,
                                         PP_EPW_PERIODS_MOST);
     double an_hour =
-        read_header_number(r, 2, "the number of records an hour (field 3)", 1, 60);
+        read_header_number(r, 2, "the number of records per hour (field 3)", 1, 60);
     header->period_count = (int)periods;
     header->records_an_hour = (int)an_hour;
     if (periods != header->period_count)
-        pp_mistakes_add(r->mistakes, r->line, "the number of data periods is %g",
+        pp_mistakes_add(r->mistakes, r->line,
+                        "the number of data periods is %g; expected a whole number",
                         periods);
     if (60 % header->records_an_hour != 0 || an_hour != header->records_an_hour)
         pp_mistakes_add(
             r->mistakes, r->line,
-            "there are %g records an hour; expected a number that divides 60", an_hour);
+            "there are %g records per hour; expected a whole number that divides 60",
+            an_hour);
     if (r->count < 3 + 4 * header->period_count) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "DATA PERIODS has %d fields; expected %d, which is four for "
-                        "each of %d period%s",
+                        "DATA PERIODS has %d fields; expected %d: three, and four more "
+                        "for each of %d period%s",
                         r->count, 3 + 4 * header->period_count, header->period_count,
                         header->period_count == 1 ? "" : "s");
         return;
@@ -256,7 +259,7 @@ bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
     if (header->period_count == 0)
         pp_mistakes_add(
             mistakes, lines->line,
-            *record ? "the records begin here; expected a line DATA PERIODS before them"
-                    : "the file ends here; expected a line DATA PERIODS");
+            *record ? "the records begin here; expected a DATA PERIODS line before them"
+                    : "the file ends here; expected a DATA PERIODS line");
     return mistakes->count == before;
 }

@@ -115,7 +115,7 @@ static void note_choice(const struct envelope_choice *choice, bool closes,
     const struct pp_gbxml_shell *shell = &choice->shell;
     if (choice->source != BY_SURFACES)
         pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\": its surfaces %s, so this is used instead: %s",
+                        "space \"%.60s\": its surfaces %s, so %s is used instead",
                         space->id,
                         closes ? "do not match its Area and Volume" : "do not close",
                         choice->source == BY_SHELL ? "its ShellGeometry"
@@ -126,8 +126,9 @@ static void note_choice(const struct envelope_choice *choice, bool closes,
                         space->id, 1e3 * shell->moved_m);
     if (shell->lacking > 0)
         pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\" is open; closed by %d plane %s", space->id,
-                        shell->lacking, shell->lacking == 1 ? "face" : "faces");
+                        "space \"%.60s\" is open and was closed by adding %d plane %s",
+                        space->id, shell->lacking,
+                        shell->lacking == 1 ? "face" : "faces");
 }
 
 static void note_difference(const struct pp_gbxml_shell *shell,
@@ -138,7 +139,7 @@ static void note_difference(const struct pp_gbxml_shell *shell,
     if (share_off(area, space->area_m2) > 0.0)
         pp_mistakes_add(
             notes, space->line,
-            "space \"%.60s\": the floor has %.4g m2, but its Area is %.4g m2",
+            "space \"%.60s\": the floor measures %.4g m2, but its Area is %.4g m2",
             space->id, area, space->area_m2);
     if (share_off(shell->volume_m3, space->volume_m3) > 0.0)
         pp_mistakes_add(notes, space->line,

@@ -95,8 +95,8 @@ static enum pp_status begin_room(struct gbxml_work *work, int index,
                                                 space, work->clipper, work->notes, err);
     if (status == PP_OK && why) {
         pp_mistakes_add(work->notes, space->line,
-                        "space \"%.60s\" %s, so it is not a room and its %d openings "
-                        "are ignored; its outside is kept as surfaces",
+                        "space \"%.60s\" %s, so it is not a room. Its %d openings are "
+                        "ignored, and its external faces are kept as surfaces",
                         space->id, why, count_openings(work, space));
         drop_room(work, index);
     }
@@ -173,12 +173,12 @@ static enum pp_status make_rooms(struct gbxml_work *work, struct pp_error *err)
     if (blind > 0)
         pp_mistakes_add(work->notes, 0,
                         "%d of %d spaces have no window, skylight or glazed door to "
-                        "the outside; their outside is kept as surfaces",
+                        "the outside; their external faces are kept as surfaces",
                         blind, work->model.space_count);
     if (many > 0)
         pp_mistakes_add(work->notes, 0,
                         "%d spaces exceed the limit of %d rooms in a building; their "
-                        "outside is kept as surfaces",
+                        "external faces are kept as surfaces",
                         many, ROOMS_MOST);
     return status;
 }

@@ -61,8 +61,8 @@ void pp_gbxml_loop_find_origin(struct pp_gbxml_loop_reader *r,
         return;
     r->origin = pp_vec(floor(low.x), floor(low.y), floor(low.z));
     pp_mistakes_add(r->notes, 0,
-                    "the model is far from the origin, so its own origin is now (%.0f, "
-                    "%.0f, %.0f) m in the axes of the file",
+                    "the model is far from the origin, so its origin was moved to the "
+                    "point (%.0f, %.0f, %.0f) m of the file",
                     r->origin.x, r->origin.y, r->origin.z);
 }
 

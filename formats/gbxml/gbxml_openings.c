@@ -218,8 +218,8 @@ static void note_lost(const struct opening_left *left, struct pp_mistakes *notes
     double lost = left->area_m2 - left->placed_m2;
     if (left->placed_m2 == 0.0)
         pp_mistakes_add(notes, left->opening->line,
-                        "opening \"%.60s\" is not in a face of its space, or overlaps "
-                        "other openings; it is treated as wall",
+                        "opening \"%.60s\" does not lie in a face of its space, or it "
+                        "overlaps other openings; it is treated as part of the wall",
                         name);
     else if (lost > least_m2)
         pp_mistakes_add(notes, left->opening->line,

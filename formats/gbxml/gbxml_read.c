@@ -225,10 +225,11 @@ static enum pp_status add_gbxml_opening(struct gbxml_reader *r,
         return PP_OK;
     }
     if (!lets_light_in(kind, type)) {
-        pp_mistakes_add(r->notes, element->line,
-                        "opening \"%.60s\" of type \"%.40s\" is not a window, "
-                        "skylight, sliding or glazed door; it is treated as wall",
-                        id ? id : "", kind);
+        pp_mistakes_add(
+            r->notes, element->line,
+            "opening \"%.60s\" of type \"%.40s\" is not a window, skylight, sliding or "
+            "glazed door; it is treated as part of the wall",
+            id ? id : "", kind);
         return PP_OK;
     }
     struct pp_gbxml_opening opening = {.line = element->line, .name = id};

@@ -312,7 +312,7 @@ enum pp_status pp_gbxml_room_finish(struct pp_gbxml_room *room,
     if (status == PP_OK && divided > 0)
         pp_mistakes_add(
             notes, space->line,
-            "space \"%.60s\": %d faces are not plane and are divided into triangles",
+            "space \"%.60s\": %d faces are not planar and are divided into triangles",
             space->id, divided);
     if (status == PP_OK)
         status = name_faces(room, surfaces, count, err);

@@ -323,7 +323,7 @@ static enum pp_status close_holes(struct pp_gbxml_shell *shell, const char **why
         shell->faces[shell->face_count++] = loop;
         shell->lacking++;
         if (!is_plane(shell, shell->face_count - 1))
-            *why = "does not close, and the gap is not plane";
+            *why = "does not close, and the gap is not planar";
     }
     free(loose.list);
     return status;

@@ -86,9 +86,9 @@ static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
         return pp_rad_words_fail(primitive->words, word.line, err,
                                  "there is no material \"%.*s\"", shown, word.text);
     if (meaning.kind != PP_RAD_MATERIAL)
-        return pp_rad_words_fail(primitive->words, word.line, err,
-                                 "there is a mixfunc of \"%.*s\"; expected a material",
-                                 shown, word.text);
+        return pp_rad_words_fail(
+            primitive->words, word.line, err,
+            "a side of the mixfunc is \"%.*s\"; expected a material", shown, word.text);
     *material = which == 1 && meaning.back >= 0 ? meaning.back : meaning.index;
     /* Radiance does not sample a concentrated source in a mixfunc, and treats a glowing
      * back as dark. */
@@ -96,8 +96,8 @@ static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
     if (emits == PP_EMITS_CONCENTRATED || (which == 1 && emits != PP_EMITS_NOTHING))
         return pp_rad_words_fail(
             primitive->words, word.line, err,
-            "there is a mixfunc of \"%.*s\", which Radiance does not treat as a light "
-            "source there; expected a material without emission",
+            "Radiance does not treat \"%.*s\" as a light source inside a mixfunc; "
+            "expected a material without emission",
             shown, word.text);
     return PP_OK;
 }
@@ -236,7 +236,7 @@ static enum pp_status sky_of(const struct pp_rad_primitive *primitive,
     for (int i = 0; i < 6 && status == PP_OK; i++)
         if (!(fabs(n[2 + i] - is[i]) <= 1e-6 * (1.0 + fabs(is[i]))))
             status = pp_fail(&said, PP_BAD_INPUT,
-                             "the sky is of type %g with %g, but its table has %g",
+                             "the sky of type %g has the coefficient %g; expected %g",
                              n[1], n[2 + i], is[i]);
     return pp_rad_words_locate(primitive->words, primitive->line, status, &said, err);
 }

@@ -27,7 +27,7 @@ static enum pp_status read_count(struct pp_rad_words *words, const char *what,
         || number != (int)number)
         return pp_rad_words_fail(
             words, word.line, err,
-            "there is \"%.*s\"; expected the number of %s, at most %d",
+            "found \"%.*s\"; expected the number of %s, at most %d",
             pp_rad_words_shown(word), word.text, what, ARGUMENTS_MOST);
     *count = (int)number;
     return PP_OK;
@@ -67,8 +67,7 @@ static enum pp_status read_rad_number(struct pp_rad_words *words, double *number
     int shown = pp_rad_words_shown(word);
     if (status == PP_OK && !pp_rad_words_number(word, number))
         return pp_rad_words_fail(words, word.line, err,
-                                 "there is \"%.*s\"; expected a number", shown,
-                                 word.text);
+                                 "found \"%.*s\"; expected a number", shown, word.text);
     if (status == PP_OK && fabs(*number) > 1e30)
         return pp_rad_words_fail(words, word.line, err,
                                  "the number is %.*s; expected -1e30 to 1e30", shown,

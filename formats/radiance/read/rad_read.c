@@ -121,7 +121,7 @@ static enum pp_status check_first(const struct pp_rad_reader *reader,
         return PP_OK;
     return pp_rad_words_fail(pipe->words, pipe->line, err,
                              "there are %.0f copies of %.0f shapes; expected at most "
-                             "%d shapes in all the copies that xforms make",
+                             "%d shapes in the copies made by all xforms together",
                              copies, shapes, PP_RAD_COPIED_SHAPES_MOST);
 }
 
@@ -136,8 +136,9 @@ static enum pp_status run_copies(struct pp_rad_reader *reader, struct pp_rad_pip
         struct pp_rad_context next = context_of(xform, copy, copies, context);
         if (!isfinite(pp_vec_length(next.transform.move))
             || !(next.transform.scale > 1e-12) || !(next.transform.scale < 1e12))
-            return pp_rad_pipe_fail(pipe, err,
-                                    "the copies exceed the limits of numbers", "");
+            return pp_rad_pipe_fail(
+                pipe, err, "the copies are too large or too small, or too far away",
+                "");
         status = xform->file_count > 0
                      ? read_files(reader, pipe, xform, texts, next, err)
                      : run_command(reader, pipe, which - 1, &next, err);

@@ -31,10 +31,11 @@ static enum pp_status rad_shape_material(const struct pp_rad_reader *reader,
             "the modifier of a shape is a pattern; expected a material");
     int patterned = has_pattern(reader, *material) ? *material : *back;
     if (!distant && has_pattern(reader, patterned))
-        return pp_rad_words_fail(words, line, err,
-                                 "a shape of \"%s\" has the pattern of a sky; expected "
-                                 "it on a source, or a material without one",
-                                 reader->scene->materials[patterned].name);
+        return pp_rad_words_fail(
+            words, line, err,
+            "the material \"%s\" of a shape has the pattern of a sky, which only a "
+            "source can have; expected another material",
+            reader->scene->materials[patterned].name);
     if (modifier.kind == PP_RAD_VOID)
         reader->summary->unseen++;
     return PP_OK;
@@ -51,14 +52,14 @@ static enum pp_status check_count(struct pp_rad_reader *reader,
     if (!copied)
         return PP_OK;
     if (++reader->copied_shapes > PP_RAD_COPIED_SHAPES_MOST)
-        return pp_rad_words_fail(words, line, err,
-                                 "the copies that xforms make have more than %d shapes",
-                                 PP_RAD_COPIED_SHAPES_MOST);
+        return pp_rad_words_fail(
+            words, line, err, "the copies made by all xforms have more than %d shapes",
+            PP_RAD_COPIED_SHAPES_MOST);
     reader->copied_corners += corners;
     if (reader->copied_corners > PP_RAD_COPIED_CORNERS_MOST)
         return pp_rad_words_fail(
             words, line, err,
-            "the polygons in the copies that xforms make have more than %d corners",
+            "the polygons in the copies made by all xforms have more than %d corners",
             PP_RAD_COPIED_CORNERS_MOST);
     return PP_OK;
 }
@@ -99,7 +100,7 @@ enum pp_status pp_rad_shapes_add_polygon(struct pp_rad_reader *reader,
     if (!(pp_vec_length(area) > 1e-12 * size * size)) {
         if (turned > 1e-12 * size * size)
             return pp_rad_words_fail(words, line, err,
-                                     "a polygon crosses itself and so has no front; "
+                                     "a polygon crosses itself, so it has no front; "
                                      "expected one that does not cross itself");
         reader->summary->flat++;
         return PP_OK;

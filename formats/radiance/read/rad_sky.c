@@ -49,9 +49,9 @@ static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
     struct pp_vec3 up = pp_rad_transform_direction(turn, pp_vec(0.0, 0.0, 1.0));
     if (good && up.z > 1.0 - 1e-9)
         return PP_OK;
-    return pp_rad_words_fail(
-        primitive->words, primitive->line, err,
-        "the sky is moved; expected no movement, or a rotation about the vertical");
+    return pp_rad_words_fail(primitive->words, primitive->line, err,
+                             "the sky is tilted, or its transformation is not valid; "
+                             "expected at most a rotation about the vertical");
 }
 
 static enum pp_status take_sky(struct pp_rad_reader *reader,
@@ -94,7 +94,8 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
     if (!(n[1] >= 0.0) || !(n[2] >= 0.0))
         return pp_rad_words_fail(
             words, primitive->line, err,
-            "the sky has a brightness of %g and %g; expected 0 or more", n[1], n[2]);
+            "the zenith and ground brightness are %g and %g; expected 0 or more", n[1],
+            n[2]);
     if (sunny) {
         struct pp_vec3 sun = pp_vec(n[4], n[5], n[6]);
         if (!(n[3] > 0.0) || !(pp_vec_length(sun) > 0.5))

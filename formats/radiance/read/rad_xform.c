@@ -18,8 +18,8 @@ static enum pp_status start_stage(struct pp_rad_xform *xform,
         return pp_rad_pipe_fail(pipe, err, "expected a whole number after xform's ",
                                 words[0]);
     if (xform->stage_count == PP_RAD_XFORM_STAGES_MOST)
-        return pp_rad_pipe_fail(pipe, err, "one xform has more than 15 of -i and -a",
-                                "");
+        return pp_rad_pipe_fail(pipe, err,
+                                "an xform has more than 15 options -i and -a", "");
     xform->stages[xform->stage_count++] =
         (struct pp_rad_xform_stage){pp_rad_transform_identity(), (int)number, array};
     return PP_OK;

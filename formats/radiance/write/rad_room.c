@@ -80,8 +80,8 @@ static enum pp_status add_rad_surface(struct rad_room_builder *b, int which)
     const struct pp_surface *surface = &b->world->surfaces[which];
     if (surface->exitance > 0.0)
         return pp_fail(b->err, PP_BAD_INPUT,
-                       "line %d: a surface both emits and reflects light, but Radiance "
-                       "has no such material",
+                       "line %d: a surface both emits and reflects light, but no "
+                       "Radiance material does both",
                        surface->line);
     int material, back;
     enum pp_status status = sides_of(b, which, &material, &back);
@@ -386,8 +386,8 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
     pp_scene_description_init(&room->scene);
     if (light->sky.kind == PP_SKY_PICTURE)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a photographed sky has no formula to write; expected another "
-                       "sky (--sky)");
+                       "a photographed sky cannot be written as a formula; expected "
+                       "another sky (--sky)");
     struct rad_room_builder b = {.scene = &room->scene,
                                  .world = world,
                                  .light = light,

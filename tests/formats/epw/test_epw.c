@@ -208,7 +208,7 @@ static void a_period_may_end_on_a_day_that_is_not_there(void **state)
     epw_header(&made, "", "1,1,Winter,Monday,2/28,2/29");
     epw_day(&made, 1991, 2, 28, "1");
     epw_day(&made, 1991, 3, 1, "1");
-    assert_refused(&made, 33, "after the last data period");
+    assert_refused(&made, 33, "after the end of the last data period");
 
     epw_begin(&made);
     epw_header(&made, "", "1,1,Winter,Monday,2/28,2/29");
@@ -306,7 +306,7 @@ static void a_file_that_is_cut_off_is_refused(void **state)
     epw_day(&made, 2001, 1, 2, "0");
     assert_refused(
         &made, 56,
-        "but a record of 3 January, hour 1 was expected: the file is cut off");
+        "but a record of 3 January, hour 1 was expected: the file is incomplete");
 
     epw_begin(&made);
     epw_header(&made, "No", "1,1,Data,Monday,1/1,12/31");
@@ -317,7 +317,7 @@ static void a_file_that_is_cut_off_is_refused(void **state)
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);
     epw_line(&made, "DESIGN CONDITIONS,0");
-    assert_refused(&made, 2, "expected a line DATA PERIODS");
+    assert_refused(&made, 2, "expected a DATA PERIODS line");
 }
 
 static void hours_out_of_order_are_refused(void **state)
@@ -336,7 +336,7 @@ static void hours_out_of_order_are_refused(void **state)
     epw_header(&made, "No", "1,1,Data,Monday,1/1,1/1");
     epw_day(&made, 2001, 1, 1, "0");
     epw_day(&made, 2001, 1, 2, "0");
-    assert_refused(&made, 33, "after the last data period of line 8");
+    assert_refused(&made, 33, "after the end of the last data period on line 8");
 
     epw_begin(&made);
     epw_header(&made, "No", "1,2,Data,Monday,1/1,1/1");
@@ -355,8 +355,8 @@ static void numbers_that_are_none_are_named(void **state)
         {"0", "0", "-3", "0", "diffuse horizontal irradiance (field 16) is \"-3\""},
         {"0", "0", "0", "nan", "field 19) is \"nan\""},
         {"0", "0", "0", "1e400", "field 19) is \"1e400\""},
-        {"0", "0", "0", "500000", "or 999900 where it is missing"},
-        {"3000", "0", "0", "0", "0 to 2000, or 9999 where it is missing"},
+        {"0", "0", "0", "500000", "or 999900 for a missing value"},
+        {"3000", "0", "0", "0", "0 to 2000, or 9999 for a missing value"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct made_epw made;
@@ -425,7 +425,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);
     epw_day(&made, 2001, 1, 1, "0");
-    assert_refused(&made, 2, "the records begin here; expected a line DATA PERIODS");
+    assert_refused(&made, 2, "the records begin here; expected a DATA PERIODS line");
 
     epw_begin(&made);
     epw_line(&made, EPW_LOCATION);

@@ -236,7 +236,7 @@ static void what_lacks_is_closed_and_said(void **state)
     made_gbxml_box(&file, "a", 0.0, 4.0, 6.0, 3.0, NO_ROOF);
     made_gbxml_end(&file, "");
     char *xml = made_gbxml_import(&file, notes, sizeof notes);
-    assert_non_null(strstr(notes, "closed by 1 plane face"));
+    assert_non_null(strstr(notes, "closed by adding 1 plane face"));
     assert_near(sky_at(xml, 0, at), sky_at(by_hand, 0, at), 1e-9);
     free(xml);
 

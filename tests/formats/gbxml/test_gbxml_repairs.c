@@ -159,13 +159,13 @@ static void cut_at_all_sides_and_at_each_other(void **state)
         void (*inside)(struct made_gbxml *file);
         double glass_m2;
         const char *noted; /* NULL: nothing */
-    } cases[] = {
-        {plain_window, 2 * 1.5, NULL},
-        {over_top, 2 * 2, "0.01 of its 4.01 m2 are cut off"},
-        {under_foot, 2 * 1, "0.04 of its 2.04 m2 are cut off"},
-        {beyond_ends, 6 * 1, "0.01 of its 6.01 m2 are cut off"},
-        {overlapping, 3 * 1.5, "1.5 of its 3 m2 are cut off"},
-        {nested, 3 * 1.5, "or overlaps other openings; it is treated as wall"}};
+    } cases[] = {{plain_window, 2 * 1.5, NULL},
+                 {over_top, 2 * 2, "0.01 of its 4.01 m2 are cut off"},
+                 {under_foot, 2 * 1, "0.04 of its 2.04 m2 are cut off"},
+                 {beyond_ends, 6 * 1, "0.01 of its 6.01 m2 are cut off"},
+                 {overlapping, 3 * 1.5, "1.5 of its 3 m2 are cut off"},
+                 {nested, 3 * 1.5,
+                  "or it overlaps other openings; it is treated as part of the wall"}};
     for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++) {
         char notes[2000];
         struct sizes sizes = room_with(3.0, 0.0, 0.0, cases[i].inside, notes);
@@ -217,7 +217,7 @@ static void faces_that_are_not_plane_are_divided(void **state)
     struct sizes sizes = room_with(3.0, 0.005, 0.0, plain_window, notes);
     assert_near(sizes.volume_m3, 72.0 + 12.0 * 0.005 / 3.0, 0.03);
     assert_near(sizes.glass_m2, 3.0, 1e-6);
-    assert_non_null(strstr(notes, "1 faces are not plane"));
+    assert_non_null(strstr(notes, "1 faces are not planar"));
 }
 
 /* A south wall 50 mm outside leaves the surfaces open; the room is the prism over both
@@ -304,7 +304,7 @@ static void other_sizes_are_noted(void **state)
     end_space(&file);
     char *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_near(sizes_of(xml, 0).floor_m2, 24.0, 1e-6);
-    assert_non_null(strstr(notes, "the floor has 24 m2, but its Area is 30 m2"));
+    assert_non_null(strstr(notes, "the floor measures 24 m2, but its Area is 30 m2"));
     assert_null(strstr(notes, "its Volume"));
     free(xml);
 }
@@ -407,7 +407,8 @@ static void far_models_are_moved(void **state)
     assert_non_null(strstr(xml, "x=\"0\" y=\"0\" z=\"0\""));
     assert_near(sizes_of(xml, 0).floor_m2, 24.0, 1e-4);
     assert_near(sizes_of(xml, 0).glass_m2, 3.0, 1e-4);
-    assert_non_null(strstr(notes, "its own origin is now (506000, 4021000, 0) m"));
+    assert_non_null(
+        strstr(notes, "its origin was moved to the point (506000, 4021000, 0) m"));
     free(xml);
 }
 

@@ -467,16 +467,16 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {"void alias a b\n", "there is no material or pattern \"b\""},
         {WHITE SKY "skyfunc light l 0 0 3 1 1 1\n"
                    "l polygon p 0 0 9 0 0 0 1 0 0 0 1 0\n",
-         "4: a shape of \"l\" has the pattern of a sky"},
+         "4: the material \"l\" of a shape has the pattern of a sky"},
         {WHITE SKY "skyfunc glow l 0 0 4 1 1 1 0\nl sphere s 0 0 4 0 0 0 1\n",
-         "4: a shape of \"l\" has the pattern"},
+         "4: the material \"l\" of a shape has the pattern"},
         {WHITE SKY "skyfunc glow l 0 0 4 1 1 1 0\n"
                    "void mixfunc m 4 l white if(Rdot,1,0) . 0 0\n"
                    "m ring r 0 0 8 0 0 0 0 0 1 0 1\n",
-         "5: a shape of \"l\" has the pattern"},
+         "5: the material \"l\" of a shape has the pattern"},
         {WHITE SKY "void light l 0 0 3 1 1 1\nskyfunc alias k l\n"
                    "!genbox k b 1 1 1\n",
-         "5: a shape of \"l\" has the pattern"},
+         "5: the material \"l\" of a shape has the pattern"},
         {WHITE SKY "void light l 0 0 3 1 1 1\n!xform -m l /dev/null\n"
                    "!genbox l b 1 1 1 | xform -m skyfunc\n",
          "5: the modifier of a shape is a pattern"},
@@ -514,7 +514,7 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
          "2: there are 999 copies of 6000 shapes"},
         {WHITE "!genbox white b 1 1 1 | xform -a 160000 -t 2 0 0\n"
                "!genbox white b 1 1 1 | xform -a 160000 -t 2 0 0\n",
-         "3: the copies that xforms make have more than 1000000 shapes"},
+         "3: the copies made by all xforms have more than 1000000 shapes"},
         {"!a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
          "a|"
          "a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|a|"
@@ -530,10 +530,10 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
          "a mirror with the alternate material \"white\" is not supported"},
         {WHITE
          "void light l 0 0 3 1 1 1\nvoid mixfunc m 4 l white if(Rdot,1,0) . 0 0\n",
-         "3: there is a mixfunc of \"l\""},
+         "3: Radiance does not treat \"l\" as a light source"},
         {WHITE "void glow l 0 0 4 1 1 1 0\nvoid mixfunc m 4 white l if(Rdot,1,0) . 0 "
                "0\n",
-         "3: there is a mixfunc of \"l\""},
+         "3: Radiance does not treat \"l\" as a light source"},
         {WHITE "!gensky -c | genbox white b 1 1 1\n", "only xform after a pipe"},
         {"!gensky 13 1 12\n", "expected gensky with month"},
         {"!gensky 1 1 12XYZ\n", "expected gensky with month"},
