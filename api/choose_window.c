@@ -50,7 +50,7 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
         if (*window < 0)
             return pp_fail(
                 err, PP_BAD_INPUT,
-                "--window is \"%.60s\"; expected the line of a window in the "
+                "--window is \"%.60s\"; expected the line number of a window in the "
                 "room file, or the name of a wall with one window",
                 words);
     } else {
@@ -61,13 +61,13 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
     if (*window == world->opening_count && !upright)
         return pp_fail(err, PP_BAD_INPUT, "the room has no opening");
     if (*window == world->opening_count)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "the room has no vertical window, which the vertical sky component needs");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the vertical sky component needs a vertical window, but the "
+                       "room has none");
     if (upright && !opening_is_upright(&world->openings[*window]))
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is not vertical, but the vertical sky component is for "
-                       "windows in walls",
+                       "vertical windows only",
                        world->openings[*window].label);
     return PP_OK;
 }

@@ -39,7 +39,7 @@ static enum pp_status draw_availability(struct pp_canvas *canvas,
 const struct pp_chart_kind pp_draw_availability = {
     .name = "availability",
     .summary =
-        "share of working hours in which a given light outside and inside is reached",
+        "share of working hours in which an illuminance is reached, outside and inside",
     .outside = true,
     .landscape = true,
     .draw = draw_availability,

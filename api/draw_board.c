@@ -193,7 +193,7 @@ static enum pp_status draw_brs_table(struct pp_canvas *canvas,
     if (!room && options->sky.kind != PP_SKY_OVERCAST)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the BRS table is for the CIE overcast sky only; expected no other --sky");
+            "the BRS table is for the CIE overcast sky only; expected --sky overcast");
     if (room)
         status = pp_brs_sheet_fill_room(&sheet, room->world, &room->light,
                                         room->receivers, err);
@@ -274,7 +274,8 @@ const struct pp_chart_kind pp_draw_pepper_pot = {
 
 const struct pp_chart_kind pp_draw_protractor = {
     .name = "protractor",
-    .summary = "BRS daylight protractor, blank or laid on section and plan of a room",
+    .summary =
+        "BRS daylight protractor, blank or laid on the section and plan of a room",
     .board = true,
     .from_point = true,
     .draw = draw_protractor,
@@ -283,15 +284,15 @@ const struct pp_chart_kind pp_draw_protractor = {
 const struct pp_chart_kind pp_draw_nomogram = {
     .name = "nomogram",
     .summary = "nomogram of the internally reflected component, blank or with the "
-               "lines of a room",
+               "readings for a room",
     .board = true,
     .draw = draw_nomogram,
 };
 
 const struct pp_chart_kind pp_draw_position_nomogram = {
     .name = "position-nomogram",
-    .summary =
-        "nomogram of the internally reflected component at a point, by irc-atlas",
+    .summary = "nomogram of the internally reflected component at a point, by the "
+               "method irc-atlas",
     .board = true,
     .from_point = true,
     .landscape = true,
@@ -300,7 +301,7 @@ const struct pp_chart_kind pp_draw_position_nomogram = {
 
 const struct pp_chart_kind pp_draw_brs_table = {
     .name = "brs-table",
-    .summary = "BRS simplified daylight table, blank or with the readings of a room",
+    .summary = "BRS simplified daylight table, blank or with the readings for a room",
     .board = true,
     .from_point = true,
     .draw = draw_brs_table,

@@ -164,7 +164,7 @@ static enum pp_status check_note_choice(const char *methods, bool simulate,
 {
     (void)methods;
     return simulate ? pp_fail(err, PP_BAD_INPUT,
-                              "a note shows calculations by hand, but a simulation has "
+                              "a note shows hand calculations, but a simulation has "
                               "none; expected hand methods without --simulate")
                     : PP_OK;
 }

@@ -48,7 +48,8 @@ static enum pp_status draw_overlay(struct pp_canvas *canvas, struct pp_study_roo
 
 const struct pp_chart_kind pp_draw_overlay = {
     .name = "overlay",
-    .summary = "equal parts of the sky and sun paths, for a fisheye photograph",
+    .summary =
+        "overlay for a fisheye photograph: equal parts of the sky, and sun paths",
     .board = true,
     .of_sun = true,
     .transparent = true,

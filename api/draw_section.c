@@ -16,8 +16,8 @@ enum { NOTE_BYTES = 640 };
 /* PP_BAD_INPUT, with the reason, if the section has no values to show. */
 static enum pp_status check_values(const struct pp_report *report, struct pp_error *err)
 {
-    const char *why = "these methods give only a part of the daylight factor; expected "
-                      "a pair, such as exact+bre";
+    const char *why = "these methods give only part of the daylight factor; expected a "
+                      "pair, such as exact+bre";
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
         if (column->component != PP_DF)
@@ -54,7 +54,7 @@ static enum pp_status say_obstructions(char note[NOTE_BYTES],
         pp_text_append(note, NOTE_BYTES, "%s%s %.1f\u00b0",
                        said++ ? ", "
                               : "Obstruction angle in the formulae (that of an endless "
-                                "skyline which leaves the same sky): ",
+                                "skyline that hides as much of the sky): ",
                        world->openings[i].label, angle_rad / PP_RAD);
     }
     if (said)
@@ -101,6 +101,6 @@ static enum pp_status draw_section_chart(struct pp_canvas *canvas,
 
 const struct pp_chart_kind pp_draw_section = {
     .name = "section",
-    .summary = "daylight factor against distance, over the section",
+    .summary = "daylight factor against distance, above a section",
     .draw = draw_section_chart,
 };

@@ -49,12 +49,12 @@ static void clear_sun(struct window_sun *sun)
 static void say_sun(char *foot, size_t room, const char *when,
                     const struct window_sun *sun, const struct pp_sunlit_year *open)
 {
-    pp_page_say(foot, room,
-                "%s%.1f\u00a0%% of the annual hours of sun on open ground reach the "
-                "window, %.1f\u00a0%% in winter, and %.1f\u00a0h on 21 March.",
-                when, 100.0 * sun->hours.all / open->all,
-                100.0 * sun->hours.winter / open->all,
-                pp_sunlit_hours_sum(&sun->march));
+    pp_page_say(
+        foot, room,
+        "%s window receives %.1f\u00a0%% of the annual hours of sun on open ground "
+        "(including %.1f\u00a0%% in winter), and %.1f\u00a0h of sun on 21 March.",
+        when, 100.0 * sun->hours.all / open->all, 100.0 * sun->hours.winter / open->all,
+        pp_sunlit_hours_sum(&sun->march));
 }
 
 static enum pp_status say_sun_path_foot(char *foot, size_t room,
@@ -70,16 +70,16 @@ static enum pp_status say_sun_path_foot(char *foot, size_t room,
     if (status != PP_OK)
         return status;
     pp_page_say(foot, room,
-                "Grey areas are hidden from the centre of the window, outer face, by "
-                "its own wall and by obstructions%s.",
+                "Grey areas are hidden from the centre of the window's outer face by "
+                "its own wall or by obstructions%s.",
                 before ? "; hatched areas are hidden now but were not before" : "");
     if (before)
-        say_sun(foot, room, "Existing: ", before, &open);
-    say_sun(foot, room, before ? "Proposed: " : "", now, &open);
+        say_sun(foot, room, "Existing: the", before, &open);
+    say_sun(foot, room, before ? "Proposed: the" : "The", now, &open);
     pp_page_say(foot, room,
                 "Possible hours are all hours with the sun above the horizon. The "
                 "projection is stereographic, seen from above. Paths are for the 21st "
-                "of each month, hours in solar time.");
+                "of each month; hours are in solar time.");
     return PP_OK;
 }
 
@@ -96,8 +96,7 @@ static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
         return status;
     pp_opening_words(words, world, &world->openings[window]);
     snprintf(subtitle, sizeof subtitle,
-             "Sun paths at %.4g\u00b0 %s, with the obstructions to the sky seen from "
-             "window %s",
+             "Sun paths at %.4g\u00b0 %s, with the obstructions seen from window %s",
              fabs(world->latitude_rad) / PP_RAD, world->latitude_rad < 0.0 ? "S" : "N",
              words);
     const struct pp_overlay overlay = {.lens = PP_LENS_STEREOGRAPHIC,

@@ -59,7 +59,8 @@ static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *
 
 const struct pp_chart_kind pp_draw_year = {
     .name = "year",
-    .summary = "daylight in every hour of a year: map of days and hours, plans, curve",
+    .summary =
+        "daylight in every hour of a year: a map by day and hour, plans and a curve",
     .of_year = true,
     .landscape = true,
     .draw = draw_year,

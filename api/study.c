@@ -305,6 +305,7 @@ struct pp_reading pp_study_reading(const struct pp_study *study, int column, int
         return found->average;
     if (point >= study->report.receiver_count)
         return pp_reading_none("there is no such point");
-    return found->points ? found->points[point]
-                         : pp_reading_none("the value is for the whole room");
+    return found->points
+               ? found->points[point]
+               : pp_reading_none("the value is for the whole room, not for a point");
 }

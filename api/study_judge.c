@@ -91,7 +91,7 @@ enum pp_status pp_study_size(const struct pp_study *study, double target,
         *file = NULL;
     if (!(target > 0.0 && target <= 1.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the target is %g; expected a fraction above 0, up to 1",
+                       "the target is %g; expected a fraction above 0 and up to 1",
                        target);
     struct pp_study_options options = PP_STUDY_OPTIONS_NONE;
     const struct pp_size_request request = {

@@ -201,7 +201,7 @@ static void draw_by_one(struct atlas_plot *plot)
     draw_classes(plot);
     draw_frame(plot);
     draw_keys(plot);
-    draw_up_title(plot, "Method over simulation");
+    draw_up_title(plot, "Method divided by simulation");
 }
 
 /* ---- a map by two numbers ---- */
@@ -314,22 +314,24 @@ static bool is_beyond(const struct pp_atlas_map *map)
 
 static void say_notes(char *foot, size_t room, const struct pp_atlas_map *map)
 {
-    pp_page_say(foot, room, "%s of %d rooms of the atlas; a ratio of 1 is exact.",
+    pp_page_say(foot, room,
+                "%s of %d rooms of the atlas; a ratio of 1 is an exact result.",
                 map->averages ? "Averages" : "At the points", map->rooms);
     pp_page_say(
         foot, room,
         map->up.count > 1
-            ? "Each field shows the median, with the number of rooms below it. There "
-              "is no median for fewer than %d rooms."
-            : "Bars show medians, whiskers the range from 5 to 95 %%, and the number "
-              "of rooms is above. Nothing is drawn for fewer than %d rooms.",
+            ? "Each field shows the median, with the number of rooms below it. No "
+              "median is shown for fewer than %d rooms."
+            : "Bars show medians, and whiskers the range from the 5 %% to the 95 %% "
+              "quantile. The number of rooms is above each bar. Nothing is drawn for "
+              "fewer than %d rooms.",
         PP_ATLAS_ENOUGH);
     if (map->up.count == 1 && is_beyond(map))
         pp_page_say(foot, room, "Values outside %g to %g are drawn at the edge.",
                     least_ratio, most_ratio);
     if (!map->averages)
         pp_page_say(foot, room,
-                    "Several points of one room in one class count as one.");
+                    "Several points of a room in the same class count as one.");
     if (map->blind)
         pp_page_say(foot, room,
                     "%d values are ignored, because the simulated value is 0 or "

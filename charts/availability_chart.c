@@ -93,8 +93,8 @@ static void say_rows(struct availability_plot *plot)
         }
         pp_page_say(
             plot->foot, sizeof plot->foot,
-            "%g lx %s (daylight factor %s, %s) require %.0f lx outside:", row->lx,
-            plot->place, percent, row->method, three_figures(row->needs_lx));
+            "%g lx %s (daylight factor %s, %s) requires %.0f lx outside, available in:",
+            row->lx, plot->place, percent, row->method, three_figures(row->needs_lx));
         for (int k = 0; k < sheet->period_count; k++)
             pp_page_say(plot->foot, sizeof plot->foot, "%.0f %% of %s%s",
                         100.0 * row->share[k], sheet->periods[k].words,
@@ -106,11 +106,13 @@ static void say_notes(struct availability_plot *plot)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
     say_rows(plot);
-    pp_page_say(plot->foot, sizeof plot->foot, "Light outside: %s. Working hours: %s.",
-                sheet->light, sheet->calendar);
+    pp_page_say(plot->foot, sizeof plot->foot,
+                "External illuminance: %s. Working hours: %s.", sheet->light,
+                sheet->calendar);
     if (isfinite(sheet->median_lx))
         pp_page_say(plot->foot, sizeof plot->foot,
-                    "Median of the brightest 4380 hours of the year: %.0f lx.",
+                    "Median diffuse illuminance of the brightest 4380 hours of the "
+                    "year: %.0f lx.",
                     sheet->median_lx);
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0)
@@ -315,7 +317,7 @@ static void draw_plot(struct availability_plot *plot)
     struct pp_box box =
         pp_lettering_draw(cr, style, &title, plot->field.x + plot->field.width,
                           bottom + reach + 0.2 * style->scale,
-                          "Diffuse horizontal illuminance outside (lx)");
+                          "External diffuse horizontal illuminance (lx)");
     if (has_inside_scale(plot))
         draw_inside_scale(plot, box.y + box.height + 2.5 * style->scale);
 
@@ -333,9 +335,10 @@ static void draw_availability_sheet(struct availability_plot *plot,
     const struct pp_style *style = &plot->style;
     const char *name = sheet->report ? sheet->report->world->name : NULL;
     say_notes(plot);
-    const struct pp_page page = {
-        name ? name : "Daylight availability",
-        "Share of working hours with at least this diffuse light outside", plot->foot};
+    const struct pp_page page = {name ? name : "Daylight availability",
+                                 "Share of working hours in which the external diffuse "
+                                 "illuminance is at least this value",
+                                 plot->foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
     /* The field is not much higher than wide on any sheet. */

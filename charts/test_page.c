@@ -202,7 +202,7 @@ enum pp_status pp_test_page_draw(struct pp_canvas *canvas, struct pp_error *err)
     draw_circle(&sheet, body.x + 26.0, y + 44.0);
     draw_hatches(&sheet, body.x + 94.0, y + 44.0);
     y += PP_TEST_PAGE_RULER_MM + 16.0;
-    draw_heading(&sheet, y - 1.5, "Greys, share of black");
+    draw_heading(&sheet, y - 1.5, "Greys, by share of black");
     draw_greys(&sheet, y);
     y += 30.0;
     draw_heading(&sheet, y - 1.5, "Line widths, and curves of charts");

@@ -272,11 +272,12 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
                         window->label);
             continue;
         }
-        pp_page_say(text, room,
-                    "%s, %.2f\u00a0m away: with glass, frame and dirt (\u00d7 %.3f) "
-                    "sky component %.2f\u00a0%%, externally reflected %.2f\u00a0%%.",
-                    window->label, window->distance_m, window->allowance,
-                    100.0 * window->sky, 100.0 * window->external);
+        pp_page_say(
+            text, room,
+            "%s, %.2f\u00a0m away: with glass, frame and dirt (\u00d7 %.3f), sky "
+            "component %.2f\u00a0%%, externally reflected component %.2f\u00a0%%.",
+            window->label, window->distance_m, window->allowance, 100.0 * window->sky,
+            100.0 * window->external);
     }
     if (sheet->window_count > WINDOWS_MOST)
         pp_page_say(text, room, "%d more windows are not listed.",
@@ -320,28 +321,28 @@ static double draw_readings(const struct table_drawing *drawing, struct pp_box r
 
 static void say_how(char *foot, size_t room, const struct pp_brs_sheet *sheet)
 {
-    pp_page_say(
-        foot, room,
-        "For vertical windows with clear single glass, a CIE overcast sky and a "
-        "horizontal plane at the sill. Dirt, frame and glazing bars are not included.");
-    pp_page_say(
-        foot, room,
-        "h: head above the plane. d: distance from the point to the window. w: width "
-        "on one side of the normal through the point. If the jambs are on both sides, "
-        "add both readings. If both are on one side, subtract the narrower from the "
-        "wider. For a sill above the plane or an obstruction, subtract the reading at "
-        "its top. An obstruction adds the sky component that it hides, times its "
-        "luminance factor (0.2), as externally reflected component.");
-    pp_page_say(
-        foot, room,
-        "Interpolate linearly between cells. Beyond the last finite row or column, "
-        "scale in proportion to d/h or d/w. Below 0.1, scale linearly to zero.");
+    pp_page_say(foot, room,
+                "The table is for vertical windows with clear single glass, a CIE "
+                "overcast sky and a horizontal plane at sill level. Dirt, frame and "
+                "glazing bars are not included.");
+    pp_page_say(foot, room,
+                "h: head above the plane. d: distance from the point to the window. w: "
+                "width on one side of the normal through the point. If the jambs are "
+                "on both sides, add both readings. If both are on one side, subtract "
+                "the smaller reading from the larger. For a sill above the plane, "
+                "subtract the reading for the sill; for an obstruction, the reading "
+                "for its top. The externally reflected component is the hidden sky "
+                "component times the luminance factor of the obstruction (0.2).");
+    pp_page_say(foot, room,
+                "Interpolate linearly between cells. Beyond the last finite row or "
+                "column, scale in proportion to d/h or d/w. For values below 0.1, "
+                "scale linearly to zero.");
     pp_page_say(
         foot, room,
         "Hopkinson, Longmore and Graham, Simplified daylight tables, HMSO, London, "
         "1958 [HLG58], as printed. Cells marked * are irregular in the original.");
     if (!sheet->blank)
-        pp_page_say(foot, room, "Crosses mark the readings, in tinted cells.");
+        pp_page_say(foot, room, "Crosses in tinted cells mark the readings.");
 }
 
 static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,
@@ -353,8 +354,8 @@ static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,
         snprintf(subtitle, room, "Sky component (%%) of a window, CIE overcast sky");
     else
         snprintf(subtitle, room,
-                 "BRS simplified daylight table read at x\u00a0%.2f, y\u00a0%.2f, "
-                 "z\u00a0%.2f\u00a0m, CIE overcast sky",
+                 "BRS simplified daylight table with the readings for x\u00a0%.2f, "
+                 "y\u00a0%.2f, z\u00a0%.2f\u00a0m, CIE overcast sky",
                  sheet->point.x, sheet->point.y, sheet->point.z);
 }
 

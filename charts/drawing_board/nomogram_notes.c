@@ -101,7 +101,7 @@ void pp_nomogram_notes_instructions(char *text, size_t room,
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
         pp_page_say(text, room,
                     "For the minimum, lay it from E to F and read G. Without "
-                    "obstruction, set the value of C on E.");
+                    "obstruction, use the value of C on scale E.");
 }
 
 /* --- the foot ------------------------------------------------------------------------
@@ -112,15 +112,15 @@ static void say_position_letters(char *text, size_t room)
     pp_page_say(
         text, room,
         "A: diffuse transmittance T of the glass (clear single 0.83) times its net "
-        "area W, over the area A of all interior surfaces. B: mean reflectance R of "
-        "these surfaces, openings 0.1. D: effective light L on the glass. H: position "
-        "of the point. It is first x, the distance from the window wall, over the "
-        "depth d of the room. Then it is y, the distance from the centre of the window "
-        "along the wall, over half the width w.");
+        "area W, divided by the area A of all interior surfaces. B: mean reflectance R "
+        "of these surfaces, with 0.1 for openings. D: effective light L on the glass. "
+        "H: position of the point: first its distance x from the window wall, divided "
+        "by the depth d of the room; then its distance y from the centre of the window "
+        "along the wall, divided by half the width w.");
     pp_page_say(text, room,
-                "For values off scale A, set ten times or a tenth of the value and "
-                "move the decimal point of the result back. Multiply by a factor for "
-                "dirt. Add the results of several windows.\n");
+                "If a value is off scale A, use ten times or a tenth of it, and move "
+                "the decimal point of the result back. Multiply the result by a factor "
+                "for dirt. Add the results of several windows.\n");
 }
 
 /* The formulae to be calculated on paper, in the printed units. */
@@ -139,17 +139,17 @@ static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet
         "V, C_b, C_g: light on the glass from the sky, from obstructions and from the "
         "ground, without shading. \u03c1_l, A_l, \u03c1_u, A_u: reflectance and area "
         "of the surfaces below and above the centre of the window. d, w, h: depth, "
-        "width and height of the window with its reveal. d_r, w_r, h_r: the same of "
-        "the room. Formula irc-atlas, fitted to simulated rooms: pepperpot.");
+        "width and height of the window with its reveal. d_r, w_r, h_r: those of the "
+        "room. Formula irc-atlas, fitted to simulated rooms: pepperpot.");
 }
 
 static void say_letters(char *text, size_t room, const struct pp_nomogram *nomogram)
 {
     bool top = nomogram->kind == PP_NOMOGRAM_ROOFLIGHT;
     pp_page_say(text, room,
-                "A: net glass area W over the area A of all interior surfaces. B: mean "
-                "reflectance R of these surfaces, openings 0.1. C: average internally "
-                "reflected component (IRC), %s.",
+                "A: net glass area W divided by the area A of all interior surfaces. "
+                "B: mean reflectance R of these surfaces, with 0.1 for openings. C: "
+                "average internally reflected component (IRC), %s.",
                 top ? "horizontal glass" : "no obstruction");
     pp_page_say(
         text, room,
@@ -157,14 +157,14 @@ static void say_letters(char *text, size_t room, const struct pp_nomogram *nomog
             : "D: altitude \u03b1 of a long obstruction, seen from the centre of the "
               "window. E: IRC with this obstruction.");
     if (nomogram->kind == PP_NOMOGRAM_MINIMUM)
-        pp_page_say(
-            text, room,
-            "F: mean reflectance of the walls. G: minimum IRC, far from the window. It "
-            "is E divided by 1.8, 1.4, 1.3 or 1.2 for walls of 0.2, 0.4, 0.6 or 0.8.");
+        pp_page_say(text, room,
+                    "F: mean reflectance of the walls. G: minimum IRC, far from the "
+                    "window. It is E divided by 1.8, 1.4, 1.3 or 1.2 for wall "
+                    "reflectances of 0.2, 0.4, 0.6 or 0.8.");
     pp_page_say(text, room,
-                "For values off scale A, set ten times or a tenth of W/A and move the "
-                "decimal point of the IRC back. Multiply by factors for other glass "
-                "and for dirt. Add the results of several windows.\n");
+                "If W/A is off scale A, use ten times or a tenth of it, and move the "
+                "decimal point of the IRC back. Multiply the IRC by factors for other "
+                "glass and for dirt. Add the results of several windows.\n");
 }
 
 static void say_formula(char *text, size_t room, const struct pp_nomogram *nomogram)
@@ -173,8 +173,8 @@ static void say_formula(char *text, size_t room, const struct pp_nomogram *nomog
     if (nomogram->kind == PP_NOMOGRAM_ROOFLIGHT)
         pp_page_say(text, room,
                     "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 (1 \u2212 cos \u03b2) "
-                    "Rcw) %%; C: the sky\u2019s share on the glass, 100 if horizontal; "
-                    "ground 0.1; no obstruction;");
+                    "Rcw) %%; C: light from the sky on the glass, 100 if horizontal; "
+                    "ground reflectance 0.1; no obstruction;");
     else
         pp_page_say(text, room,
                     "IRC = 0.85 W/(A (1 \u2212 R)) (C Rfw + 5 Rcw) %%; C: 39 without "
@@ -182,7 +182,7 @@ static void say_formula(char *text, size_t room, const struct pp_nomogram *nomog
     pp_page_say(text, room,
                 "rule Rcw = k Rfw, k = %.3g, and (Rfw + Rcw)/2 = R, so Rfw = "
                 "%.3g\u00a0R and Rcw = %.3g\u00a0R. On average the rule is exact for "
-                "floor 0.2, walls 0.5, ceiling 0.7.",
+                "reflectances of 0.2 (floor), 0.5 (walls) and 0.7 (ceiling).",
                 k, lower, k * lower);
     pp_page_say(text, room,
                 "BRE inter-reflection formula (Hopkinson, Longmore and Petherbridge, "
@@ -295,7 +295,7 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
         pp_page_say(text, room, "%d more windows are not listed.",
                     sheet->window_count - WINDOWS_SAID);
     if (sheet->decorations != 1.0)
-        pp_page_say(text, room, "All \303\227 %.3g for decorations.",
+        pp_page_say(text, room, "All \303\227 %.3g for deterioration of decorations.",
                     sheet->decorations);
     pp_page_say(text, room, "All windows together: average IRC %.3g\u00a0%%",
                 100.0 * sheet->component);

@@ -85,16 +85,16 @@ static void viewing_words(const struct pp_pepper_pot_drawing *drawing, char *wor
 {
     static const int scales[] = {20, 50, 100, 200};
     *words = 0;
-    pp_page_say(words, room,
-                "Viewing distance %.4g\u00a0mm: a length of 1\u00a0m at a distance of "
-                "d\u00a0metres is drawn %.4g\u00a0mm\u00a0\u00f7\u00a0d long. An "
-                "elevation fits under the sheet at these distances:",
-                drawing->viewing, drawing->viewing);
+    pp_page_say(
+        words, room,
+        "Viewing distance %.4g\u00a0mm: a length of 1\u00a0m at a distance of "
+        "d\u00a0metres is drawn %.4g\u00a0mm\u00a0\u00f7\u00a0d long. An elevation "
+        "laid under the sheet fits if it is drawn at the scale for its distance:",
+        drawing->viewing, drawing->viewing);
     for (int i = 0; i < 4; i++) {
         char metres[32];
         pp_style_metres(metres, sizeof metres, drawing->viewing * scales[i] / 1000.0);
-        pp_page_say(words, room, "1:%d from %s%s", scales[i], metres,
-                    i < 3 ? "," : ".");
+        pp_page_say(words, room, "1:%d for %s%s", scales[i], metres, i < 3 ? "," : ".");
     }
 }
 
@@ -160,7 +160,7 @@ static void say_pepper_pot_foot(char *foot, size_t room,
                 100.0 * sheet->worth);
     if (!sheet->blank)
         pp_page_say(foot, room,
-                    "Count all dots inside a window, wherever the window is.");
+                    "Count all dots inside a window, wherever it is on the sheet.");
     pp_page_say(foot, room,
                 "The drawing is in true perspective %s. No row of dots runs along an "
                 "edge. After Pleijel, 1954.",

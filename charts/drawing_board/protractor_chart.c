@@ -37,13 +37,13 @@ static void say_protractor_foot(char *foot, size_t room,
                                 const struct pp_protractor_scale *scale, double radius)
 {
     pp_page_say(foot, room,
-                "Radius %.0f\u00a0mm. Angles have no scale, so the protractor fits "
-                "drawings of any scale: 1:50, 1:100 or other.",
+                "Radius %.0f\u00a0mm. The protractor measures angles, so it fits "
+                "drawings at any scale, such as 1:50 or 1:100.",
                 radius);
     pp_page_say(foot, room,
-                "On the section, place the centre on the point and the base line "
-                "horizontally. The scale shows the sky component in per cent of an "
-                "endless opening up to the sight line, %.1f in all.",
+                "On the section, place the centre on the point, with the base line "
+                "horizontal. The scale shows, in per cent, the sky component of an "
+                "infinitely long opening up to the sight line; the total is %.1f.",
                 100.0 * scale->whole);
     if (scale->range_rad > PP_PI / 2.0 + 1e-6)
         pp_page_say(foot, room,
@@ -54,20 +54,22 @@ static void say_protractor_foot(char *foot, size_t room,
                     "semicircle of the average altitude.");
     else
         pp_page_say(foot, room,
-                    "On the plan turned into the average sight line (x over slant "
+                    "On the plan in the plane of the average sight line (x and slant "
                     "distance), read the correction factor at both jambs, on the "
                     "semicircle of the average altitude.");
     if (scale->symmetric)
         pp_page_say(
             foot, room,
             "For average altitudes over 90\u00b0, use 180\u00b0 minus the altitude.");
-    pp_page_say(foot, room,
-                "Add the factors of jambs on both sides of the normal; subtract those "
-                "of jambs on one side. Dirt and frame are not included.");
-    pp_page_say(foot, room,
-                scale->number
-                    ? "Scales by integration, after BRE Digest 309, 1986."
-                    : "Scales by integration, following BRE Digest 309, 1986.");
+    pp_page_say(
+        foot, room,
+        "Add the two factors if the jambs are on both sides of the normal; subtract "
+        "the smaller if they are on one side. Dirt and frame are not included.");
+    pp_page_say(
+        foot, room,
+        scale->number
+            ? "Scales calculated by integration, after BRE Digest 309, 1986."
+            : "Scales calculated by integration, following BRE Digest 309, 1986.");
 }
 
 static double write_line(cairo_t *cr, const struct pp_style *style,

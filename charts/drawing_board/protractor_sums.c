@@ -25,13 +25,12 @@ static void say_reading(char *text, size_t room,
     bool apart = left < 0.0 && right > 0.0;
     double first = left < 0.0 ? fabs(left) : right;
     double second = left < 0.0 ? fabs(right) : left;
-    pp_page_say(
-        text, room,
-        "%s: initial %s \u2212 %s = %s; average altitude %.1f\u00b0; correction "
-        "%.3f %s %.3f = %.3f;",
-        reading->hidden ? "Obstruction" : "Opening", a, b, c,
-        reading->average_rad / PP_RAD, first, apart ? "+" : "\u2212", second,
-        reading->width_factor);
+    pp_page_say(text, room,
+                "%s: initial sky component %s \u2212 %s = %s; average altitude "
+                "%.1f\u00b0; correction %.3f %s %.3f = %.3f;",
+                reading->hidden ? "Obstruction" : "Opening", a, b, c,
+                reading->average_rad / PP_RAD, first, apart ? "+" : "\u2212", second,
+                reading->width_factor);
     char factor[32] = "";
     if (reading->hidden)
         snprintf(factor, sizeof factor, " \u00d7 %.3g", reading->factor);
@@ -58,10 +57,10 @@ static void say_result(char *text, size_t room, const struct pp_protractor_sheet
                     "the opening.");
     char sky[32], external[32];
     if (sheet->allowance < 0.9995 || sheet->allowance > 1.0005)
-        pp_page_say(
-            text, room,
-            "Multiply by %.3g for frame, dirt and glass other than clear single.",
-            sheet->allowance);
+        pp_page_say(text, room,
+                    "Multiply by %.3g for the frame, dirt, and glass other than clear "
+                    "single glass.",
+                    sheet->allowance);
     pp_protractor_sums_percent(sky, sizeof sky, sheet->allowance * sheet->read.sky);
     pp_protractor_sums_percent(external, sizeof external,
                                sheet->allowance * sheet->read.external);
@@ -81,13 +80,12 @@ void pp_protractor_sums_say(char *text, size_t room,
         new_line(&text, &room);
     }
     if (behind < sums->all)
-        pp_page_say(
-            text, room,
-            sums->last
-                ? "%d more parts are to be read in the same way; a PDF shows them on "
-                  "more sheets."
-                : "%d more parts are to be read in the same way; see the next sheets.",
-            sums->all - behind);
+        pp_page_say(text, room,
+                    sums->last
+                        ? "Read %d more parts in the same way; a PDF shows them on "
+                          "further sheets."
+                        : "Read %d more parts in the same way; see the next sheets.",
+                    sums->all - behind);
     if (sums->last)
         say_result(text, room, sheet);
 }

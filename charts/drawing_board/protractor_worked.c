@@ -294,7 +294,7 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
     draw_sights(drawing, &disc, pp_protractor_disc_plan, &sights);
     char text[200];
     snprintf(text, sizeof text,
-             "Plan 1:%g, turned into the average sight line; the opening is "
+             "Plan 1:%g, in the plane of the average sight line; the opening is "
              "%.2f\u00a0m ahead.",
              scale, slant);
     write_caption(drawing, box.x, disc.y + 1.5 * style->text[PP_TEXT_SMALL], box.width,
@@ -395,12 +395,11 @@ static void say_subtitle(char *text, size_t room,
     char name[64] = "Protractor";
     if (sheet->scale.number)
         snprintf(name, sizeof name, "Protractor %d", sheet->scale.number);
-    snprintf(
-        text, room,
-        "%s (%s; %s) laid on section and plan at x %.2f, y %.2f, z %.2f\u00a0m, to "
-        "read window %s",
-        name, sheet->scale.sky, sheet->scale.glass, sheet->point.x, sheet->point.y,
-        sheet->point.z, sheet->opening->label);
+    snprintf(text, room,
+             "%s (%s; %s) laid on the section and plan at x %.2f, y %.2f, z "
+             "%.2f\u00a0m, to read window %s",
+             name, sheet->scale.sky, sheet->scale.glass, sheet->point.x, sheet->point.y,
+             sheet->point.z, sheet->opening->label);
 }
 
 /* Draws one sheet with the protractors of all readings that `sums` selects. */
@@ -419,12 +418,12 @@ static enum pp_status draw_one(struct pp_canvas *canvas,
     pp_protractor_sums_say(sum, sizeof sum, sheet, sums);
     if (sheet->others)
         pp_page_say(foot, sizeof foot,
-                    "The opening that contributes most is shown. The other %d are to "
-                    "be read in the same way and added.",
+                    "The opening that contributes most is shown. Read the other %d in "
+                    "the same way, and add the results.",
                     sheet->others);
-    pp_page_say(
-        foot, sizeof foot,
-        "Angles and scale readings are outside the rim. After BRE Digest 309, 1986.");
+    pp_page_say(foot, sizeof foot,
+                "Angles and scale readings are written outside the rim. After BRE "
+                "Digest 309, 1986.");
     const struct pp_page page = {
         .title = sheet->world->name, .subtitle = subtitle, .foot = foot};
     struct pp_box box = pp_page_draw(canvas, &drawing.style, &page);

@@ -158,23 +158,25 @@ static void draw_ratios(const struct indicator_drawing *drawing)
     }
     pp_lettering_draw(drawing->cr, style, &set, map->x0,
                       map->y0 + 1.2 * tick + 1.4 * style->text[PP_TEXT_SMALL],
-                      "distance over height above the centre of the window");
+                      "distance divided by height above the centre of the window");
 }
 
 static void say_indicator_foot(char *foot, size_t room,
                                const struct pp_skylight_indicator_sheet *sheet)
 {
+    pp_page_say(foot, room,
+                "There are %d crosses, each worth %.3f\u00a0%%; the total under an "
+                "open sky is %.1f\u00a0%%.",
+                PP_SKYLIGHT_RINGS * PP_SKYLIGHT_RAYS, 100.0 * sheet->worth,
+                100.0 * sheet->whole);
     pp_page_say(
-        foot, room,
-        "%d crosses, each worth %.3f\u00a0%%: %.1f\u00a0%% in all under an open sky.",
-        PP_SKYLIGHT_RINGS * PP_SKYLIGHT_RAYS, 100.0 * sheet->worth,
-        100.0 * sheet->whole);
-    pp_page_say(foot, room, "%s",
-                sheet->blank ? "Place the indicator on a site plan with the middle of "
-                               "the straight side on the window. An edge hides the "
-                               "crosses beyond it, between the sight lines to its ends."
-                             : "Obstructions are drawn at their distance divided by "
-                               "their height above the centre of the window.");
+        foot, room, "%s",
+        sheet->blank
+            ? "Place the indicator on a site plan with the middle of the straight side "
+              "on the window. The top edge of an obstruction hides the crosses beyond "
+              "it, between the sight lines to its ends."
+            : "Obstructions are drawn at their distance divided by "
+              "their height above the centre of the window.");
 }
 
 /* Writes the heights for which the drawing is correct on plans of several scales. */
@@ -183,10 +185,10 @@ static void plan_words(const struct indicator_drawing *drawing, char *words,
 {
     static const int plans[] = {100, 200, 500, 1000, 1250};
     *words = 0;
-    pp_page_say(
-        words, room,
-        "One unit of distance over height is %g\u00a0mm. The indicator fits edges",
-        drawing->map.mm);
+    pp_page_say(words, room,
+                "One unit of distance divided by height is %g\u00a0mm. The indicator "
+                "is to scale for edges",
+                drawing->map.mm);
     for (int i = 0; i < 5; i++)
         pp_page_say(words, room, "%.4g\u00a0m%s on a plan 1:%d%s",
                     drawing->map.mm * plans[i] / 1000.0,

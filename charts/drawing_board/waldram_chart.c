@@ -21,30 +21,31 @@ static void say_waldram_foot(char *foot, size_t room,
     for (int i = 0; i < sheet->count; i++)
         glazed = glazed || sheet->panels[i].glazed;
     if (glazed)
-        pp_page_say(foot, room,
-                    "The diagram includes the losses of one clear pane of a vertical "
-                    "window: those by altitude times those by azimuth.");
+        pp_page_say(
+            foot, room,
+            "The diagram includes the transmission of one clear pane in a vertical "
+            "window: a factor for the altitude times a factor for the azimuth.");
     if (sheet->inclined)
         pp_page_say(foot, room,
-                    "Droop lines begin at the altitude of the edge: in the middle for "
-                    "edges parallel to the window, at %.4g\u00b0 to the %s for "
-                    "inclined edges, where these are nearest.",
+                    "Each droop line begins at the altitude of its edge: in the middle "
+                    "for edges parallel to the window, and %.4g\u00b0 to the %s for "
+                    "inclined edges, where they are nearest.",
                     fabs(sheet->incline_rad) / PP_RAD,
                     sheet->incline_rad < 0.0 ? "left" : "right");
     else
         pp_page_say(
             foot, room,
-            "Droop lines begin at the altitude of the edge: in the middle for edges "
-            "parallel to the window, at 90\u00b0 for perpendicular edges.");
+            "Each droop line begins at the altitude of its edge: in the middle for "
+            "edges parallel to the window, and at 90\u00b0 for perpendicular edges.");
     if (!sheet->blank)
         pp_page_say(foot, room,
-                    "Estimate part squares to a tenth, and carry the remainder over to "
-                    "the next square.");
+                    "Estimate part squares to a tenth, and carry the rounding "
+                    "remainder over to the next square.");
     if (sheet->upright)
-        pp_page_say(
-            foot, room,
-            "Horizontal scale: sine of the azimuth. Vertical scale: luminance of the "
-            "sky times cos\u00b2 of the altitude, summed. 270 squares are 27\u00a0%%.");
+        pp_page_say(foot, room,
+                    "Horizontal scale: sine of the azimuth. Vertical scale: integral "
+                    "of the sky luminance times cos\u00b2 of the altitude. 270 squares "
+                    "are 27\u00a0%%.");
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 

@@ -343,7 +343,7 @@ static void say_reveals(char *foot, size_t room, const struct pp_model_net *mode
         deepest = fmax(deepest, model->world->openings[i].reveal_m);
     if (deepest > 0.0)
         pp_page_say(foot, room,
-                    "Reveals are up to %.1f\u00a0mm deep; add them outside.",
+                    "Reveals are up to %.1f\u00a0mm deep; add them on the outside.",
                     1000.0 * deepest / model->scale);
 }
 
@@ -359,19 +359,19 @@ static void say_net_foot(char *foot, size_t room, const struct pp_model_net *mod
 {
     static const int altitudes[] = {10, 20, 30, 45, 60, 90};
     pp_page_say(foot, room,
-                "Print at 100\u00a0%%. The printed side is the inside. Cut along full "
-                "lines and cut out openings (grey). Fold dashed lines towards you. "
-                "Glue each tab behind the edge with the same number (*: use tape). The "
-                "number for paint is the reflectance.");
+                "Print at 100\u00a0%%. The printed side is the inside. Cut along the "
+                "solid lines and cut out the openings (grey). Fold towards you along "
+                "the dashed lines. Glue each tab behind the edge with the same number "
+                "(*: use tape). The paint number is the reflectance.");
     if (has_covers(model->world))
         pp_page_say(foot, room,
                     "Dotted lines bound doors and dados; paint these separately.");
     say_reveals(foot, room, model);
     pp_page_say(
         foot, room,
-        "For measurements in a mirror box with a reflectance of %.2g and a height of "
-        "%.2g times its width, multiply the sky component by a factor. The factor "
-        "depends on the altitude of the sky seen through the opening:",
+        "For measurements in a mirror box (artificial sky) with a reflectance of %.2g "
+        "and a height of %.2g times its width, multiply the sky component by a factor. "
+        "The factor depends on the altitude of the sky seen through the opening:",
         model->box.rho, model->box.height);
     for (int i = 0; i < 6; i++)
         pp_page_say(foot, room, "%.2f at %d\u00b0%s",
@@ -425,8 +425,8 @@ static enum pp_status draw_sheets(struct net_drawing *drawing, struct pp_error *
     if (drawing->net.sheet_count > 1 && !pp_canvas_has_sheets(drawing->canvas))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the net needs %d sheets, but only a PDF holds several; expected -o "
-            "FILE.pdf, a larger --paper or a smaller model by --scale",
+            "the net needs %d sheets, but only a PDF can hold several; expected -o "
+            "FILE.pdf, a larger --paper, or --scale for a smaller model",
             drawing->net.sheet_count);
     for (int i = 0; i < drawing->net.sheet_count && status == PP_OK; i++) {
         if (i > 0)

@@ -288,7 +288,7 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
     snprintf(words[1], sizeof words[1], "Sky component: %s",
              unit ? unit : "readings \u00d7 corrections");
     snprintf(words[2], sizeof words[2], "Externally reflected component");
-    snprintf(words[3], sizeof words[3], "With glass, frame and dirt, together");
+    snprintf(words[3], sizeof words[3], "Total with glass, frame and dirt");
     for (int i = 0; i < ANSWER_LINES; i++) {
         const struct pp_lettering set = {.size = PP_TEXT_BODY, .down = 1.0};
         double y = box.y + (i + 1) * step - 1.0;
@@ -435,15 +435,14 @@ enum pp_status pp_exercise_chart_draw(struct pp_canvas *canvas,
     pp_page_sky(sky, sizeof sky, exercise->world, exercise->light);
     snprintf(
         subtitle, sizeof subtitle,
-        "Exercise: the light at x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, by %s, "
-        "%s",
+        "Exercise: daylight at x\u00a0%.2f, y\u00a0%.2f, z\u00a0%.2f\u00a0m, by %s, %s",
         receiver.position.x, receiver.position.y, receiver.position.z, exercise->tool,
         sky);
     pp_page_assumptions(foot, sizeof foot, exercise->world, exercise->light);
     pp_room_words_outside(foot, sizeof foot, exercise->world);
     pp_page_say(foot, sizeof foot,
-                "On elevations the cross is opposite the point, and the dashed line is "
-                "at the height of the point.");
+                "On the elevations, the cross is opposite the point, and the dashed "
+                "line is at its height.");
     const struct pp_page page = {exercise->world->name, subtitle, foot};
     struct pp_box body = pp_page_draw(canvas, &drawing.style, &page);
     status = draw_body(&drawing, body, err);

@@ -210,8 +210,9 @@ static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *c
     const char *foot =
         is_sky_factor(drawing)
             ? "At least half of the room should be adequately lit. Zones are quarters "
-              "of the room's area. In the equivalent first zone, front, first and "
-              "second zone and makeweight count 3/2, 1, 1/2 and 1/4."
+              "of the room's area. In the equivalent first zone, areas of the front "
+              "zone, first zone, second zone and makeweight count 3/2, 1, 1/2 and 1/4 "
+              "times."
             : "At least 0.8 of the area that had a view of the sky should keep it "
               "[BR209].";
     struct pp_page page = {chart->world->name, subtitle, foot};

@@ -277,7 +277,7 @@ static void say_plan_foot(const struct plan_drawing *drawing, char *foot, size_t
     }
     if (is_all_diffusing(chart->world))
         pp_page_say(foot, room,
-                    "All glass is diffusing: a view of the sky is not judged.");
+                    "All glass is diffusing, so the view of the sky is not assessed.");
     else if (plan->dark.count)
         pp_page_say(foot, room, "%.0f\u00a0%% of the plane has no view of the sky.",
                     100.0 * (1.0 - plan->sky_share));

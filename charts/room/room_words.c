@@ -43,7 +43,8 @@ void pp_room_words_opening(char *text, size_t room, const struct pp_world *world
     double sill = INFINITY;
     for (int i = 0; i < opening->inner.count; i++)
         sill = fmin(sill, opening->inner.vertices[i].z);
-    pp_page_say(text, room, "%s%.40s%s%.2f \u00d7 %.2f\u00a0m, from %.2f\u00a0m up",
+    pp_page_say(text, room,
+                "%s%.40s%s%.2f \u00d7 %.2f\u00a0m, lower edge at %.2f\u00a0m",
                 wall ? "in wall " : "", wall ? wall : "", wall ? ", " : "",
                 opening->width_m, opening->height_m, sill);
     if (opening->reveal_m > 0.0)

@@ -350,7 +350,8 @@ static void write_caption(const struct section_drawing *drawing, int behind)
         pp_text_append(text, sizeof text, "; window sill %s, head %s", sill, head);
     }
     pp_text_append(text, sizeof text, ".%s",
-                   behind ? " Dashed openings are outside the section." : "");
+                   behind ? " Openings that are not cut by the section are dashed."
+                          : "");
     for (int near = 1; near >= 0 && section->no_angles; near--)
         pp_section_outside_say(text, sizeof text, section, near);
     struct pp_lettering set = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};

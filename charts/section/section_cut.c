@@ -64,7 +64,7 @@ static enum pp_status find_line(struct pp_section_cut *cut,
     if (count == 0)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "there are no calculation points, which a section passes through");
+            "a section passes through the calculation points, but there are none");
     struct pp_vec3 first = receivers[0].position;
     int far = 0;
     double reach = 0.0;

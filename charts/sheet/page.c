@@ -54,7 +54,7 @@ void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
     }
     double bearing = north_rad + atan2(sky->sun.x, sky->sun.y);
     bearing = fmod(bearing + 4.0 * PP_PI, 2.0 * PP_PI);
-    char type[48] = "sky by Perez";
+    char type[48] = "Perez sky";
     if (sky->iso > 0)
         snprintf(type, sizeof type, "ISO 15469 sky of type %d", sky->iso);
     snprintf(text, room,
@@ -107,9 +107,10 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
 static void say_decorations(char *text, size_t room, const struct pp_world *world)
 {
     if (world->decorations != 1.0)
-        pp_page_say(text, room,
-                    "Deterioration of decorations reduces reflected light to %.3g.",
-                    world->decorations);
+        pp_page_say(
+            text, room,
+            "Reflected light is multiplied by %.3g for deterioration of decorations.",
+            world->decorations);
 }
 
 void pp_page_assumptions(char *text, size_t room, const struct pp_world *world,

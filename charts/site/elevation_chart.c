@@ -351,17 +351,18 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
         site->has_before ? "; above them, in light type, the existing value" : "");
     if (site->french_m > 0.0)
         pp_page_say(foot, room,
-                    "Figures of full-height windows are at %g m above the floor.",
+                    "Figures for full-height windows are at %g m above the floor.",
                     site->french_m);
     if (site->has_before)
         pp_page_say(foot, room,
                     "A heavy frame marks windows under 27\u00a0%% and under 0.8 of the "
                     "existing value.");
-    pp_page_say(foot, room,
-                "With 27\u00a0%% or more, conventional window design usually gives "
-                "reasonable daylight. With 15 to 27, larger windows or another layout "
-                "are needed. With 5 to 15, adequate daylight is very difficult. With "
-                "less, it is often impossible [BR209].");
+    pp_page_say(
+        foot, room,
+        "With 27\u00a0%% or more, conventional window design usually gives reasonable "
+        "daylight. With 15 to 27\u00a0%%, larger windows or changes to the room layout "
+        "are usually needed. With 5 to 15\u00a0%%, adequate daylight is very difficult "
+        "to achieve, and below 5\u00a0%% often impossible [BR209].");
 }
 
 static void draw_elevation_sheet(struct elevation_drawing *drawing,

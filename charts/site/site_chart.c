@@ -359,18 +359,18 @@ static void draw_site_sheet(struct pp_site_drawing *drawing, struct pp_canvas *c
     char foot[768] = "";
     pp_page_say(
         foot, sizeof foot,
-        "Vertical sky component of windows in per cent. In front of windows the lowest "
-        "storey is next to the wall. Heights are above the ground.");
+        "Figures at windows show the vertical sky component in per cent; that of the "
+        "lowest storey is next to the wall. Heights are above the ground.");
     if (sheet->french_m > 0.0)
         pp_page_say(foot, sizeof foot,
-                    "Figures of full-height windows are at %g m above the floor, all "
+                    "Figures for full-height windows are at %g m above the floor, all "
                     "others at the centre of the window.",
                     sheet->french_m);
     if (sheet->cell_count > 0)
         pp_page_say(foot, sizeof foot,
                     "Figures on the plot show the permitted height of each cell in "
-                    "metres, darker for higher; %.0f\u00a0m³ in all. Figures at "
-                    "windows are those with this envelope.",
+                    "metres (darker: higher); the volume is %.0f\u00a0m³. Figures at "
+                    "windows are for the site with this envelope.",
                     sheet->cells_m3);
     if (sheet->garden_count > 0)
         pp_page_say(foot, sizeof foot,

@@ -279,26 +279,26 @@ static void draw_sun_paths(const struct overlay_plot *plot)
 
 static void say_overlay_foot(char *foot, size_t room, const struct pp_overlay *overlay)
 {
-    pp_page_say(
-        foot, room,
-        "For a photograph taken with the camera level and pointing up. Print at "
-        "100\u00a0%%. Place the circle on the horizon (90\u00b0 from the zenith), N to "
-        "the north; east is on the left. Lens: %s, angle \u03b8 from the zenith at %s.",
-        lens_names[overlay->lens], lens_rules[overlay->lens]);
+    pp_page_say(foot, room,
+                "The overlay is for a photograph taken with the camera pointing "
+                "vertically upwards. Print at 100\u00a0%%. Place the circle on the "
+                "horizon (90\u00b0 from the zenith), with N to the north; east is on "
+                "the left. Lens: %s, with the angle \u03b8 from the zenith at %s.",
+                lens_names[overlay->lens], lens_rules[overlay->lens]);
     if (overlay->dots)
         pp_page_say(foot, room,
-                    "%d crosses, each worth %.3g\u00a0%% of the horizontal illuminance "
-                    "under the open sky. The number of crosses on the sky gives the "
-                    "sky component without glass.",
+                    "There are %d crosses, each worth %.3g\u00a0%% of the horizontal "
+                    "illuminance under the open sky. Count those on visible sky to "
+                    "find the sky component without glass.",
                     overlay->dot_count, 100.0 / overlay->dot_count);
     if (overlay->cells)
-        pp_page_say(foot, room, "%d cells, each worth %.3g\u00a0%%.",
+        pp_page_say(foot, room, "There are %d cells, each worth %.3g\u00a0%%.",
                     overlay->cell_count, 100.0 / overlay->cell_count);
     if (overlay->sun)
         pp_page_say(foot, room,
-                    "Sun paths are for the 21st of the named months; hours are solar "
-                    "time. If two months are named, the first is drawn; the other "
-                    "differs by less than 0.6\u00b0.");
+                    "Sun paths are for the 21st of the named months; hours are in "
+                    "solar time. If two months are named, the first is drawn; the "
+                    "other differs by less than 0.6\u00b0.");
 }
 
 static void overlay_titles(const struct pp_overlay *overlay, char *title,

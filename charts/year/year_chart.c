@@ -228,7 +228,7 @@ static void draw_curves(const struct year_plot *plot, struct pp_box box)
     struct pp_axis up = pp_axis_linear(0.0, 100.0, low, box.y, 5.0 * scale, true);
     put_panel_title(
         plot, box.x, box.y - 1.0 * scale,
-        "Share of the occupied hours, %, with at least this illuminance (lx)");
+        "Occupied hours (%) in which the illuminance (lx) is at least this value");
     pp_axis_grid_across(plot->cr, &plot->style, &up, across.from, across.to);
     pp_axis_grid_up(plot->cr, &plot->style, &across, box.y, low);
     pp_axis_draw_across(plot->cr, &plot->style, &across, low);
@@ -253,10 +253,12 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
         sheet->receiver_count);
     struct pp_annual_leed leed = pp_annual_sheet_leed(sheet);
     if (!leed.why_not)
-        pp_page_say(
-            foot, room, "LEED v4.1, option 1, for this room alone: %d point%s%s.",
-            leed.points, leed.points == 1 ? "" : "s",
-            leed.ase_to_explain ? "; ASE is above 10 % and has to be explained" : "");
+        pp_page_say(foot, room,
+                    "LEED v4.1, option 1, for this room alone: %d point%s%s.",
+                    leed.points, leed.points == 1 ? "" : "s",
+                    leed.ase_to_explain
+                        ? "; ASE is above 10 %: explain the protection from glare"
+                        : "");
     pp_page_say(foot, room, "Weather: %s. Hours: %s. Blinds: %s.", sheet->weather,
                 sheet->period, sheet->blinds);
     for (int i = 0; i < sheet->warning_count; i++)

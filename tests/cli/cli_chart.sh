@@ -166,10 +166,10 @@ for kind in vertical-sky skylight-indicator; do
     check "a window has the overcast sky" \
         refuses 2 "--sky" chart $kind --sky uniform -o "$file" "$deep"
     check "a window that is not there" \
-        refuses 1 "line of a window" chart $kind --window 3 -o "$file" "$deep"
+        refuses 1 "line number of a window" chart $kind --window 3 -o "$file" "$deep"
     check "a blank $kind has no window" refuses 2 "--window" chart $kind --window 9 -o "$file"
     check "a rooflight faces no wall's sky" \
-        refuses 1 "no vertical window" chart $kind -o "$file" "$scratch/lit_from_above.xml"
+        refuses 1 "needs a vertical window" chart $kind -o "$file" "$scratch/lit_from_above.xml"
 done
 for kind in waldram pepper-pot protractor; do
     for format in pdf svg png; do

@@ -78,7 +78,7 @@ fi
 
 check "several points have a note each" \
     quietly chart note -p 1.5,2 -p 1.5,3 -m bre "$examples/office.xml" -o "$scratch/two.pdf"
-check "but in a PDF only" refuses 1 "only a PDF holds" chart note -p 1.5,2 -p 1.5,3 -m bre \
+check "but in a PDF only" refuses 1 "only a PDF can hold" chart note -p 1.5,2 -p 1.5,3 -m bre \
     "$examples/office.xml" -o "$scratch/two.svg"
 check "a long note is not cut" refuses 1 "several sheets" chart note -p 1.5,2 \
     -m exact+bre "$examples/office.xml" -o "$scratch/long.png"

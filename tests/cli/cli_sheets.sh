@@ -102,7 +102,7 @@ check "a net with a door and dados" quietly chart model-net -o "$scratch/covered
 for words in "paint 0.30" "paint 0.25" "Dotted lines"; do
     check "says: $words" says "$scratch/covered.pdf" "$words"
 done
-check "one sheet does not hold all" refuses 1 "only a PDF holds" chart model-net \
+check "one sheet does not hold all" refuses 1 "only a PDF can hold" chart model-net \
     -o "$scratch/x.svg" "$examples/office.xml"
 check "a scale is a number" refuses 2 "1:20" chart model-net --scale 1:20 -o "$scratch/x.pdf" "$deep"
 check "a box has two numbers" refuses 2 "0.85,0.5" chart model-net --mirror-box 0.9 \
