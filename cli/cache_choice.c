@@ -89,12 +89,12 @@ static enum pp_status read_ambient(const char *text, void *place, struct pp_erro
 
 const struct pp_option pp_cache_choice_options[] = {
     {"accuracy -aa", 0, "A",
-     "Permitted error of the cache. A smaller value places its records closer together "
+     "Permitted error of the cache. A smaller value places records closer together "
      "(default 0.1).",
      read_accuracy, PLACE(options.accuracy)},
     {"resolution -ar", 0, "N",
-     "Place records no closer than the room's size times the accuracy over N (default "
-     "128; 0: no limit).",
+     "Place records no closer than the size of the room times the accuracy, divided by "
+     "N (default 128; 0: no limit).",
      read_resolution, PLACE(options.resolution)},
     {"divisions -ad", 0, "N", "Rays per record (default 1024).", read_divisions,
      PLACE(options.divisions)},
@@ -107,8 +107,8 @@ const struct pp_option pp_cache_choice_options[] = {
      "(default).",
      read_bounces, PLACE(options.bounces)},
     {"ambient -av", 0, "L",
-     "Radiance that replaces all light beyond the last reflection, over the horizontal "
-     "illuminance outside (default 0).",
+     "Radiance that replaces all light beyond the last reflection, divided by the "
+     "external horizontal illuminance (default 0).",
      read_ambient, PLACE(options.constant)},
     {"include -ai", 0, "NAMES",
      "Calculate reflected light only for surfaces of these materials (floor, ceiling, "

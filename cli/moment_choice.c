@@ -52,9 +52,10 @@ static enum pp_status read_when(const char *text, void *place, struct pp_error *
 
 const struct pp_option pp_moment_options[] = {
     {"when", 0, "'YYYY-MM-DD HH:MM'",
-     "Show illuminances in lux, with direct sunlight, at that standard time instead of "
-     "daylight factors. The light is that of --weather or of --sky perez,DNI,DHI. "
-     "+HH:MM after the time gives the hours ahead of universal time.",
+     "Show illuminances in lux at this standard time, including direct sunlight, "
+     "instead of daylight factors. Sky and sun are taken from --weather or from --sky "
+     "perez,DNI,DHI. +HH:MM after the time is the time zone, in hours ahead of "
+     "universal time.",
      read_when, 0},
     {"weather", 'w', "FILE.epw", "Weather file for --when.", pp_options_read_input,
      offsetof(struct pp_moment_choice, weather)},
@@ -142,7 +143,7 @@ enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
     } else if (!isnan(choice->of.zone_h)) {
         return pp_fail(err, PP_BAD_INPUT,
                        "--when %s: the time is in the weather file's standard time; "
-                       "expected no hours ahead of universal time",
+                       "expected no time zone",
                        choice->when);
     }
     const char *of_factors = study->methods              ? "--methods"
@@ -152,7 +153,8 @@ enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                                          : NULL;
     if (of_factors)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: a moment has its own sky and is simulated; expected no %s",
+                       "%s: a calculation for one moment has its own sky and is "
+                       "simulated; expected no %s",
                        choice->perez ? "--sky perez" : "--when", of_factors);
     return PP_OK;
 }

@@ -92,15 +92,14 @@ const struct pp_option pp_room_points_option[] = {
 const struct pp_option pp_room_sky_options[] = {
     {"sky", 0, "TYPE",
      "Use a sky other than the file's: overcast, uniform, or iso-1 to iso-15. For "
-     "types with a sun, add \",ALTITUDE,BEARING\" in degrees. A photograph is "
+     "types with a sun, add \",ALTITUDE,BEARING\" in degrees. For a photograph use "
      "\"picture,FILE\"; add \",KEY=VALUE\" for each attribute of <sky>.",
      pp_options_read_text, PLACE(study.sky)},
     {"room", 0, "NAME", "Use only the room of that name.", pp_options_read_text,
      PLACE(room)},
     {"state", 0, "STATE",
      "Use the site as existing, as proposed (default), or cumulative: with other "
-     "permitted "
-     "buildings, too.",
+     "permitted buildings as well.",
      pp_room_options_read_state, PLACE(state)},
     {0},
 };
@@ -120,9 +119,9 @@ static enum pp_status read_cut(const char *text, void *place, struct pp_error *e
 
 const struct pp_option pp_room_cut_option[] = {
     {"cut", 0, "PLACE",
-     "Section: cut along x=M or y=M in metres of the room, or through the opening of "
-     "that name. The default is the file's line of points, else through the largest "
-     "opening. A plan marks this section.",
+     "Section: cut along x=M or y=M (in metres, in the axes of the room), or through "
+     "the opening with this name. By default, it follows the line of points in the "
+     "file, or else passes through the largest opening. A plan marks this section.",
      read_cut, 0},
     {0},
 };
@@ -190,13 +189,14 @@ const struct pp_option pp_room_by_hand_options[] = {
 
 const struct pp_option pp_room_stop_options[] = {
     {"error", 0, "E%",
-     "Stop when the standard error at every point is below that share of the daylight "
+     "Stop when the standard error at every point is below this share of the daylight "
      "factor, or below 0.002 % daylight factor. Default 1%, at most 100%. Above 5 to "
      "10% the result is more accurate than requested, because a minimum number of "
      "paths is used.",
      pp_options_read_per_cent, PLACE(study.error)},
     {"samples", 0, "N",
-     "Stop after N paths per point in each randomisation, instead of at an error.",
+     "Stop after N paths per point in each randomisation, instead of at a standard "
+     "error.",
      pp_options_read_count, PLACE(study.samples)},
     {"time", 0, "TIME",
      "Stop after this time per room: 10s, 500ms, 2m, 1h. The result then depends on "
@@ -226,8 +226,8 @@ const struct pp_option pp_room_seed_options[] = {
 
 const struct pp_option pp_room_output_options[] = {
     {"output", 'o', "FILE",
-     "Write to FILE instead of standard output, complete or not at all; - is standard "
-     "output.",
+     "Write to FILE instead of standard output. FILE is written completely or not at "
+     "all; - is standard output.",
      pp_options_read_output, PLACE(output)},
     {"quiet", 'q', NULL, "Show no progress bar.", NULL, PLACE(quiet)},
     {"strict", 0, NULL, "Treat doubtful input as an error instead of a warning.", NULL,
@@ -270,7 +270,7 @@ enum pp_status pp_room_options_settle(struct pp_room_options *options,
     if (needs_simulate && !options->study.simulate)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "%s controls when the simulation stops; expected --simulate, too",
+            "%s controls when the simulation stops; expected --simulate as well",
             needs_simulate);
     if (options->study.error > 0.0 && options->study.samples > 0)
         return pp_fail(err, PP_BAD_INPUT,

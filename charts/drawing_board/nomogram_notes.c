@@ -114,9 +114,9 @@ static void say_position_letters(char *text, size_t room)
         "A: diffuse transmittance T of the glass (clear single 0.83) times its net "
         "area W, divided by the area A of all interior surfaces. B: mean reflectance R "
         "of these surfaces, with 0.1 for openings. D: effective light L on the glass. "
-        "H: position of the point: first its distance x from the window wall, divided "
-        "by the depth d of the room; then its distance y from the centre of the window "
-        "along the wall, divided by half the width w.");
+        "H: position of the point. First use its distance x from the window wall, "
+        "divided by the depth d of the room. Then use its distance y from the centre "
+        "of the window along the wall, divided by half the width w.");
     pp_page_say(text, room,
                 "If a value is off scale A, use ten times or a tenth of it, and move "
                 "the decimal point of the result back. Multiply the result by a factor "

@@ -25,10 +25,10 @@
 
 static const char about[] =
     "Simulates the daylight of a room in every hour of a weather file. Shows daylight "
-    "autonomy, useful daylight illuminance, sDA and ASE by LM-83-12 with its blinds, "
-    "and the levels of EN 17037 by its method 2. Results are for the reference points "
-    "and for the whole grid, with standard errors. FILE is a room file; - is standard "
-    "input.";
+    "autonomy, useful daylight illuminance, sDA and ASE to LM-83-12 with the blinds of "
+    "that standard, and the levels of EN 17037 by its method 2. Results are for the "
+    "reference points and for the whole grid, with standard errors. FILE is a room "
+    "file; - is standard input.";
 
 struct annual_options {
     struct pp_room_options room;
@@ -299,7 +299,7 @@ static const struct pp_option weather_options[] = {
      pp_options_read_input, PLACE(light.weather)},
     {"sun-shift", 0, "auto|MIN",
      "Minutes from the middle of each record to the sun position used for it; auto "
-     "(default): from the radiation in the clear hours of the file.",
+     "(default) finds them from the radiation in the clear hours of the file.",
      read_shift, PLACE(sun_shift_min)},
     {"leap-day", 0, NULL, "Keep the records of 29 February.", NULL, PLACE(leap_day)},
     {0},
@@ -307,19 +307,20 @@ static const struct pp_option weather_options[] = {
 
 static const struct pp_option result_options[] = {
     {"blinds", 0, "lm83|none",
-     "Blinds for sDA: those of LM-83-12, by window group (default), or none.",
+     "Blinds for sDA: lm83 (default), operated by window group as in LM-83-12, or "
+     "none.",
      read_blinds, PLACE(without_blinds)},
     {"hourly", 0, "FILE",
      "Also write the illuminances of all hours to FILE.csv, FILE.ill (DAYSIM format) "
      "or FILE.npy (NumPy format).",
      read_hourly, PLACE(hourly)},
     {"coefficients", 0, "FILE",
-     "Also write the coefficients of the ground and of all sky patches, as a matrix "
-     "for Radiance (dctimestep).",
+     "Also write the daylight coefficients of the ground and of all sky patches, as a "
+     "matrix for Radiance (dctimestep).",
      pp_options_read_output, PLACE(coefficients)},
     {"part", 0, "K/N",
-     "Only rooms K, K + N, K + 2 N and so on. The parts 1/N to N/N together are all "
-     "rooms, so that several machines or runs can share them.",
+     "Simulate only rooms K, K + N, K + 2 N and so on. Parts 1/N to N/N together cover "
+     "all rooms, so several machines or runs can share the work.",
      read_part, PLACE(part)},
     {0},
 };
@@ -329,14 +330,14 @@ static const struct pp_option method_options[] = {
      read_patches, PLACE(annual.patches)},
     {"exact-sky", 0, NULL,
      "Evaluate the sky and sun of each hour at the end of every path, without patches "
-     "and cells. This reference is slow and has no blinds.",
+     "and cells. This reference calculation is slow and does not include blinds.",
      NULL, PLACE(annual.exact_sky)},
     {0},
 };
 
 static const struct pp_option_group groups[] = {
-    {"Light outside and working hours", weather_options, 0},
-    {"Light outside and working hours", pp_working_time_options, PLACE(light)},
+    {"External light and working hours", weather_options, 0},
+    {"External light and working hours", pp_working_time_options, PLACE(light)},
     {"Calculation", pp_illuminance_options, PLACE(light)},
     {"Calculation", result_options, 0},
     {"Calculation", pp_room_points_option, PLACE(room)},

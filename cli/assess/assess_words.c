@@ -63,12 +63,12 @@ const struct pp_option pp_assess_words_choice[] = {
     {"withdrawn", 0, NULL, "Also assess criteria whose standards were withdrawn.", NULL,
      PLACE(withdrawn)},
     {"before", 'b', "FILE",
-     "Room file from before something was built outside, to assess the loss of sky and "
+     "Room file of the site before new building work, to assess the loss of sky and "
      "lit area.",
      pp_options_read_input, PLACE(before)},
     {"mirror-image", 0, "X1,Y1,X2,Y2",
-     "Also compare with the building's own mirror image at that boundary line: sky and "
-     "lit area.",
+     "Also compare sky and lit area with those for the building's own mirror image at "
+     "this boundary line.",
      read_boundary, PLACE(mirror_image)},
     {"place", 0, "NAME",
      "Use the median illuminance of this capital in the table of EN 17037. The default "
@@ -82,9 +82,9 @@ const struct pp_option pp_assess_words_choice[] = {
      "of sunshine.",
      pp_options_read_input, PLACE(weather)},
     {"least-altitude", 0, "DEG",
-     "Count the sun for sun-exposure when it is above this altitude. Default: the "
-     "value of EN 17037 for the country (DE 11, CZ 13). For other countries a verdict "
-     "is given if it is the same for all altitudes from 5 to 20 degrees.",
+     "For sun-exposure, count the sun only above this altitude. Default: the value of "
+     "EN 17037 for the country (DE 11, CZ 13). For other countries a verdict is given "
+     "if it is the same for all altitudes from 5 to 20 degrees.",
      read_altitude, PLACE(least_altitude_rad)},
     {"room", 0, "NAME", "Assess only the room of that name.", pp_options_read_text,
      PLACE(room.room)},

@@ -114,7 +114,7 @@ enum pp_status pp_schedule_file_write(const char *path,
         pp_window_schedule_of(&schedule, all->list, all->count, err);
     if (status == PP_OK && schedule.count == 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "--schedule: no sky or sunlight of windows was assessed; "
+                         "--schedule: no skylight or sunlight at windows was assessed; "
                          "expected --for uk-planning, or --criteria with vertical-sky");
     if (status == PP_OK)
         status = write_file(path, &schedule, err);

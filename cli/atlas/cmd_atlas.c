@@ -23,8 +23,8 @@ static const char about[] =
     "Simulates the rooms of a designed sweep, and the idealised rooms that hand "
     "methods assume. Writes the figures of each method next to the simulated ones as "
     "CSV, one row per point. Rooms already in FILE are not simulated again, so an "
-    "interrupted run continues, and you can add rooms. The same rooms give the same "
-    "bytes for any number of runs and threads.";
+    "interrupted run continues, and you can add rooms. The same rooms give an "
+    "identical file for any number of runs and threads.";
 
 /* A map of an atlas on a sheet of paper. */
 struct map_sheet {
@@ -74,7 +74,8 @@ static enum pp_status draw_atlas_map(const struct pp_atlas_map *map,
         .paper = paper,
         .landscape = true,
         .title = title,
-        .description = "hand figure over simulated figure, for rooms of an atlas"};
+        .description =
+            "ratio of hand figure to simulated figure, for rooms of an atlas"};
     struct pp_canvas *canvas;
     enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
     if (status != PP_OK)
@@ -130,7 +131,7 @@ static enum pp_status compute_bands(void *data, struct pp_error *err)
     if (status == PP_OK && run->bands.column_count == 0)
         status = pp_fail(
             err, PP_BAD_INPUT,
-            "%s: %d rooms are too few for bands; expected at least %d for a method",
+            "%s: %d rooms are too few for bands; expected at least %d for each method",
             run->path, run->bands.rooms, pp_band_tree_rules.rooms_least);
     pp_atlas_table_clear(&table);
     return status;
@@ -167,7 +168,8 @@ static enum pp_exit try_bands(const char *path, const char *output)
         pp_job_run(&(struct pp_job){output, compute_bands, print_bands, NULL, &run});
     int outside = pp_atlas_bands_outside(&run.bands);
     if (result == PP_EXIT_DONE && outside > 0) {
-        pp_message("%d regimes differ from 95 %% by more than chance explains",
+        pp_message("the share inside the band differs from 95 %% by more than chance "
+                   "explains in %d regimes",
                    outside);
         result = PP_EXIT_INPUT;
     }

@@ -181,8 +181,8 @@ static enum pp_status read_zone(const char *text, void *place, struct pp_error *
 
 const struct pp_option pp_light_options[] = {
     {"weather", 'w', "FILE.epw",
-     "Use the diffuse light in this EnergyPlus weather file; - is standard input. The "
-     "default is an overcast sky all year at the latitude of the room.",
+     "Use the diffuse illuminance in this EnergyPlus weather file; - is standard "
+     "input. The default is an overcast sky all year at the latitude of the room.",
      pp_options_read_input, PLACE(weather)},
     {"latitude", 0, "DEG",
      "Latitude for the overcast sky, north positive (default: from the room's site).",
@@ -308,7 +308,7 @@ enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
     if (status == PP_OK && !(*median_lx > 0.0))
         status = pp_fail(&err, PP_BAD_INPUT,
                          "%s: the year has no median illuminance, because the data are "
-                         "incomplete or dark",
+                         "incomplete or too dark",
                          pp_read_file_title(path));
     pp_diffuse_light_clear(&light);
     pp_availability_options_clear(&options);

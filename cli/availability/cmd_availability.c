@@ -20,11 +20,11 @@
 #include "methods/selection.h"
 
 static const char about[] =
-    "Shows the share of working hours in which daylight alone reaches an illuminance: "
-    "at each room's reference points, at their median, and on average. The illuminance "
-    "needed outside is the target over the daylight factor. A weather file, or an "
-    "overcast sky at the latitude, determines how often it occurs. FILE is a room "
-    "file; - is standard input.";
+    "Shows the share of working hours in which daylight alone reaches a target "
+    "illuminance: at each room's reference points, at their median, and on average. "
+    "The external illuminance required is the target divided by the daylight factor. A "
+    "weather file, or an overcast sky at the latitude, determines how often it is "
+    "reached. FILE is a room file; - is standard input.";
 
 struct availability_options {
     struct pp_room_options room;
@@ -150,8 +150,8 @@ static enum pp_exit run_availability(void *values, char **files, int file_count)
 #define PLACE(member) offsetof(struct availability_options, member)
 
 static const struct pp_option_group groups[] = {
-    {"Light outside and working hours", pp_light_options, PLACE(light)},
-    {"Light outside and working hours", pp_working_time_options, PLACE(light)},
+    {"External light and working hours", pp_light_options, PLACE(light)},
+    {"External light and working hours", pp_working_time_options, PLACE(light)},
     {"Calculation", pp_illuminance_options, PLACE(light)},
     PP_ROOM_CHOICE_GROUPS("Calculation", PLACE(room)),
     PP_ROOM_SIMULATION_GROUPS(PLACE(room)),

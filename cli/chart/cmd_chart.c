@@ -74,8 +74,8 @@ static const struct pp_option sheet_options[] = {
      NULL, PLACE(logarithmic)},
     {"linear", 0, NULL, "Section: linear scale.", NULL, PLACE(linear)},
     {"before", 'b', "FILE",
-     "Plan, site, elevation, sun path: compare with this file, from before something "
-     "was built outside. existing: compare with the existing state in the same file.",
+     "Plan, site, elevation, sun path: compare with this room file of the site before "
+     "new building work. existing: compare with the existing state in the same file.",
      pp_options_read_input, PLACE(before)},
     {"line", 0, "NAME",
      "Plan: mark the area with a view of the sky (no-sky), or with a sky factor over "
@@ -92,7 +92,7 @@ static const struct pp_option sheet_options[] = {
 
 static const struct pp_option board_options[] = {
     {"glazed", 0, "yes|no",
-     "Blank diagram: include the losses of clear single glass (default), or none.",
+     "Blank diagram: include the losses of clear single glass (default yes).",
      pp_board_options_read_yes_no, BOARD(glazed)},
     {"fine", 0, NULL, "Pepper-pot: each dot is worth 0.01 % instead of 0.1 %.", NULL,
      BOARD(fine)},
@@ -113,20 +113,20 @@ static const struct pp_option board_options[] = {
      "Blank protractor: slope of the glass, 0 (horizontal) to 90 (vertical, default).",
      pp_board_options_read_slope, PLACE(choice.board)},
     {"which", 0, "NAME",
-     "Nomogram: average (default) or minimum, for windows, or rooflight.",
+     "Nomogram: average or minimum for windows (default average), or rooflight.",
      pp_board_options_read_nomogram, PLACE(choice.board)},
     {"inclined", 0, "DEG",
-     "Waldram diagram of the vertical sky: droop lines of edges at an angle to the "
-     "window in plan.",
+     "Waldram diagram of the vertical sky: draw droop lines for edges at this angle to "
+     "the window in plan.",
      pp_board_options_read_inclined, PLACE(choice.board)},
     {"unsolved", 0, NULL,
      "Waldram, pepper-pot, protractor, brs-table of a point: draw the exercise without "
-     "its solution. Shows section, plan and elevations to scale, and in a PDF the "
+     "its solution. It shows section, plan and elevations to scale; a PDF adds the "
      "blank diagram.",
      NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
-     "Vertical sky, skylight indicator, sun path: the window, by its line in the file "
-     "or by its wall (default: the first vertical window).",
+     "Vertical sky, skylight indicator, sun path: the window, by its line number in "
+     "the file or by its wall (default: the first vertical window).",
      pp_options_read_text, BOARD(window)},
     {0},
 };
@@ -156,9 +156,10 @@ static enum pp_status read_mirror_box(const char *text, void *place,
     if (!pp_text_parse_number(first, &rho) || !(rho > 0.0 && rho <= 1.0)
         || !pp_text_parse_number(comma + 1, &height)
         || !(height >= 0.01 && height <= 10.0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "the reflectance of the mirrors, above 0 to 1, and the height "
-                       "of the box over its width, 0.01 to 10: 0.85,0.5");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "the reflectance of the mirrors, above 0 and up to 1, and the ratio of the "
+            "height of the box to its width, from 0.01 to 10, such as 0.85,0.5");
     options->box = (struct pp_mirror_box){rho, height};
     options->has_box = true;
     options->typed = "--mirror-box";
@@ -168,8 +169,8 @@ static enum pp_status read_mirror_box(const char *text, void *place,
 static const struct pp_option model_options[] = {
     {"scale", 0, "N", "1:N, from 2 to 500 (default 20).", read_scale, 0},
     {"mirror-box", 0, "RHO,K",
-     "Artificial sky for the model: reflectance of the mirrors, and height of the box "
-     "over its width (default 0.85,0.5).",
+     "Mirror box for measurements in the model: reflectance of the mirrors, and ratio "
+     "of the height of the box to its width (default 0.85,0.5).",
      read_mirror_box, 0},
     {0},
 };
@@ -235,8 +236,8 @@ static const struct pp_option overlay_options[] = {
      "allows).",
      read_diameter, 0},
     {"show", 0, "WHAT,...",
-     "Marks: dots of 0.1 %, cells of 0.5 %, sun (default: dots, and with --latitude "
-     "sun).",
+     "Marks: dots (0.1 % each), cells (0.5 % each) or sun (sun paths). Default: dots, "
+     "and with --latitude also sun.",
      read_show, 0},
     {0},
 };
@@ -247,8 +248,9 @@ static const char about[] =
     "Draws a chart of a room to -o FILE.pdf, FILE.svg or FILE.png. Several rooms get "
     "one page each in a PDF, or one file each: FILE-1.png, FILE-2.png. FILE is a room "
     "file; - is standard input. Diagrams of the drawing board are blank without FILE. "
-    "With FILE they show one point, given by --points X,Y. A nomogram shows the whole "
-    "room. Diagrams of the vertical sky component show one window, given by --window.";
+    "With FILE they show one point, selected by --points X,Y. A nomogram shows the "
+    "whole room. Diagrams of the vertical sky component show one window, selected by "
+    "--window.";
 
 static void print_kinds(FILE *out)
 {
@@ -297,8 +299,8 @@ static enum pp_status check_light(const struct pp_year_options *light,
     if (!kind->outside)
         return said && (light->weather || !kind->of_sun)
                    ? pp_fail(err, PP_BAD_INPUT,
-                             "%s does not use the light of a year; --weather and "
-                             "--latitude apply to availability, --weather also to year",
+                             "%s does not use weather data; --weather and --latitude "
+                             "apply to availability, --weather also to year",
                              kind->name)
                    : PP_OK;
     if (!said && file_count == 0)

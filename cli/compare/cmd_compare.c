@@ -53,7 +53,7 @@ static enum pp_status read_unit(const char *text, void *place, struct pp_error *
 
 static const struct pp_option compare_options[] = {
     {"as-if", 0, "SWITCHES",
-     "Simulate the room as another program may do it: switches from the list below, "
+     "Simulate the room as another program might: switches from the list below, "
      "separated by commas.",
      pp_options_read_text, PLACE(variant)},
     {"as", 0, "UNIT",
@@ -72,7 +72,7 @@ static const struct pp_option compare_options[] = {
 
 static const struct pp_option error_option[] = {
     {"error", 0, "E%",
-     "Standard error of the simulation, as a share of the values (default 0.5%, in "
+     "Standard error of the simulation, as a share of the values (default 0.5%; for "
      "scenes 1%).",
      pp_options_read_per_cent, PLACE(room.study.error)},
     {0},
@@ -88,7 +88,7 @@ static void help_on_switches(FILE *out)
         {"glass=normal", "glass has its normal transmittance at all angles"},
         {"glass=transmissivity", "the transmittance was entered as a transmissivity"},
         {"glass=none", "openings without glass"},
-        {"panes=1", "single panes instead of multiple"},
+        {"panes=1", "single panes instead of multiple panes"},
         {"frame=none", "no frames"},
         {"dirt=none", "no dirt on the glass"},
         {"plane=Z", "the points are at this height in metres"},
@@ -96,7 +96,7 @@ static void help_on_switches(FILE *out)
          "another sky: a value of --sky, or gensky: overcast, blended into the "
          "ground at the horizon"},
         {"ground=R", "ground reflectance; open: the whole sky lights the ground"},
-        {"outside=none", "nothing outside"},
+        {"outside=none", "no obstructions outside"},
         {"colour=grey",
          "in a scene: materials are grey, with the luminance of their colours"},
         {"colour=mean", "red, green and blue have equal weight in luminance; green: "
@@ -106,7 +106,7 @@ static void help_on_switches(FILE *out)
     fputs("\nSwitches:\n", out);
     for (size_t i = 0; i < sizeof switches / sizeof switches[0]; i++)
         pp_options_help_word(switches[i][0], switches[i][1], out);
-    fputs("\nNames for switches:\n", out);
+    fputs("\nNames for sets of switches:\n", out);
     const struct pp_room_variant_preset *preset;
     for (int i = 0; (preset = pp_room_variant_preset_at(i)) != NULL; i++) {
         char text[200];

@@ -29,8 +29,8 @@ static const struct pp_option explain_option[] = {
 static const struct pp_option advise_option[] = {
     {"advise", 0, NULL,
      "Recommend a method for this room, for the average and for each group of points, "
-     "with reasons. Based on the bands of all methods in similar rooms; in text or "
-     "JSON.",
+     "with reasons, in text or JSON. It is based on the bands of all methods in "
+     "similar rooms.",
      NULL, PLACE(advise)},
     {0},
 };
@@ -44,8 +44,8 @@ static const struct pp_option list_option[] = {
 
 static const struct pp_option margin_option[] = {
     {"margin", 0, NULL,
-     "Also show the average over the working plane without a margin of 0.5 m along the "
-     "walls.",
+     "Also show the average over the part of the working plane that is 0.5 m or more "
+     "from the walls.",
      NULL, PLACE(margin)},
     {0},
 };
@@ -78,15 +78,16 @@ static void help_on_methods(FILE *out)
     const struct pp_method *method;
     for (int i = 0; (method = pp_method_at(i)) != NULL; i++)
         pp_options_help_word(method->name, method->summary, out);
-    pp_options_help_word("A+B", "direct component by A, internally reflected by B",
-                         out);
+    pp_options_help_word(
+        "A+B", "direct component by A, internally reflected component by B", out);
     pp_options_help_word("default",
                          "exact+bre, brs-table+bre and average-df; if bre does not "
                          "apply, exact+split-flux",
                          out);
     pp_options_help_word("all",
-                         "every direct method with bre, exact with every internally "
-                         "reflected method, and every method for the whole",
+                         "every method for the direct component with bre, exact with "
+                         "every method for the internally reflected component, and "
+                         "every method for the whole daylight factor",
                          out);
 }
 
@@ -196,7 +197,7 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
                        "--advise cannot write CSV; expected --format text or json");
     if (options->array && options->format != PP_FORMAT_JSON)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--array is for JSON; expected --format json, too");
+                       "--array is for JSON; expected --format json as well");
     const char *alone = study->explain                            ? "explain"
                         : options->advise                         ? "advise"
                         : pp_moment_choice_said(&options->moment) ? "when"

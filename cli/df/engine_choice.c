@@ -82,7 +82,7 @@ const struct pp_option pp_engine_options[] = {
      "connecting each photon to the points.",
      read_sensor, offsetof(struct pp_engine_choice, sensor_m)},
     {"interpolate", 0, NULL,
-     "Interpolate reflected light from the cache at the points, too.", NULL,
+     "Interpolate reflected light from the cache at the points as well.", NULL,
      offsetof(struct pp_engine_choice, interpolate)},
     {0},
 };
@@ -93,7 +93,7 @@ enum pp_status pp_engine_choice_settle(struct pp_engine_choice *words, bool simu
     const bool cached = has(words, &pp_engine_cache);
     if (words->engines && !simulate)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--engine selects a simulation; expected --simulate, too");
+                       "--engine selects a simulation; expected --simulate as well");
     if (words->sensor_m > 0.0 && !has(words, &pp_engine_photons))
         return pp_fail(err, PP_BAD_INPUT, "--sensor needs --engine photons");
     if (words->interpolate && !cached)

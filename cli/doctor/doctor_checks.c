@@ -172,7 +172,7 @@ static void check_writing(struct pp_doctor_check *check)
     const char *place = pp_program_place_temporary();
     char path[PATH_MAX];
     struct pp_output output;
-    struct pp_error err = {.message = "different bytes were read back"};
+    struct pp_error err = {.message = "the bytes read back differ from those written"};
     snprintf(path, sizeof path, "%s/pepperpot-doctor-%ld", place, (long)getpid());
     enum pp_status status = pp_output_open(&output, path, &err);
     if (status == PP_OK) {

@@ -26,10 +26,10 @@ static const char about[] =
     "Reads a Radiance scene and simulates sensor points in it by path tracing: "
     "irradiance, illuminance, and the daylight factor relative to the open ground. "
     "SCENE files are read in order as one file; - is standard input. Lines that begin "
-    "with \"!\" (gensky, genbox, xform) are interpreted; no program is run. Without "
-    "--points-file, the command prints a summary of the scene. A gbXML file, "
-    "recognised by its first character, is converted to a room file. Missing data and "
-    "the defaults used for them are listed on standard error.";
+    "with \"!\" (gensky, genbox, xform) are interpreted; no other program is run. "
+    "Without --points-file, the command prints a summary of the scene. A gbXML file, "
+    "recognised by its first character, is converted to a room file. Missing data, and "
+    "the defaults used instead, are listed on standard error.";
 
 /* Most paths of a point in each randomisation. */
 static const long MOST_SAMPLES = 1 << 26;
@@ -63,7 +63,7 @@ static const struct pp_option import_options[] = {
      "Sampling of light sources: aimed (default), or chance, which treats each source "
      "as a glow.",
      read_lamps, offsetof(struct import_options, by_chance)},
-    {"summary", 0, NULL, "Also print a summary of the scene first.", NULL,
+    {"summary", 0, NULL, "First print a summary of the scene.", NULL,
      offsetof(struct import_options, summary)},
     {0},
 };

@@ -63,7 +63,7 @@ static void print_notes(const struct pp_mistakes *notes)
         else
             pp_message("%s: %s", notes->file, notes->list[i].text);
     if (notes->truncated)
-        pp_message("%s: and more messages", notes->file);
+        pp_message("%s: there are more messages than can be shown", notes->file);
 }
 
 enum pp_exit pp_import_building_run(const char *file, const char *output, bool quiet)

@@ -20,7 +20,7 @@ static const struct pp_option external_option[] = {
 
 static const char about[] =
     "Renders a picture of the light in a room to -o FILE. A .hdr or .pfm file stores "
-    "the light as numbers, a .png file displays it, and .pdf and .svg files put it on "
+    "the light as numbers, a .png file displays it, and a .pdf or .svg file puts it on "
     "a sheet. --false-colour adds a scale and contours. FILE is a room file; - is "
     "standard input.";
 
@@ -199,9 +199,10 @@ static enum pp_status check_moment(const struct render_options *options,
                        "--quantity luminance or illuminance",
                        given);
     if (options->room.study.method_options.plain)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s: --plain never hits the sun by chance; expected no --plain",
-                       given);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "%s: random paths of --plain never hit the sun; expected no --plain",
+            given);
     return PP_OK;
 }
 

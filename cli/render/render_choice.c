@@ -242,8 +242,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
     if (choice->exposure.way == PP_TONE_HUMAN && choice->exposure.said
         && choice->quantity.is != PP_LUMINANCE)
         return pp_fail(err, PP_BAD_INPUT,
-                       "human vision sees luminance; expected --exposure human without "
-                       "--quantity %s",
+                       "--exposure human is for luminance; expected no --quantity %s",
                        pp_quantity_words(choice->quantity.is).name);
     if (options->study.external_lux > 0.0 && choice->quantity.is == PP_DAYLIGHT_FACTOR)
         return pp_fail(err, PP_BAD_INPUT,

@@ -273,7 +273,7 @@ const struct pp_option pp_render_picture_options[] = {
      "by 179, 179 and 100.",
      read_quantity, PLACE(quantity)},
     {"samples", 0, "N",
-     "Paths per pixel, a power of two (default 16). Four times as many halve the "
+     "Paths per pixel, a power of two (default 16). Four times as many paths halve the "
      "noise.",
      read_samples, PLACE(samples)},
     {"engine", 0, "NAME",
@@ -281,8 +281,9 @@ const struct pp_option pp_render_picture_options[] = {
      "has no bias but more noise.",
      read_engine, PLACE(paths)},
     {"windows", 0, "HOW",
-     "Sampling of windows. stored (default): aimed, with the light from outside "
-     "calculated once; aimed: the same for each path, without bias; or chance.",
+     "Sampling of windows. stored (default): windows are sampled like lamps, with the "
+     "light from outside calculated once. aimed: the same for each path, without bias. "
+     "chance: only scattered rays reach windows.",
      read_windows, PLACE(windows)},
     {"filter", 0, "NAME", "Filter for pixels: box (default) or gauss, which is softer.",
      read_filter, PLACE(filter)},

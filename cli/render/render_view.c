@@ -91,8 +91,8 @@ static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world
 {
     if (pp_position_in_surface(world, eye))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the eye at (%g, %g, %g) is inside a surface; expected --from "
-                       "with a place in the air",
+                       "the eye at (%g, %g, %g) lies in a surface; expected --from "
+                       "with a point in free space",
                        eye.x, eye.y, eye.z);
     return PP_OK;
 }

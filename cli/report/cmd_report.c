@@ -26,10 +26,11 @@ static const char about[] =
     "Writes a report of all rooms in a file: with -o FILE.html one self-contained page "
     "of HTML, with -o FILE.pdf sheets of A4. For each room it shows daylight factors "
     "by hand with their bands, simulated ones with standard errors, and the criteria. "
-    "It adds the effect of changes, plan and section, and how the figures were made. "
-    "For a site it shows plan and elevations, the sky seen by every window and the lit "
-    "area of every room. Existing and proposed states are compared. If sunlight is "
-    "assessed, it adds sun paths. FILE is a room file; - is standard input.";
+    "It adds the effect of changes, plan and section, and states how the figures were "
+    "calculated. For a site it shows plan and elevations, the sky seen by every window "
+    "and the lit area of every room. Existing and proposed states are compared. If "
+    "sunlight is assessed, it adds sun paths. FILE is a room file; - is standard "
+    "input.";
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {
@@ -54,7 +55,7 @@ static const struct pp_option number_option[] = {
 
 static const struct pp_option full_option[] = {
     {"full", 0, NULL,
-     "Show data, averages, the effect of changes, plan and section of every room. "
+     "Show the data, averages, effect of changes, plan and section of each room. "
      "Without this option, a report of more than two rooms shows only their criteria.",
      NULL, PLACE(full)},
     {0},

@@ -59,19 +59,20 @@ static enum pp_status read_host(const char *text, void *place, struct pp_error *
 }
 
 static const struct pp_option address_options[] = {
-    {"port", 'p', "N", "Listen on that port (default: any free port).", read_port,
+    {"port", 'p', "N", "Listen on this port (default: any free port).", read_port,
      offsetof(struct serve_choice, port)},
     {"open", 0, NULL, "Open the page in the browser.", NULL,
      offsetof(struct serve_choice, open)},
     {"listen", 0, "ADDRESS",
-     "Listen on that address (default 127.0.0.1, for this computer alone). Other "
+     "Listen on this address (default 127.0.0.1, for this computer alone). Other "
      "addresses need a token.",
      pp_options_read_text, offsetof(struct serve_choice, listen)},
     {"host", 0, "NAME",
-     "Also accept requests for that host name, as behind a proxy; may be repeated.",
+     "Also accept requests for this host name, for example behind a proxy. Repeat the "
+     "option for more names.",
      read_host, offsetof(struct serve_choice, serve)},
     {"token", 0, "TEXT",
-     "Answer only requests with that token, of 16 characters or more. Other users of "
+     "Answer only requests with this token of 16 characters or more. Other users of "
      "the computer can see it in the list of processes; use --token-file to avoid "
      "this.",
      pp_options_read_text, offsetof(struct serve_choice, token.text)},
@@ -105,7 +106,7 @@ static enum pp_status check_serve(void *values, char **words, int count,
     if (choice->listen && !pp_serve_address_is_loopback(choice->listen) && !has_token)
         return pp_fail(err, PP_BAD_INPUT,
                        "other computers can reach %.80s; expected --token-file FILE or "
-                       "--token TEXT, too",
+                       "--token TEXT as well",
                        choice->listen);
     if (choice->jobs && (stat(choice->jobs, &folder) != 0 || !S_ISDIR(folder.st_mode)))
         return pp_fail(err, PP_BAD_INPUT, "--jobs: there is no folder \"%.200s\"",

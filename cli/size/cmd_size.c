@@ -26,12 +26,12 @@
 
 static const char about[] =
     "Finds the window that just reaches a target: the smallest width, height, head, "
-    "sill or number of windows that gives the average daylight factor. With --points "
-    "the target is for the lowest point, with --for it is a criterion. The answer of a "
-    "hand method is checked by simulation, unless --by-hand is given. --obstruction "
-    "finds the maximum height of a block for which windows or rooms keep their sky. "
-    "--envelope finds the largest building on its plot. FILE is a room file; - is "
-    "standard input.";
+    "sill or number of windows that gives the target average daylight factor. With "
+    "--points, the target is for the point with the lowest value; with --for, it is a "
+    "criterion. The answer of a hand method is checked by simulation, unless --by-hand "
+    "is given. --obstruction finds the maximum height of a block at which windows or "
+    "rooms keep their share of the sky. --envelope finds the largest building on its "
+    "plot. FILE is a room file; - is standard input.";
 
 /* Replaces the text of a room file by one for a copy at `path`: relative names of other
  * files are adapted. */

@@ -64,11 +64,11 @@ const struct pp_option pp_size_task_options[] = {
 
 const struct pp_option pp_size_block_options[] = {
     {"obstruction", 0, "NAME",
-     "Find the maximum height of this block, instead of a window, for which every "
+     "Instead of a window, find the maximum height of this block at which every "
      "vertical window, or every room, keeps its share of the sky.",
      pp_options_read_text, PLACE(obstruction)},
     {"envelope", 0, "NAME",
-     "Find the largest envelope on the plot of this block, instead of a window, for "
+     "Instead of a window, find the largest envelope on the plot of this block with "
      "which every vertical window keeps its share of the sky.",
      pp_options_read_text, PLACE(envelope)},
     {"draw", 0, "FILE",
@@ -225,7 +225,7 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     if (!options->request.criterion
         && (options->request.grid.largest || options->request.grid.spacing_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "--spacing is the grid for a criterion; expected --for, too");
+                       "--spacing is the grid for a criterion; expected --for as well");
     if (options->request.criterion) {
         enum pp_status status = settle_criterion(options, err);
         if (status != PP_OK)

@@ -114,7 +114,7 @@ check "a picture with sun" quietly $render --sky perez,600,120,35,150 "$room"
 check "a picture of an hour" quietly $render -w "$scratch/year.epw" --when "2023-03-21 12:00" "$room"
 check "no factor with a sun" refuses 2 "has no daylight factor" $render --sky perez,600,120,35,150 \
     --quantity df "$room"
-check "no sun by chance" refuses 2 "by chance" $render --sky perez,600,120,35,150 --plain "$room"
+check "no sun by chance" refuses 2 "never hit the sun" $render --sky perez,600,120,35,150 --plain "$room"
 check "a black sky has no picture" refuses 1 "gives a black sky" $render --sky perez,100,0,10,180 "$room"
 check "a dark hour has no picture" refuses 1 "no light" $render -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"

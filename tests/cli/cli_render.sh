@@ -242,7 +242,7 @@ check "an angle of no perspective" refuses 2 "less than 180" \
     render --angle 180 $small "$deep" -o "$scratch/x.png"
 check "a picture that is kept but can't be shown" refuses 2 "at most 32767" \
     render --size 1x40000 "$deep" -o "$scratch/x.png"
-check "an eye in a wall" refuses 1 "is inside a surface" \
+check "an eye in a wall" refuses 1 "lies in a surface" \
     render --from 0,4,1.2 $small "$deep" -o "$scratch/x.png"
 check "an eye that looks at itself" refuses 1 "the position of the eye" \
     render --from 1,4 --towards 1,4 $small "$deep" -o "$scratch/x.png"
@@ -264,7 +264,7 @@ check "levels that fall" refuses 2 "increasing levels" \
     render --false-colour --levels 2,1 "$deep" -o "$scratch/x.png"
 check "a grid over no fisheye" refuses 2 "fisheye" \
     render --grid "$deep" -o "$scratch/x.png"
-check "the eye's contrast of daylight factors" refuses 2 "human vision sees luminance" \
+check "the eye's contrast of daylight factors" refuses 2 "--exposure human is for luminance" \
     render --quantity df --exposure human "$deep" -o "$scratch/x.png"
 check "a room and a picture" refuses 2 "expected one of them" \
     render --from-picture "$scratch/one.hdr" "$deep" -o "$scratch/x.png"

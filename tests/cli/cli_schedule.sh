@@ -76,7 +76,7 @@ run assess --by-hand -c vertical-sky --schedule "$html" "$examples/office.xml"
 check "without a former state there are no losses" sh -c "! grep -q 'loss' '$html'"
 check "other endings are refused" refuses 2 "ends in .csv, .xlsx, .html or .pdf" \
     assess --by-hand --schedule "$scratch/windows.ods" "$site"
-check "a schedule needs sky or sunlight" refuses 1 "no sky or sunlight of windows was assessed" \
+check "a schedule needs sky or sunlight" refuses 1 "no skylight or sunlight at windows was assessed" \
     assess --by-hand -c average --schedule "$scratch/none.csv" "$site"
 check "and then is not written" test ! -e "$scratch/none.csv"
 check "it is for one run" refuses 2 "--schedule is for a single run" \

@@ -149,7 +149,7 @@ check "so that assess finds it met" sh -c "
     grep 'living room' | grep -q ',least,met,'"
 check "on a grid of one's own, too" shows '"reached": true' \
     size --for uk-annex:living-room --change height --error 3% --spacing 0.5 -f json "$deep"
-check "a grid is for a criterion" refuses 2 "expected --for, too" size -t 2 --spacing 0.5 "$deep"
+check "a grid is for a criterion" refuses 2 "expected --for as well" size -t 2 --spacing 0.5 "$deep"
 check "a requirement that there is none of" shows 'available: \"minimum: 300 lx over 50 %\",' \
     size --by-hand --for en17037:least -f json "$deep"
 check "traced throughout" shows "reach, simulated" \
