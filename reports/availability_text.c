@@ -240,8 +240,9 @@ static enum pp_status print_available_room(const struct pp_availability_result *
     fputc('\n', out);
     bool good = print_periods(sheet, width, out);
     fputs("\n  ", out);
-    pp_print_wrapped("The table shows, for each illuminance, the illuminance needed "
-                     "outside (lx) and its share of the working hours (per cent).",
+    pp_print_wrapped("For each target illuminance, the table shows the external "
+                     "illuminance required (lx) and the share of working hours in "
+                     "which it is reached (per cent).",
                      2, 2, width, out);
     for (int i = 0; i < result->report.column_count && good; i++) {
         const struct pp_column *column = &result->report.columns[i];

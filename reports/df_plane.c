@@ -159,15 +159,16 @@ void pp_df_plane_summary(const struct pp_report *report, int width, bool utf8,
     if (name == 0)
         return;
     char text[256];
-    snprintf(text, sizeof text,
-             report->grid_of_standard
-                 ? "Working plane at the %d points of the EN 17037 grid, 0.5 m or more "
-                   "from the walls. Figures in per cent; uniformity is minimum over "
-                   "mean. The last columns show the share of points that reach a level"
-                 : "Working plane at the %d points of the grid. Figures in per cent; "
-                   "uniformity is minimum over mean. The last columns show the share "
-                   "of points that reach a level",
-             report->grid_points);
+    snprintf(
+        text, sizeof text,
+        report->grid_of_standard
+            ? "Working plane at the %d points of the EN 17037 grid, 0.5 m or more from "
+              "the walls. Figures are in per cent; uniformity is minimum divided by "
+              "mean. The last columns show the share of points that reach a level"
+            : "Working plane at the %d points of the grid. Figures are in per cent; "
+              "uniformity is minimum divided by mean. The last columns show the share "
+              "of points that reach a level",
+        report->grid_points);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
     fprintf(out, "\n  %-*s", name, "");

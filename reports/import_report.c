@@ -189,14 +189,16 @@ static enum pp_status print_text(const struct pp_imported *imported, int width,
     char text[300];
     double horizontal = pp_rgb_luminance(imported->horizontal);
     if (horizontal > 0.0)
-        snprintf(text, sizeof text,
-                 "Simulated by path tracing, with standard errors. Lux at 179 lm/W; "
-                 "daylight factors relative to the %.6g lx on open level ground.",
-                 lux(horizontal));
+        snprintf(
+            text, sizeof text,
+            "Simulated by path tracing, with standard errors. Illuminances use 179 "
+            "lm/W; daylight factors are relative to the %.6g lx on open level ground.",
+            lux(horizontal));
     else
-        snprintf(text, sizeof text,
-                 "Simulated by path tracing, with standard errors. Lux at 179 lm/W. "
-                 "There are no daylight factors, because the scene has no sky.");
+        snprintf(
+            text, sizeof text,
+            "Simulated by path tracing, with standard errors. Illuminances use 179 "
+            "lm/W. There are no daylight factors, because the scene has no sky.");
     pp_print_wrapped(text, 2, 2, width, out);
     if (imported->by_clock)
         fprintf(out, "  Stopped at the --time limit; another run may differ.\n");

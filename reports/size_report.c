@@ -139,12 +139,13 @@ static void append_answer(char text[TEXT_BYTES],
     case PP_SIZE_SMALLEST_EXCEEDS:
         pp_text_append(text, TEXT_BYTES, "the target is exceeded even at the limit: ");
         append_size(text, result, change);
-        pp_text_append(text, TEXT_BYTES, " leaves ");
+        pp_text_append(text, TEXT_BYTES, " gives ");
         append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_OUT_OF_REACH:
         if (result->holds && result->edit_count == 0 && answer->is_largest) {
-            pp_text_append(text, TEXT_BYTES, "out of reach: there is no room for more");
+            pp_text_append(text, TEXT_BYTES,
+                           "out of reach: there is no space for more");
             break;
         }
         if (result->holds
@@ -247,7 +248,7 @@ static void append_wanted(char text[TEXT_BYTES],
                    of_what[pp_size_room_gives(result->method)],
                    points == 0   ? "on average over the working plane"
                    : points == 1 ? "at the point"
-                                 : "at the lowest of the points",
+                                 : "at the point with the lowest value",
                    result->method);
 }
 

@@ -39,7 +39,7 @@ static const struct pp_endpoint endpoints[] = {
     JSON_POST("size", PP_LINE_PROGRAMS, pp_answer_program,
               "Window sizes for a target, as pepperpot size"),
     JSON_POST("availability", PP_LINE_PROGRAMS, pp_answer_program,
-              "Share of time with enough daylight, as pepperpot availability"),
+              "Share of working hours with enough daylight, as pepperpot availability"),
     JSON_POST("annual", PP_LINE_PROGRAMS, pp_answer_program,
               "Daylight in every hour of a weather file, as pepperpot annual"),
     JSON_POST("report", PP_LINE_PROGRAMS, pp_answer_program,

@@ -43,15 +43,15 @@ static void print_help(void)
 {
     puts("Usage: pepperpot COMMAND [OPTIONS] [FILE...]\n       pepperpot FILE.xml "
          "[OPTIONS]   same as pepperpot df\n\nDaylight factors of rooms by the classic "
-         "hand methods, with their charts,\nand a simulation of the same room to "
-         "compare.\n\nCommands:");
+         "hand methods, with their charts,\nand a simulation of the same rooms for "
+         "comparison.\n\nCommands:");
     for (int i = 0; i < COMMAND_COUNT; i++)
         printf("  %-12s %s\n", commands[i]->name, commands[i]->summary);
-    puts("\nOptions:\n  -h, --help     Print this help and stop. pepperpot help "
-         "COMMAND and\n                 pepperpot COMMAND --help describe a command.\n "
-         "     --version  Print the version and stop.\n\nExit status: 0 success, 1 "
-         "error in the input, 2 error on the command line,\n3 error of the system, 130 "
-         "interrupted.");
+    puts(
+        "\nOptions:\n  -h, --help     Print this help and stop. pepperpot help COMMAND "
+        "and\n                 pepperpot COMMAND --help describe a command.\n      "
+        "--version  Print the version and stop.\n\nExit status: 0 success, 1 error in "
+        "the input, 2 error on the command line,\n3 system error, 130 interrupted.");
 }
 
 static void list_commands(const char *names[COMMAND_COUNT])

@@ -155,9 +155,10 @@ static void note_decorations(struct pp_picture_sheet *sheet,
                     "The allowance for decorations, %.3g, is not included.",
                     shown->world->decorations);
     else
-        pp_page_say(sheet->foot, room,
-                    "The allowance for decorations reduces reflected light to %.3g.",
-                    shown->world->decorations);
+        pp_page_say(
+            sheet->foot, room,
+            "Reflected light is multiplied by %.3g for deterioration of decorations.",
+            shown->world->decorations);
 }
 
 /* Sets title, subtitle and notes, and the scale of lengths. */

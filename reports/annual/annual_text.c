@@ -87,18 +87,18 @@ static void print_plane(const struct text_page *page)
     char text[200];
     snprintf(text, sizeof text, "%d %s", sheet->receiver_count,
              sheet->is_grid
-                 ? "in a grid, each representing an equal part of the plane"
+                 ? "in a grid; each represents an equal part of the plane"
                  : "(no grid: shares refer to these points, not to the plane)");
     print_annual_fact(page, "points", text);
     if (sheet->has_blinds)
         print_share(
             page, "sDA300/50", &plane->sda,
-            "of the points reach 300 lx for half of the hours or more, with blinds");
+            "of the points reach 300 lx in half of the hours or more, with blinds");
     print_share(
         page, "DA300/50 area", &plane->autonomous,
-        "of the points reach 300 lx for half of the hours or more, without blinds");
+        "of the points reach 300 lx in half of the hours or more, without blinds");
     print_share(page, "ASE1000,250", &plane->ase,
-                "of the points have more than 1000 lx of direct sun for over 250 h");
+                "of the points receive more than 1000 lx of direct sun for over 250 h");
     print_levels(page);
     print_leed(page);
     if (sheet->near_half > 0) {
@@ -211,14 +211,14 @@ static void print_discretisation(const struct text_page *page)
     char text[320];
     if (d->points == 0)
         return;
-    snprintf(
-        text, sizeof text,
-        "compared with paths under the true sky and sun, for %d point%s in %d hours: "
-        "patches change the light of the sky by %+.2f %% %s %.2f (rms over hours %.2f "
-        "%%). Patches and cells change all light except direct sun by %+.1f %% %s %.1f",
-        d->points, d->points == 1 ? "" : "s", d->hours, 100.0 * d->sky.value, sign,
-        100.0 * d->sky.std_error, 100.0 * d->sky_rms, 100.0 * d->all.value, sign,
-        100.0 * d->all.std_error);
+    snprintf(text, sizeof text,
+             "compared with paths under the true sky and sun, for %d point%s in %d "
+             "hours: patches change the light from the sky by %+.2f %% %s %.2f (rms "
+             "over hours %.2f %%). Patches and cells change all light except direct "
+             "sun by %+.1f %% %s %.1f",
+             d->points, d->points == 1 ? "" : "s", d->hours, 100.0 * d->sky.value, sign,
+             100.0 * d->sky.std_error, 100.0 * d->sky_rms, 100.0 * d->all.value, sign,
+             100.0 * d->all.std_error);
     print_annual_fact(page, "discretisation", text);
 }
 

@@ -306,12 +306,12 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
             first = false;
         }
     if (table->has_mirror_image)
-        pp_text_append(
-            text, sizeof text,
-            ". Mirror image: the building's own rooms replace the proposal, mirrored "
-            "at the boundary with the same height and ground level. The criterion is "
-            "met if at least as much sky remains with the proposal [%s]",
-            pp_criterion_mirror_image.source);
+        pp_text_append(text, sizeof text,
+                       ". Mirror image: the proposal is replaced by a mirror image of "
+                       "the building at the boundary, with the same height and ground "
+                       "level. The criterion is met if at least as much sky remains "
+                       "with the proposal as with the mirror image [%s]",
+                       pp_criterion_mirror_image.source);
     fputs("\n  ", out);
     pp_print_wrapped(text, 2, 2, width, out);
 }

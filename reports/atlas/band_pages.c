@@ -28,14 +28,13 @@ static void put_introduction(FILE *out)
         "`size` take their bands from the same tables.\n\n- *rooms*: rooms with points "
         "in the regime.\n- *bias*: median error of the method, relative to the "
         "simulated value.\n- *spread*: half the distance between the ratio's quantiles "
-        "of 16 and 84 %%.\n- *band*: 95 %% of the simulated values lie between so many "
-        "times the method's.\n- *formula*, *assumption*: the two parts of the band. "
-        "The first leads from the figure to the\n  value simulated in the world that "
-        "the method assumes. The second leads from there to the\n  room (see "
-        "docs/accuracy.md).\n\nA ratio is (simulated + %g %%) / (figure + %g %%), "
-        "which "
-        "widens the bands of small figures.\nEach room counts once, however many of "
-        "its points are in a regime.\n",
+        "of 16 and 84 %%.\n- *band*: 95 %% of the simulated values lie between these "
+        "multiples of the method's value.\n- *formula*, *assumption*: the two parts of "
+        "the band. *formula* compares the figure with the\n  value simulated in the "
+        "world that the method assumes. *assumption* compares that value with\n  the "
+        "one simulated in the room (see docs/accuracy.md).\n\nA ratio is (simulated + "
+        "%g %%) / (figure + %g %%), which widens the bands of small figures.\nEach "
+        "room counts once, however many of its points are in a regime.\n",
         pp_band_table_rooms(&pp_band_table_overcast),
         pp_band_table_rooms(&pp_band_table_iso), 100.0 * PP_BAND_OFFSET,
         100.0 * PP_BAND_OFFSET);

@@ -70,7 +70,8 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
                        result->variant);
     if (result->other && result->compared.count < result->given)
         pp_text_append(text, sizeof text,
-                       "%d of the other program's %d points, evenly chosen. ",
+                       "The comparison uses %d of the other program's %d points, "
+                       "evenly selected. ",
                        result->compared.count, result->given);
     pp_text_append(
         text, sizeof text,
@@ -170,11 +171,10 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
                    100.0 * noise->sigma);
     double share = compared->left_rms / compared->gap_rms;
     if (noise->sigma > PP_COMPARE_HIDES)
-        pp_text_append(
-            text, TEXT_BYTES,
-            " This noise is large: it accounts for %.0f %% of the difference and may "
-            "imitate or hide causes. No cause is certain.",
-            100.0 * fmin(1.0, share * share));
+        pp_text_append(text, TEXT_BYTES,
+                       " This noise is large: it accounts for %.0f %% of the "
+                       "difference and may mimic or mask causes. No cause is certain.",
+                       100.0 * fmin(1.0, share * share));
     if (compared->search.is_cut)
         pp_text_append(text, TEXT_BYTES,
                        " Some plausible combinations of causes were not simulated.");
@@ -188,14 +188,14 @@ static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
     if (pp_left_over_exceeds(over))
         pp_text_append(
             text, TEXT_BYTES,
-            "The remainder is more than the other program's noise: %.1f %%; noise of "
-            "%.1f %% per point explains %.1f %%. The list lacks a cause, or the other "
-            "values are interpolated. No cause is certain.",
+            "The remainder of %.1f %% is larger than the other program's noise: noise "
+            "of %.1f %% per point explains only %.1f %%. A cause is missing from the "
+            "list, or the other values are interpolated. No cause is certain.",
             100.0 * over->left, 100.0 * over->noise, 100.0 * over->limit);
     else
         pp_text_append(text, TEXT_BYTES,
                        "There are too few points to separate noise from a mistake. No "
-                       "cause is certain. Use --noise to give the noise.");
+                       "cause is certain. Specify the noise with --noise.");
 }
 
 static void append_missing(char text[TEXT_BYTES])
@@ -203,7 +203,8 @@ static void append_missing(char text[TEXT_BYTES])
     const char *missing;
     for (int i = 0; (missing = pp_causes_missing_at(i)) != NULL; i++)
         pp_text_append(text, TEXT_BYTES, "%s%s", i > 0 ? "; " : "", missing);
-    pp_text_append(text, TEXT_BYTES, ". Such mistakes can look like the causes above.");
+    pp_text_append(text, TEXT_BYTES,
+                   ". Such mistakes can have the same effect as the causes above.");
 }
 
 /* Advice on the noise; NULL: there is little noise. */

@@ -58,7 +58,7 @@ static void say_geometry(struct pp_document *document, const struct pp_assessmen
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
         "Surfaces are matt and evenly coloured, with the reflectances in the file. "
-        "Glass, frames and dirt are as in the file, and each is applied once. Curtains "
+        "Glass, frames and dirt are as in the file, and each is counted once. Curtains "
         "and blinds are open unless the file says otherwise.");
 }
 
@@ -116,15 +116,15 @@ static void say_other(struct pp_document *document, const struct pp_assessments 
         pp_document_heading(document, 3, "EN 17037");
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Illuminances are based on the median diffuse illuminance that is given "
-            "with each verdict. The grid on the working plane is given there, too, and "
-            "its error is part of the verdict.");
+            "Each verdict states the median diffuse illuminance on which its "
+            "illuminances are based. It also states the grid on the working plane; the "
+            "verdict takes the error of the grid into account.");
     }
     if (is_assessed(all, "rights-of-light"))
         pp_document_paragraph(document, PP_TONE_PLAIN,
                               "Areas inside the 0.2 %% contour are technical figures. "
-                              "It is a question of law, which this report does not "
-                              "answer, whether a right exists or is infringed.");
+                              "Whether a right exists or is infringed is a question of "
+                              "law, which this report does not answer.");
     pp_document_heading(document, 3, "Not assessed");
     pp_document_paragraph(
         document, PP_TONE_PLAIN,

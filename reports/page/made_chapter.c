@@ -64,7 +64,7 @@ static void put_methods(struct pp_document *document, const struct pp_assessment
     if (any)
         pp_document_paragraph(document, PP_TONE_SOFT,
                               "Figures in this report include the glass, frame and "
-                              "dirt of the room, each once. Losses that the published "
+                              "dirt of the room once each. Losses that the published "
                               "figures already include are not applied again.");
 }
 
@@ -150,8 +150,8 @@ static void say_engine(struct pp_document *document,
     if (options->simulate)
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
-            "Simulated figures have one standard error after ±; seed %llu. The same "
-            "file, options and seed give the same figures.",
+            "Simulated figures are followed by ± one standard error; the seed is %llu. "
+            "The same file, options and seed give the same figures.",
             (unsigned long long)options->seed);
     else
         pp_document_paragraph(

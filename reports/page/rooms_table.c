@@ -72,6 +72,6 @@ void pp_rooms_table(struct pp_document *document, const struct pp_assessments *a
         pp_room_chapter_number(document, 100.0 * average_of(&all->list[i].report), 2);
     }
     pp_document_paragraph(document, PP_TONE_SOFT,
-                          "ρ: mean reflectance; glass: area of openings, less frames; "
-                          "DF: daylight factor.");
+                          "ρ: mean reflectance; glass: area of the openings without "
+                          "frames; DF: daylight factor.");
 }

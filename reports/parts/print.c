@@ -77,11 +77,12 @@ static void tell_picture(const struct pp_sky_picture *picture,
          picture->title, picture->horizontal_lx);
     if (picture->filled >= 5e-4)
         tell(listener, "",
-             "%.1f %% of this light is from directions that were filled in",
+             "%.1f %% of this light is from directions that the photograph lacks and "
+             "that were filled in",
              100.0 * picture->filled);
     if (picture->saturated)
         tell(listener, "",
-             "%d pixels have the largest value, %.3g cd/m2: a sun there is cut off",
+             "%d pixels have the largest value, %.3g cd/m2: a sun there is clipped",
              picture->saturated, picture->peak_cd_m2);
 }
 
@@ -153,7 +154,7 @@ static void tell_reflectances(const struct pp_world *world,
     append_reflectance(world, PP_CEILING, "ceiling", text);
     if (world->decorations != 1.0)
         pp_text_append(text, TEXT_BYTES,
-                       "; decorations reduce the reflected light to %.3g",
+                       "; reflected light multiplied by %.3g for decorations",
                        world->decorations);
     tell(listener, "reflectances", "%s", text);
 }
@@ -279,7 +280,7 @@ void pp_print_facts(const struct pp_world *world, const struct pp_outside_light 
     tell_reflectances(world, &listener);
     tell_openings(world, &listener);
     tell_outside(world, light, &listener);
-    tell(&listener, "working plane", "at %.2f m; the average is for all of it",
+    tell(&listener, "working plane", "at %.2f m; averages cover the whole plane",
          world->working_plane_m);
 }
 

@@ -158,11 +158,12 @@ static void put_groups(const struct group *groups, int count, FILE *out)
 static void put_parts(const struct group *groups, int count,
                       const struct pp_known_cases *cases, FILE *out)
 {
-    fputs("<h2>Causes of the differences</h2>\n<p class=\"soft\">Each dot is a figure: "
-          "its difference from the simulation, in per cent, and the two parts of this "
-          "difference. The assumption part leads from the room to the room that the "
-          "method assumes, both simulated. The formula part leads from there to the "
-          "method. Bars are medians; rings are values over 100 %; figures under 0.01 % "
+    fputs("<h2>Causes of the differences</h2>\n<p class=\"soft\">Each dot stands for "
+          "one figure. Rows show its difference from the simulation, in per cent, and "
+          "the two parts of this difference. The assumption part is the difference "
+          "between the room and the room that the method assumes, both simulated. The "
+          "formula part is the difference between that assumed room and the method. "
+          "Bars are medians; rings are values over 100 %; figures under 0.01 % "
           "daylight factor are ignored.</p>\n<div class=\"dots\">\n",
           out);
     for (int i = 0; i < count; i++)

@@ -10,10 +10,10 @@ enum { NAME_WIDTH = 20 };
 const char pp_validate_parts_note[] =
     "Causes of differences. assumption: difference between the room and the room that "
     "the method assumes, both simulated. formula: difference between that assumed room "
-    "and the method. Both add up to off and bias. noise: standard error of assumption. "
-    "In the assumed room the ground is open and as bright as the method assumes. An "
-    "endless skyline replaces all obstructions, unless the method is for the direct "
-    "component alone.";
+    "and the method. Together they add up to off and bias. noise: standard error of "
+    "assumption. In the assumed room the ground is open and as bright as the method "
+    "assumes. An endless skyline replaces all obstructions, unless the method is for "
+    "the direct component alone.";
 
 /* ---- text ---- */
 

@@ -13,7 +13,7 @@ static void answer_child(struct pp_task *task, struct pp_child_result *result,
 {
     if (result->end == PP_CHILD_LIMIT)
         pp_task_fail(task, MHD_HTTP_GATEWAY_TIMEOUT,
-                     "the command took more than %d s, or its result is too large",
+                     "the command took more than %d s, or its result was too large",
                      PP_CHILD_SECONDS_MOST);
     else if (result->end == PP_CHILD_FAILED || result->status == 3)
         pp_task_fail(task, MHD_HTTP_INTERNAL_SERVER_ERROR, "%s",

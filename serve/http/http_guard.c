@@ -108,8 +108,8 @@ unsigned pp_http_guard_check(const struct pp_serve_options *options,
         return MHD_HTTP_FORBIDDEN;
     }
     if (!is_page && !pp_http_guard_same(token, bearer(headers->authorization))) {
-        *why =
-            "expected the header Authorization: Bearer TOKEN, with the server's token";
+        *why = "expected the header Authorization: Bearer TOKEN with the token of the "
+               "server";
         return MHD_HTTP_UNAUTHORIZED;
     }
     if (body_type && !is_of_type(headers->content_type, body_type)) {

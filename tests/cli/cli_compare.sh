@@ -54,7 +54,7 @@ check "what can look like a cause is said" grep -q "reflectances of surfaces" "$
 awk -F, -v OFS=, 'NR > 1 { $4 *= NR % 2 ? 1.2 : 0.8 } { print }' "$scratch/floor.csv" \
     >"$scratch/uneven.csv"
 check "with less noise than is left nothing is" \
-    shows "remainder is more than the other" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
+    shows "is larger than the other" compare --error 5% --noise 3% "$room" "$scratch/uneven.csv"
 check "and none is called sure" nothing "$(grep '^ *sure ' "$scratch/out")"
 
 # Values of another tracer: four reflections of light, and a ground of 0.4 in place of 0.2.

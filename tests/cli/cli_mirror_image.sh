@@ -38,7 +38,7 @@ check "a table has it beside the ratio" gives assess --by-hand --for uk-planning
 check "fits in 80 columns" nothing "$(too_wide)"
 check "under its name" grep -q ' mirror image$' "$scratch/out"
 check "with the words of what is judged by it" sh -c "
-    tr -s ' \n' ' ' <'$scratch/out' | grep -q 'sky remains with the proposal \[BR209\]'"
+    tr -s ' \n' ' ' <'$scratch/out' | grep -q 'sky remains with the proposal as with the mirror image \[BR209\]'"
 check "the tower takes more than the image would" grep -qE '^  Low .*  not met$' "$scratch/out"
 sed 's/height="14"/height="3.5"/' "$scratch/terrace.xml" >"$scratch/lower.xml"
 check "a lower one does not" gives assess -c mirror-image --mirror-image=$line "$scratch/lower.xml"

@@ -202,6 +202,6 @@ check "another does, where none was asked for" shows "by exact+split-flux" \
     size -t 2 --sky uniform "$deep"
 check "a component by itself is named" shows "internally reflected component" \
     size -t 0.5 --by bre "$deep"
-check "where there is no room for more that is said" shows "no room for more" \
+check "where there is no room for more that is said" shows "no space for more" \
     size -t 9 --change number "$deep"
 tap_done
