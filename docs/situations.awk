@@ -1,7 +1,7 @@
-# situations.awk - the table of one room in docs/situations.md, from df --format csv: per
-# cent, direct components (sky and externally reflected together), what is reflected
-# inside, and wholes, at the room's two points and on average; and who has no figure, with
-# the reason. Standard errors below 0.005 are left out.
+# situations.awk - the table of one room in docs/situations.md, from df --format csv, in per
+# cent: direct components (sky and externally reflected together), internally reflected
+# components and daylight factors, at the two points of the room and on average. Methods
+# without a figure follow, with the reason. Standard errors below 0.005 are omitted.
 BEGIN { FS = "," }
 
 # Only the last field, why there is no figure, may hold commas.
@@ -43,8 +43,8 @@ function figure(key, place,    text) {
 }
 
 END {
-    heads["direct"] = "sky and what is outside"
-    heads["irc"] = "reflected inside"
+    heads["direct"] = "direct light"
+    heads["irc"] = "internally reflected light"
     heads["df"] = "daylight factor"
     line = "| |"
     rule = "| --- |"
@@ -85,5 +85,5 @@ END {
     }
     print ""
     for (i = 1; i <= reason_count; i++)
-        print "No figure by " who[reasons[i]] ": " reasons[i] ".\n"
+        print "No figure from " who[reasons[i]] ": " reasons[i] ".\n"
 }

@@ -1,6 +1,6 @@
 #!/bin/sh
-# situations.sh PROGRAM SOURCES - docs/situations.md with its tables made anew: what every
-# method makes of the rooms in examples/situations, and the simulation. For `make
+# situations.sh PROGRAM SOURCES - prints docs/situations.md with new tables: the results of
+# every method and of the simulation in the rooms of examples/situations. For `make
 # situations`.
 set -eu
 program=$1
