@@ -50,15 +50,15 @@ static void doubt_openings(struct pp_mistakes *doubts, const struct pp_world *wo
         if (opening->frame_factor < PP_DOUBTS_FACTOR_LEAST)
             pp_mistakes_add(
                 doubts, opening->line,
-                "%s: frame-factor is the share of glass in the opening; %.3g looks "
-                "like the share of the frame (frame-factor would be %.3g)",
+                "%s: frame-factor is the share of the opening that is glass; %.3g "
+                "looks like the share of the frame (frame-factor would be %.3g)",
                 opening->label, opening->frame_factor, 1.0 - opening->frame_factor);
         if (!opening->maintenance_is_auto
             && opening->maintenance < PP_DOUBTS_FACTOR_LEAST)
             pp_mistakes_add(
                 doubts, opening->line,
-                "%s: maintenance is the share of light that passes the dirt; %.3g "
-                "looks like the loss (maintenance would be %.3g)",
+                "%s: maintenance is the share of light that passes through the dirt; "
+                "%.3g looks like the loss (maintenance would be %.3g)",
                 opening->label, opening->maintenance, 1.0 - opening->maintenance);
     }
 }
@@ -143,7 +143,7 @@ static void doubt_outside(struct pp_mistakes *doubts, const struct pp_world *wor
             world->meshes[i].bounds.high.z - world->meshes[i].bounds.low.z;
         if (height_m > PP_DOUBTS_OUTSIDE_HEIGHT_MOST_M)
             pp_mistakes_add(doubts, world->meshes[i].line,
-                            "the mesh is %.6g m high; is scale missing?", height_m);
+                            "the mesh is %.6g m high; is its scale missing?", height_m);
     }
 }
 

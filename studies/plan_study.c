@@ -23,14 +23,14 @@ static const char *has_no_contours(const struct pp_choice *choice)
 {
     const struct pp_method *method = choice->method;
     if (method->gives == PP_GIVES_INTERNAL)
-        return "gives one internally reflected component for the whole room and so no "
-               "contours; expected a pair, such as exact+bre";
+        return "gives a single internally reflected component for the whole room, and "
+               "so no contours; expected a pair, such as exact+bre";
     if (method->gives == PP_GIVES_WHOLE)
         return "does not give a value at every point of the plane; expected a pair, "
                "such as exact+bre";
     if (method->counts)
         return "counts dots, so its values change in steps and have no contours; df "
-               "prints them at points";
+               "prints the values at points";
     return NULL;
 }
 
@@ -45,7 +45,7 @@ enum pp_status pp_plan_study_check(const char *methods, bool simulate,
         return status;
     if (simulate && !selection.usual)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "a plan shows one result, either by %.100s or simulated; "
+                         "a plan shows one result, either by %.100s or by simulation; "
                          "expected --methods or --simulate, not both",
                          methods);
     else if (!selection.usual && selection.count != 1)

@@ -174,11 +174,12 @@ void pp_reliability_sentence(const struct pp_reliability *reliability, char *tex
 {
     static const char *const reasons[PP_RELIABILITY_KINDS] = {
         [PP_RELIABILITY_OUTSIDE] = "%.0f %% of the average daylight factor is light "
-                                   "reflected by obstructions and ground",
+                                   "reflected by obstructions and the ground",
         [PP_RELIABILITY_INSIDE] = ("%.0f %% of the light at the darkest point is the "
                                    "room's average internally reflected component"),
         [PP_RELIABILITY_PROPORTIONS] =
-            "the room's depth is %.3g times its width, outside the table of bre-min",
+            "the room's depth is %.3g times its width, which the table of bre-min does "
+            "not cover",
         [PP_RELIABILITY_GROUND] = "the ground reflectance is %.3g",
     };
     bool all_points = reliability->is[PP_RELIABILITY_OUTSIDE]

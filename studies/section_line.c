@@ -215,7 +215,8 @@ enum pp_status pp_section_line(struct pp_study_room *room,
         free(receivers);
         return pp_fail(err, PP_BAD_INPUT,
                        "%s: the room file has no line of points, and the section is "
-                       "too short for two; expected --points on a line, or --cut",
+                       "too short for two points; expected --points on a line, or "
+                       "--cut",
                        room->file);
     }
     if (room->receivers != room->world->receivers)

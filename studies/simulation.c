@@ -169,8 +169,8 @@ static enum pp_status say_missed(struct pp_report *report,
         pp_text_append(which, sizeof which, "%sthe average", points > 0 ? " and " : "");
     report->missed_error = pp_report_say(
         report,
-        "The standard error is up to %.1f times the --error at %s, because few light "
-        "paths find light there. Use more --samples or another --seed",
+        "The standard error is up to %.1f times the value of --error at %s, because "
+        "few light paths find light there. Use more --samples or another --seed",
         worst, which);
     return report->missed_error ? PP_OK : pp_fail_memory(err);
 }

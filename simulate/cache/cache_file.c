@@ -162,7 +162,7 @@ static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache
     }
     if (total >= INT32_MAX || length != HEAD + total * ENTRY + WORD)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is cut off or damaged: its length does not fit its number "
+                       "%s is cut off or damaged: its length does not match its number "
                        "of records",
                        title);
     const unsigned char *end = bytes + length - WORD;
@@ -178,12 +178,13 @@ static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache
     if (light != hash_of_light(cache))
         return pp_fail(err, PP_BAD_INPUT,
                        "%s was made for another sky or ground; expected a cache for "
-                       "this light, or the name of a new file",
+                       "this sky and ground, or the name of a new file",
                        title);
     if (options != pp_irradiance_cache_hash_options(cache))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s was made with other options of light or cache, or another "
-                       "seed; expected the same, or the name of a new file",
+                       "%s was made with other options for light or cache, or with "
+                       "another seed; expected the same options and seed, or the name "
+                       "of a new file",
                        title);
     return PP_OK;
 }

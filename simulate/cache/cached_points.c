@@ -245,7 +245,7 @@ enum pp_status pp_cached_points_create(
     if (options->samples < 0 || options->samples > MOST_PATHS)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the cache cannot use %ld samples per point; expected at most %d",
+            "%ld samples per point are too many for the cache; expected at most %d",
             options->samples, (int)MOST_PATHS);
     struct pp_cached_points *points = calloc(1, sizeof *points);
     if (!points)

@@ -60,11 +60,12 @@ enum pp_status pp_irradiance_cache_check_options(const struct pp_cache_options *
                        options->resolution);
     if (options->divisions < 16 || options->divisions > MOST_SIDE * MOST_SIDE)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the divisions of the cache are %d; expected 16 to %d",
+                       "the number of divisions for the cache is %d; expected 16 to %d",
                        options->divisions, MOST_SIDE * MOST_SIDE);
     if (options->supersamples < 0 || options->supersamples > MOST_SIDE * MOST_SIDE)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the supersamples of the cache are %d; expected 0 to %d",
+                       "the number of supersamples for the cache is %d; expected 0 to "
+                       "%d",
                        options->supersamples, MOST_SIDE * MOST_SIDE);
     if (!(constant.r >= 0.0 && constant.g >= 0.0 && constant.b >= 0.0)
         || !isfinite(pp_rgb_luminance(constant)))

@@ -315,8 +315,8 @@ static enum pp_status check_render_options(const struct pp_render_options *optio
         && (count < PP_RENDER_RANDOMISATIONS_LEAST || count > options->samples
             || (count & (count - 1))))
         return pp_fail(err, PP_BAD_INPUT,
-                       "there are %d randomisations of %d samples per pixel; expected "
-                       "a power of two from %d to the number of samples, or none",
+                       "the number of randomisations is %d for %d samples per pixel; "
+                       "expected a power of two from %d to the number of samples, or 0",
                        count, options->samples, PP_RENDER_RANDOMISATIONS_LEAST);
     return PP_OK;
 }

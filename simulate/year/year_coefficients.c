@@ -68,7 +68,9 @@ enum pp_status pp_year_coefficients_create(
     c->pool = pool;
     if (!pp_sky_patches_init(&c->patches, options->patches, scene->world->north_rad)) {
         free(c);
-        return pp_fail(err, PP_BAD_INPUT, "%d sky patches; expected 145, 577 or 2305",
+        return pp_fail(err, PP_BAD_INPUT,
+                       "there are %d sky patches; expected 145, 577 "
+                       "or 2305",
                        options->patches);
     }
     pp_sobol_init(&c->sobol);
@@ -89,7 +91,8 @@ enum pp_status pp_year_coefficients_create(
         .seed = options->seed};
     if (status == PP_OK && c->cells.count > PP_YEAR_CELLS_MOST)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "the room has %d surfaces inside; expected at most %d",
+                         "the interior of the room has %d surfaces; expected at most "
+                         "%d",
                          c->cells.count, PP_YEAR_CELLS_MOST);
     if (status == PP_OK)
         status = for_batches(c, make_batch, err);

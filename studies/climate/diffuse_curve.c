@@ -67,7 +67,7 @@ enum pp_status pp_diffuse_curve_init(struct pp_diffuse_curve *curve,
     free(worked);
     if (status == PP_OK && count == 0)
         status = pp_fail(err, PP_BAD_INPUT,
-                         "the records have no diffuse light in the hours from %g to %g",
+                         "the records have no diffuse light from %g to %g h",
                          hours->from_h, hours->to_h);
     if (status != PP_OK)
         pp_diffuse_curve_clear(curve);

@@ -46,7 +46,7 @@ static enum pp_status light_of_file(struct pp_year_light *outside,
              light->origin == PP_LIGHT_ILLUMINANCE
                  ? "diffuse horizontal illuminance from the file"
                  : "diffuse horizontal irradiance from the file times Perez's luminous "
-                   "efficacy, because the file has no illuminance",
+                   "efficacy, because the file has no illuminances",
              gaps, epw->record_count, epw->record_h);
     return PP_OK;
 }

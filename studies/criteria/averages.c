@@ -63,8 +63,8 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                                                minima[i].least));
         if (average && is_low_by_formula(&finding, findings))
             pp_finding_note(&finding,
-                            "average-df can be up to 43 %% too low, as in some rooms "
-                            "of the manual: do not rely on this verdict");
+                            "in some rooms of the manual average-df is up to 43 %% too "
+                            "low: do not rely on this verdict");
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;
@@ -134,7 +134,7 @@ const struct pp_criterion pp_criterion_uniformity = {
     .name = "uniformity",
     .title = "Uniformity",
     .source = "BREEAM14",
-    .withdrawn = "later issues of BREEAM replaced that of 2014",
+    .withdrawn = "later versions of BREEAM replaced the 2014 version",
     .summary = "minimum over average is at least 0.3, or 0.7 under glazed roofs",
     .of_factors = true,
     .bears_on_use = pp_bearing_needs_daylight,

@@ -72,7 +72,7 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
         median.lux = own->median_lux;
         snprintf(median.how, sizeof median.how, "%s, the capital of %s%s", own->name,
                  own->country,
-                 own->recalled_only ? " (value from memory, not checked)" : "");
+                 own->recalled_only ? " (value not checked against the standard)" : "");
         return median;
     }
     const char *warning =

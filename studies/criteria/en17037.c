@@ -105,7 +105,7 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
         snprintf(grid, sizeof grid, "%d points", inquiry->factors->receiver_count);
     if (column)
         pp_finding_list_add_basis(
-            findings, ", on %s; median diffuse illuminance outside %.0f lx: %s", grid,
+            findings, ", on %s; median external diffuse illuminance %.0f lx: %s", grid,
             inquiry->median.lux, inquiry->median.how);
     return column;
 }

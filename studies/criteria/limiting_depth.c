@@ -164,8 +164,8 @@ const struct pp_criterion pp_criterion_limiting_depth = {
     .name = "limiting-depth",
     .title = "Limiting depth",
     .source = "BS8206, BREEAM14",
-    .withdrawn = "BS 8206-2 was withdrawn in 2019; later issues of BREEAM replaced "
-                 "that of 2014",
+    .withdrawn = "BS 8206-2 was withdrawn in 2019; later versions of BREEAM replaced "
+                 "the 2014 version",
     .summary = "d/w + d/h is at most 2/(1 - R_b) in rooms lit from one side",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = assess_limiting_depth,

@@ -137,8 +137,8 @@ const struct pp_criterion pp_criterion_sky_line = {
     .name = "sky-line",
     .title = "Sky-line rule",
     .source = "BS8206, BREEAM14",
-    .withdrawn = "BS 8206-2 was withdrawn in 2019; later issues of BREEAM replaced "
-                 "that of 2014",
+    .withdrawn = "BS 8206-2 was withdrawn in 2019; later versions of BREEAM replaced "
+                 "the 2014 version",
     .summary = "at least 80 % of the working plane has a view of the sky",
     .bears_on_use = pp_bearing_needs_daylight,
     .evaluate = evaluate_rule,

@@ -8,7 +8,7 @@
 
 static const struct pp_profile profiles[] = {
     {.name = "uk-planning",
-     .summary = "light of neighbours and of the new rooms, by BR 209",
+     .summary = "daylight and sunlight of neighbours and new rooms, by BR 209",
      .criteria = "vertical-sky,former-sky,obstruction,sunlight,gardens,no-sky-line,"
                  "mirror-image,uk-annex,sun-exposure",
      .of_neighbours = "vertical-sky,former-sky,obstruction,sunlight,gardens,"

@@ -174,8 +174,8 @@ static enum pp_status assess_view(const struct pp_inquiry *inquiry,
         char words[PP_PLANE_GRID_WORDS];
         pp_plane_grid_words(words, &grid);
         pp_finding_list_add_basis(findings,
-                                  "figures are values that 75 %% of the points reach, "
-                                  "1.2 m above the floor, on %s; ",
+                                  "each figure is the value that 75 %% of the points "
+                                  "reach, 1.2 m above the floor, on %s; ",
                                   words);
         status = find_views(&views, inquiry->world, &grid, err);
         if (status == PP_OK)

@@ -59,7 +59,7 @@ static void destroy_plain_engine(void *run)
 const struct pp_engine pp_engine_plain = {
     .name = "plain",
     .column = "plain",
-    .summary = "textbook path tracing: slow, for checking the other engines",
+    .summary = "textbook path tracing: slow, for checks of the other engines",
     .said = "by plain path tracing",
     .deviation = "one standard error",
     .from = "from plain, %",

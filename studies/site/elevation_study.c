@@ -364,7 +364,7 @@ enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,
         if (triangles > MESH_TRIANGLES_MOST)
             return pp_fail(err, PP_BAD_INPUT,
                            "the external meshes have %d triangles, too many for the "
-                           "view of the sky along the walls; expected at most %d",
+                           "elevation with the view of the sky; expected at most %d",
                            triangles, MESH_TRIANGLES_MOST);
     }
     enum pp_status status = make_elevation_sheet(sheet, rooms, err);

@@ -318,7 +318,7 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
         pp_room_destroy(*changed);
         *changed = NULL;
     }
-    DESCRIBE(gain, "one more window like %.31s beside it, %.3g m by %.3g m",
+    DESCRIBE(gain, "another window like %.31s beside it, %.3g m by %.3g m",
              world->openings[like].label, place.width_m, place.height_m);
     return status;
 }
@@ -382,7 +382,7 @@ static enum pp_status nothing_outside(struct pp_room **changed, struct pp_gain *
             world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
     if (outside == 0)
         return PP_OK;
-    DESCRIBE(gain, "no obstructions outside");
+    DESCRIBE(gain, "no external obstructions");
     enum pp_status status = pp_room_copy(changed, room, err);
     if (status == PP_OK)
         pp_room_clear_surroundings(*changed, world);
@@ -401,6 +401,6 @@ const struct pp_gain_kind pp_gain_kinds[] = {
     {lighter_ceiling, "a dark ceiling", true},
     {lighter_walls, "dark walls", true},
     {lighter_floor, "a dark floor", true},
-    {nothing_outside, "obstructions outside", false},
+    {nothing_outside, "external obstructions", false},
     {NULL, NULL, false},
 };

@@ -147,8 +147,8 @@ static enum pp_status choose_sized_openings(int *openings, int *count,
                        request->wall);
     return pp_fail(
         err, PP_BAD_INPUT,
-        "there is no window or rooflight to change%s; expected one of any "
-        "size to start from",
+        "there is no window or rooflight to change%s; expected a window or rooflight "
+        "of any size to start from",
         all > 0 ? ", because openings given by their corners keep their shape" : "");
 }
 

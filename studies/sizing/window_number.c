@@ -24,14 +24,15 @@ static enum pp_status check_alike(const struct pp_room *room, const int *opening
             return pp_fail(
                 err, PP_BAD_INPUT,
                 "the windows on lines %d and %d are in different walls, but windows "
-                "can be added to one wall only; expected --wall %s or --wall %s",
+                "can be added to only one wall; expected --wall %s or --wall %s",
                 first.line, other.line, first.wall, other.wall);
         if (first.place.width_m != other.place.width_m
             || first.place.height_m != other.place.height_m
             || first.place.sill_m != other.place.sill_m)
             return pp_fail(err, PP_BAD_INPUT,
-                           "the windows on lines %d and %d differ in size or sill, but "
-                           "added windows are copies of one; expected --window LINE",
+                           "the windows on lines %d and %d differ in size or sill "
+                           "height, but added windows are copies of one window; "
+                           "expected --window LINE",
                            first.line, other.line);
     }
     return PP_OK;

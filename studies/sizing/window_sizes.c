@@ -387,7 +387,8 @@ static enum pp_status check_opening(const struct pp_room *room, int index,
         && change != PP_CHANGE_HEIGHT)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the rooflight on line %d can change only its width and its depth (height)",
+            "only the width and the depth (height) of the rooflight on line %d can be "
+            "changed",
             opening.line);
     return PP_OK;
 }

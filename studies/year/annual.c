@@ -20,7 +20,7 @@ static enum pp_status for_points(struct pp_annual_work *work,
         if (work->status[x] == PP_BAD_INPUT)
             return pp_fail(
                 err, PP_BAD_INPUT,
-                "the outline of the sky through an opening has too many corners");
+                "the outline of the sky seen through an opening has too many corners");
         else if (work->status[x] != PP_OK)
             return pp_fail_memory(err);
     return PP_OK;
@@ -156,7 +156,7 @@ static enum pp_status keep_coefficients(struct pp_annual_work *work,
     if (columns > patches + 1)
         return pp_fail(err, PP_BAD_INPUT,
                        "a skyline without a distance cannot be used for coefficients; "
-                       "expected one with a distance, or a block");
+                       "expected a skyline with a distance, or a block");
     float *row = malloc((size_t)columns * sizeof *row);
     sheet->patch_count = patches;
     sheet->coefficients = calloc((size_t)work->receiver_count * (size_t)columns + 1,

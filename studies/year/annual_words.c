@@ -65,7 +65,7 @@ static void say_weather(struct pp_annual_sheet *sheet,
     }
     snprintf(sheet->weather, sizeof sheet->weather,
              "%.160s; latitude %.4g, longitude %.4g, clock %g h ahead of universal "
-             "time; sun position for the middle of each record%s, in the year %d; "
+             "time; sun position at the middle of each record%s, in the year %d; "
              "illuminances from irradiances by Perez's luminous efficacy",
              epw->place, epw->latitude_rad / PP_RAD, epw->longitude_rad / PP_RAD,
              epw->time_zone_h,
@@ -106,8 +106,8 @@ static void say_blinds(struct pp_annual_sheet *sheet,
 {
     if (!options->blinds)
         snprintf(sheet->blinds, sizeof sheet->blinds,
-                 "none, so the share of the plane with 300 lx in half of the hours is "
-                 "not sDA");
+                 "none, so the share of the plane that has 300 lx in half of the hours "
+                 "is not sDA");
     else
         snprintf(sheet->blinds, sizeof sheet->blinds,
                  "LM-83-12, open loop: the blinds of a window group (one wall, one "
@@ -183,8 +183,8 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
         warn(sheet, text);
     compare_places(sheet, world, year->epw);
     if (clock->diffuse_median_lx <= 0.0 && year->count > 1)
-        warn(sheet, "only a quarter of the year or less has daylight, so no room can "
-                    "reach the levels of EN 17037 here");
+        warn(sheet, "at most a quarter of the year has daylight, so no room can reach "
+                    "the levels of EN 17037 here");
     say_period(sheet, options, clock);
     say_blinds(sheet, options);
     name_groups(sheet, world, groups);
@@ -197,8 +197,9 @@ void pp_annual_words_method(struct pp_annual_sheet *sheet,
 {
     if (options->exact_sky)
         snprintf(sheet->method, sizeof sheet->method,
-                 "light paths, 16 x %d per point; at the end of each path the Perez "
-                 "sky of each hour, and at every surface the sun in its true position",
+                 "light paths, 16 x %d per point, with the Perez sky of each hour at "
+                 "the end of each path; direct light at every surface from the sun in "
+                 "its true position",
                  samples);
     else
         snprintf(sheet->method, sizeof sheet->method,

@@ -25,7 +25,7 @@ static enum pp_status sun_of_time(const struct pp_moment_irradiances *of,
 {
     if (of->date.month == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the sky gives no position of the sun; expected "
+                       "the sky has no position of the sun; expected "
                        "perez,DNI,DHI,ALTITUDE,BEARING, or --when 'YYYY-MM-DD HH:MM'");
     if (isnan(of->latitude_rad) || isnan(of->longitude_rad))
         return pp_fail(

@@ -169,7 +169,8 @@ enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
             continue;
         if (!hour->lit)
             return pp_fail(err, PP_BAD_INPUT,
-                           "%s, %02d:%02d: the weather file has no light at that time",
+                           "%s, %02d:%02d: the weather file has no daylight at that "
+                           "time",
                            words, (int)clock_h, (int)(60.0 * fmod(clock_h, 1.0)));
         *sky = year->skies[hour->sky];
         return PP_OK;

@@ -78,7 +78,7 @@ enum pp_status pp_year_clock_init(struct pp_year_clock *clock,
     if (status == PP_OK && !(clock->all_occupied_h > 0.0))
         status =
             pp_fail(err, PP_BAD_INPUT,
-                    "the chosen hours and days contain no hour of the weather file");
+                    "no record of the weather file is in the chosen hours and days");
     if (status == PP_OK)
         status = mark_daylight(clock, year, err);
     if (status != PP_OK)

@@ -118,7 +118,7 @@ check "a room without a window says so" shows "none: there is no window or roofl
 check "and the others are sized" grep -q "a width of" "$scratch/out"
 check "in JSON it has a why" sh -c "'$pepperpot' size -t 2 -f json '$scratch/dark.xml' |
     grep -q '\"why\": \"none: there is no window'"
-check "alone it is an error" refuses 1 "expected one of any size to start from" \
+check "alone it is an error" refuses 1 "expected a window or rooflight of any size" \
     size -t 2 --room Study "$scratch/dark.xml"
 sed '/<rooflight/,/>/d; /<window/,/>/d' "$examples/studio.xml" >"$scratch/corners.xml"
 check "an opening given by its corners keeps its shape" refuses 1 "by their corners" \
@@ -154,7 +154,7 @@ check "a requirement that there is none of" shows 'available: \"minimum: 300 lx 
     size --by-hand --for en17037:least -f json "$deep"
 check "traced throughout" shows "reach, simulated" \
     size --for uk-annex:kitchen --by traced --error 3% --spacing largest -q "$deep"
-check "what compares is not sized by" shows "none: the criterion needs an earlier state" \
+check "what compares is not sized by" shows "none: this criterion needs a state before" \
     size --by-hand --for former-sky "$deep"
 check "a criterion by its name" refuses 2 "there is no criterion" size --for en1737 "$deep"
 check "or a target" refuses 2 "--target and --for exclude each other" size --for average -t 2% "$deep"

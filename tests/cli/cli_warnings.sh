@@ -9,7 +9,7 @@ cat >"$scratch/loss.xml" <<'END'
   <window name="W1" wall="south" left="1" sill="0.9" width="2" height="1.5" maintenance="0.1"/>
 </room>
 END
-warning="$scratch/loss.xml:3: warning: W1: maintenance is the share of light that passes the dirt; 0.1 looks like the loss (maintenance would be 0.9)"
+warning="$scratch/loss.xml:3: warning: W1: maintenance is the share of light that passes through the dirt; 0.1 looks like the loss (maintenance would be 0.9)"
 
 # warns WORDS: a result, and only this warning.
 warns() {

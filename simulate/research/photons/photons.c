@@ -321,7 +321,7 @@ static enum pp_status make_photons(struct pp_photons *photons,
 {
     if (!(options->sensor_m >= 0.0) || isinf(options->sensor_m))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the radius of sensors is %g m; expected 0 or more",
+                       "the sensor radius is %g m; expected 0 or more",
                        options->sensor_m);
     const struct pp_planner_options planned = {.error = options->error,
                                                .least_error = LEAST_ERROR,

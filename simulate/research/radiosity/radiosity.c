@@ -293,7 +293,7 @@ void pp_radiosity_read(const struct pp_radiosity *radiosity, int index,
     int at = index < 0 ? radiosity->asked : index;
     for (int c = 0; c < PP_COMPONENT_COUNT; c++)
         readings[c] = radiosity->level == 0
-                          ? pp_reading_none("no level of elements is finished yet")
+                          ? pp_reading_none("no refinement level is complete yet")
                           : (struct pp_reading){radiosity->now[at][c],
                                                 error_of(radiosity, at, c), NULL, 0};
 }

@@ -77,8 +77,9 @@ static enum pp_status assess_mirror_image_sky(const struct pp_inquiry *inquiry,
     enum pp_status status = PP_OK;
     pp_finding_list_add_basis(
         findings,
-        "target: the value with a mirror image of the building's own rooms in place of "
-        "the proposal, mirrored at the boundary with the same height and ground level");
+        "target: the value if a mirror image of the building's own rooms, mirrored in "
+        "the boundary, stood in place of the proposal, with the same height and ground "
+        "level");
     if (!world->placement.given) {
         struct pp_finding finding = pp_finding_not_judged(no_place, "windows");
         return pp_finding_list_add(findings, &finding, err);

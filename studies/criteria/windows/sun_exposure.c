@@ -152,7 +152,7 @@ static enum pp_status judge_level(struct pp_finding *finding, const char *name,
     pp_finding_note(
         finding,
         "hours with the sun above 5 degrees; met if the standard counts the sun from "
-        "%.1f degrees or lower at this place (--least-altitude)",
+        "an altitude of %.1f degrees or lower at this place (--least-altitude)",
         turn_rad / PP_RAD);
     return status;
 }

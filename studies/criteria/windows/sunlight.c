@@ -28,7 +28,7 @@
 #define SMALL_LOSS 0.04
 
 static const char possible[] =
-    "share of possible hours, when the sun is above the horizon; BR 209 assesses "
+    "share of possible hours, in which the sun is above the horizon; BR 209 assesses "
     "probable hours, which need --weather FILE.epw";
 static const char probable[] =
     "share of probable hours: each month and hour is weighted by the share of records "

@@ -24,11 +24,12 @@ static const struct mapping_side {
     struct pp_atlas_scale scale;
 } sides[PP_MAP_KINDS] = {
     [PP_MAP_DEPTH] = {"depth",
-                      {"Distance from the opening over its head height",
+                      {"Distance from the opening divided by its head height",
                        10,
                        {0, 0.5, 1, 1.5, 2, 2.5, 3, 4, 5, 7, INFINITY}}},
     [PP_MAP_ERC] = {"",
-                    {"Share of the externally reflected in the direct component",
+                    {"Externally reflected component as a share of the direct "
+                     "component",
                      10,
                      {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1}}},
     [PP_MAP_GROUND] = {"ground",
@@ -47,7 +48,9 @@ static const struct mapping_side {
 
 static const struct mapping_side proportion = {
     "depth-width",
-    {"Room depth over room width", 8, {0, 0.5, 0.75, 1, 1.33, 1.67, 2, 3, INFINITY}}};
+    {"Room depth divided by room width",
+     8,
+     {0, 0.5, 0.75, 1, 1.33, 1.67, 2, 3, INFINITY}}};
 
 /* ---- which columns ---- */
 
@@ -305,7 +308,7 @@ enum pp_status pp_atlas_mapping_of(struct pp_atlas_map *map,
     fill_quantiles(map->own, list, count);
     free(list);
     return none ? pp_fail(
-               err, PP_BAD_INPUT, "the atlas has no value of %.60s to map by %s%s",
+               err, PP_BAD_INPUT, "the atlas has no value of %.60s for a map by %s%s",
                method, pp_atlas_mapping_names[kind],
                map->averages ? ", because the method gives only an average" : "")
                 : PP_OK;

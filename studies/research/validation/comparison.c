@@ -178,7 +178,8 @@ static struct pp_comparison compare_column(const struct pp_report *report,
     if (result.points == 0 && !isfinite(result.average))
         result.why =
             column->of_all_surfaces
-                ? "the method averages all surfaces of the room, not the working plane"
+                ? "the method gives the average over all surfaces of the room, not "
+                  "over the working plane"
                 : reason(report, column);
     return result;
 }

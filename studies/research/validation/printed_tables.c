@@ -173,7 +173,7 @@ static const double factors[][2] = {
 static void check_obstruction_factors(struct pp_known_cases *cases)
 {
     double open = pp_graded_sky_over_skyline(PP_GRADED_SKY_OVERCAST, 0.0);
-    cases->group = "BRE's obstruction factor C";
+    cases->group = "BRE obstruction factor C";
     for (size_t i = 0; i < sizeof factors / sizeof *factors; i++) {
         char what[80];
         double above =
@@ -197,7 +197,7 @@ static enum pp_status check_iso_skies(struct pp_known_cases *cases,
     } list[] = {{1, 0.8325846}, {12, 0.4544524}};
     const struct pp_vec3 sun = {0.5, 0.0, sqrt(0.75)}, u = {-sqrt(0.5), 0.0, sqrt(0.5)},
                          zenith = {0.0, 0.0, 1.0};
-    cases->group = "ISO 15469 luminance over that of the zenith";
+    cases->group = "ISO 15469 luminance relative to the zenith";
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         struct pp_sky sky;
         char what[80];

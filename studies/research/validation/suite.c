@@ -33,7 +33,7 @@ static enum pp_status run_cie171(struct pp_known_cases *cases,
 const struct pp_suite pp_suite_quick = {
     .name = "quick",
     .summary = "answers that can be worked out by hand",
-    .limits = "to the digits known of the expected answers; simulated answers: within "
+    .limits = "to the known digits of the expected answers; simulated answers: within "
               "four standard errors",
     .samples = 512,
     .run = run_quick,
@@ -41,17 +41,18 @@ const struct pp_suite pp_suite_quick = {
 
 const struct pp_suite pp_suite_rooms = {
     .name = "rooms",
-    .summary = "Each method against the simulation",
+    .summary = "Each method compared with the simulation",
     .limits =
         "within the atlas band for similar rooms, widened by three standard errors of "
-        "the simulation; 1 in 20 may be outside, because the band holds 95 %",
+        "the simulation; 1 in 20 may be outside, because the band contains 95 % of the "
+        "values",
     .chance = 0.05,
     .of_rooms = true,
 };
 
 const struct pp_suite pp_suite_radiance = {
     .name = "radiance",
-    .summary = "The simulation against Radiance's rtrace",
+    .summary = "The simulation compared with Radiance's rtrace",
     .limits = "within three standard errors of the difference, or 1 % of the result of "
               "rtrace; 1 in 100 may be outside",
     .chance = 0.01,
@@ -60,7 +61,7 @@ const struct pp_suite pp_suite_radiance = {
 
 const struct pp_suite pp_suite_engines = {
     .name = "engines",
-    .summary = "simulation engines, compared with the path tracer",
+    .summary = "simulation engines compared with the path tracer",
     .limits = "within three standard errors of the difference, plus 2 % for the "
               "irradiance cache, which has a bias; 1 in 100 may be outside",
     .chance = 0.01,
@@ -70,7 +71,7 @@ const struct pp_suite pp_suite_engines = {
 static const struct pp_suite analytic = {
     .name = "analytic",
     .summary = "closed forms, limits and configuration factors",
-    .limits = "to the digits known of the expected answers; simulated answers: within "
+    .limits = "to the known digits of the expected answers; simulated answers: within "
               "four standard errors",
     .samples = 512,
     .run = pp_closed_forms};
@@ -78,18 +79,19 @@ static const struct pp_suite analytic = {
 static const struct pp_suite published = {
     .name = "published",
     .summary = "worked examples, and printed tables cell by cell",
-    .limits = "to the last printed digit and the known errors of a table; simulated "
-              "answers: within four standard errors in addition",
+    .limits = "within the last printed digit and the known errors of a table; for "
+              "simulated answers, also within four standard errors",
     .samples = 512,
     .run = run_published};
 
 static const struct pp_suite cie171 = {
     .name = "cie171",
     .summary = "the daylight cases of CIE 171:2006, 2592 values",
-    .limits = "exact: within 0.1 % (0.25 % where a mask cuts the opening) or 0.001 % "
-              "daylight factor of an independent integration. It is also within 1 % or "
-              "0.02 % of the printed values that are sound. Traced: within three "
-              "standard errors of exact, except 1 in 100",
+    .limits = "exact: within 0.1 % (0.25 % where a mask covers part of the opening) or "
+              "0.001 % daylight factor of an independent integration. The same results "
+              "are within 1 % or 0.02 % daylight factor of those printed values that "
+              "are sound. Traced: within three standard errors of exact, except 1 in "
+              "100",
     .samples = 64,
     .chance = 0.01,
     .run = run_cie171};

@@ -32,13 +32,13 @@ static const struct {
      "sill='0.85' width='1.2' height='1.55'"},
     {"0.3 m wider", "left='1.7' sill='1.1' width='1.2'",
      "left='1.55' sill='1.1' width='1.5'"},
-    {"one more window", "<skyline",
+    {"another window", "<skyline",
      "<window wall='south' left='0' sill='1.1' width='1.2' height='1.3' "
      "glazing='solar-control-light' frame-factor='0.7' maintenance='0.8'/><skyline"},
     {"opposite wall, north", "<skyline",
      "<window wall='north' left='1.7' sill='1.1' width='1.2' height='1.3' "
      "glazing='solar-control-light' frame-factor='0.7' maintenance='0.8'/><skyline"},
-    {"no obstructions outside", "<skyline wall='south' angle='23'/>", ""},
+    {"no external obstructions", "<skyline wall='south' angle='23'/>", ""},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
@@ -120,7 +120,7 @@ static void each_gain_is_that_of_the_changed_file(void **state)
         assert_relative(gain->values.average, values.average, 1e-6);
         assert_relative(gain->values.darkest, values.darkest, 1e-6);
         assert_true(gain->of_design
-                    == (strcmp(cases[i].change, "no obstructions outside") != 0));
+                    == (strcmp(cases[i].change, "no external obstructions") != 0));
     }
 }
 

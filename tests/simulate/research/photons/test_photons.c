@@ -326,8 +326,7 @@ static void a_sensor_of_negative_size_is_refused(void **state)
     assert_int_equal(
         pp_photons_create(&photons, scene, environment, NULL, 0, &options, &err),
         PP_BAD_INPUT);
-    assert_string_equal(err.message,
-                        "the radius of sensors is -0.1 m; expected 0 or more");
+    assert_string_equal(err.message, "the sensor radius is -0.1 m; expected 0 or more");
     assert_null(photons);
     pp_environment_destroy(environment);
     pp_light_scene_destroy(scene);
