@@ -59,7 +59,7 @@ const struct pp_chart_kind pp_draw_site_plan = {
 
 const struct pp_chart_kind pp_draw_elevation = {
     .name = "elevation",
-    .summary = "external walls, with the vertical sky component on them",
+    .summary = "elevations of external walls, with the vertical sky component",
     .compares = true,
     .of_site = true,
     .landscape = true,

@@ -69,8 +69,8 @@ const struct pp_chart_kind pp_draw_vertical_sky = {
 
 const struct pp_chart_kind pp_draw_skylight_indicator = {
     .name = "skylight-indicator",
-    .summary = "skylight indicator, an overlay for plans: each mark is worth the same "
-               "vertical sky component; blank or for a window",
+    .summary = "skylight indicator: an overlay for plans, whose marks have equal "
+               "shares of the vertical sky component; blank or for a window",
     .board = true,
     .of_window = true,
     .landscape = true,

@@ -217,8 +217,8 @@ enum pp_status pp_study_simulate(struct pp_study *study,
     if (!(wanted->error >= 0.0 && wanted->error <= 1.0) || wanted->samples < 0
         || wanted->threads < 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "error is %g, samples %ld, threads %d; expected an error of 0 "
-                       "to 1, and no negative numbers",
+                       "the error is %g, with %ld samples and %d threads; expected an "
+                       "error from 0 to 1, and no negative numbers",
                        wanted->error, wanted->samples, wanted->threads);
     double error =
         wanted->error == 0.0 && wanted->samples == 0 ? usual.error : wanted->error;

@@ -59,7 +59,7 @@ static enum pp_status check_kind(const struct pp_chart_kind *kind, const char *n
         return pp_fail(err, PP_BAD_INPUT, "there is no chart \"%.100s\"", name);
     if (!study && !kind->board)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the chart \"%s\" shows a room; expected a study with one",
+                       "the chart \"%s\" shows a room; expected a study with a room",
                        name);
     if (study && kind->from_point && study->room.receiver_count != 1)
         return pp_fail(err, PP_BAD_INPUT,

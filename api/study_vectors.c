@@ -47,7 +47,7 @@ enum pp_status pp_study_plan(const struct pp_study *study, const char *methods,
     options.methods = methods;
     if (!(tolerance > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the tolerance is %g; expected metres above 0", tolerance);
+                       "the tolerance is %g m; expected a length above 0", tolerance);
     enum pp_status status =
         pp_plan_study_sketch(&plan, &study->room, &options, tolerance, err);
     if (status != PP_OK)

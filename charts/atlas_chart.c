@@ -174,10 +174,10 @@ static void draw_keys(struct atlas_plot *plot)
     struct pp_key keys[2] = {
         {.kind = PP_KEY_SAMPLED,
          .curve.marker = PP_DISC,
-         .words = "difference in the room: assumption and formula"},
+         .words = "in the actual room: errors of assumption and formula"},
         {.kind = PP_KEY_SAMPLED,
          .curve.marker = PP_CIRCLE,
-         .words = "difference in the room that the method assumes: formula"}};
+         .words = "in the room that the method assumes: error of the formula"}};
     int count = has_own(plot->map) ? 2 : 1;
     double width = 0.7 * plot->field.width;
     struct pp_box size =

@@ -286,7 +286,7 @@ static void draw_inside_scale(struct availability_plot *plot, double y)
                        15.0 * style->scale, false);
     double reach = pp_axis_draw_across(plot->cr, style, &inside, y);
     pp_style_percent(percent, sizeof percent, df);
-    snprintf(title, sizeof title, "Illuminance inside %s, daylight factor %s (lx)",
+    snprintf(title, sizeof title, "Internal illuminance %s, daylight factor %s (lx)",
              plot->place, percent);
     struct pp_lettering text = {.size = PP_TEXT_BODY, .across = 1.0};
     pp_lettering_draw(plot->cr, style, &text, plot->field.x + plot->field.width,

@@ -14,10 +14,10 @@ static const char sample[] =
 static const struct pp_page page = {
     "Test page", "Print this page at 100 % (\"actual size\"), and measure the rulers",
     "The rulers are 100 mm long; the circle and its square are 50 mm wide. If a "
-    "printed length differs, the printer scales the page, and no drawing is at its "
+    "printed length differs, the printer has scaled the page, and no drawing is at its "
     "true scale. Corner marks are 10 mm from the edges of an A4 sheet. Neighbouring "
-    "greys should differ, the thinnest line should be unbroken, and hatches should not "
-    "fill in."};
+    "greys should differ, the thinnest line should be unbroken, and the lines of "
+    "hatches should not merge."};
 
 struct test_page {
     cairo_t *cr;

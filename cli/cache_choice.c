@@ -112,7 +112,7 @@ const struct pp_option pp_cache_choice_options[] = {
      read_ambient, PLACE(options.constant)},
     {"include -ai", 0, "NAMES",
      "Calculate reflected light only for surfaces of these materials (floor, ceiling, "
-     "south ..., separated by commas); the others get --ambient.",
+     "south ..., separated by commas); the others get the value of --ambient.",
      pp_options_read_text, PLACE(include)},
     {"exclude -ae", 0, "NAMES",
      "Use --ambient instead of reflected light for surfaces of these materials.",

@@ -105,11 +105,11 @@ static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_erro
                        "the sun; expected one of them");
     if (choice->when && !is_in_calendar(&choice->of))
         return pp_fail(err, PP_BAD_INPUT,
-                       "--when is %s; expected a day of the years 1800 to 2200",
+                       "--when is %s; expected a date in the years 1800 to 2200",
                        choice->when);
     if (count == 2 && !choice->when)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--sky %s gives no sun; expected "
+                       "--sky %s has no position of the sun; expected "
                        "perez,DNI,DHI,ALTITUDE,BEARING, or --when 'YYYY-MM-DD HH:MM'",
                        choice->perez);
     return PP_OK;

@@ -367,7 +367,7 @@ enum pp_status pp_options_read_per_cent(const char *text, void *place,
     if (!read_with_unit(text, endings, &per_cent, &which) || !(per_cent > 0.0)
         || per_cent > 100.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "a percentage above 0, up to 100, such as 1%%");
+                       "a percentage above 0 and up to 100, such as 1%%");
     *(double *)place = per_cent / 100.0;
     return PP_OK;
 }

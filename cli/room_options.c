@@ -170,7 +170,7 @@ const struct pp_option pp_room_spacing_option[] = {
 
 const struct pp_option pp_room_external_option[] = {
     {"external", 0, "LUX",
-     "Also show illuminances in lux for this illuminance outside (5000 is common).",
+     "Also show illuminances in lux for this external illuminance (5000 is common).",
      pp_options_read_lux, PLACE(study.external_lux)},
     {0},
 };
@@ -207,8 +207,8 @@ const struct pp_option pp_room_stop_options[] = {
 
 const struct pp_option pp_room_plain_option[] = {
     {"plain", 0, NULL,
-     "Use only the plain code, without the fast alternatives. It gives the same "
-     "figures more slowly, as a check.",
+     "Use only the plain code, without the fast alternatives, as a check. It gives the "
+     "same figures more slowly.",
      NULL, PLACE(study.method_options.plain)},
     {0},
 };

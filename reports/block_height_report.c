@@ -22,7 +22,7 @@ static void say_verdict(char *text, size_t size, const struct pp_block_height *f
     switch (found->verdict) {
     case PP_BLOCK_HEIGHT_FOUND:
         pp_text_append(text, size,
-                       "at a height of up to %.2f m, every %s keeps %s; above that "
+                       "up to a height of %.2f m, every %s keeps %s; above that "
                        "height, the marked one keeps less.",
                        found->height_m, who, due);
         break;

@@ -372,7 +372,9 @@ static void print_margin(const struct pp_report *report, bool utf8, int width,
     }
     if (!asked)
         return;
-    fputs("\n  Average of the plane 0.5 m or more from the walls, per cent:\n  ", out);
+    fputs("\n  Average over the part of the plane 0.5 m or more from the walls, per "
+          "cent:\n  ",
+          out);
     pp_print_wrapped(text[0] ? text : "none", 2, 2, width, out);
 }
 

@@ -95,11 +95,12 @@ void pp_gains_report(const struct pp_gains *gains, int width, FILE *out)
     pp_print_wrapped(isnan(gains->now.darkest)
                          ? "Each change is tested alone. There is no darkest point, "
                            "because no point of the EN 17037 grid is in this room."
-                     : simulated ? "Each change is tested alone and simulated. The "
-                                   "darkest point is the lowest of the EN 17037 grid."
-                                 : "Each change is tested alone. The darkest point is "
-                                   "the lowest of the EN 17037 grid. The method adds "
-                                   "the room's average reflected light at every point.",
+                     : simulated
+                         ? "Each change is tested alone and simulated. The darkest "
+                           "point has the lowest value on the EN 17037 grid."
+                         : "Each change is tested alone. The darkest point has the "
+                           "lowest value on the EN 17037 grid. The method adds the "
+                           "room's average reflected light at every point.",
                      INDENT, INDENT, across, out);
 }
 

@@ -29,7 +29,7 @@ static void say_verdict(char *text, size_t size, const struct pp_plot_envelope *
         break;
     case PP_PLOT_ENVELOPE_ANY:
         pp_text_append(text, size,
-                       "a height of %g m everywhere lets every window keep %s.",
+                       "even with a height of %g m everywhere, every window keeps %s.",
                        task->most_m, due);
         break;
     case PP_PLOT_ENVELOPE_NONE:

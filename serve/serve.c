@@ -139,8 +139,8 @@ enum pp_status pp_serve_run(const struct pp_serve_options *options,
     server->studies = pp_work_line_create(workers);
     server->programs = pp_work_line_create(workers);
     if (!server->deadlines || !server->weather || !server->studies || !server->programs)
-        status = fail_serve(err, "the server cannot be started: there is no memory, no "
-                                 "thread, or no folder for files in /tmp");
+        status = fail_serve(err, "the server cannot be started: there is not enough "
+                                 "memory, no thread, or no folder for files in /tmp");
     if (status == PP_OK)
         status = start_daemon(server, err);
     if (status == PP_OK) {

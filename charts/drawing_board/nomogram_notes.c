@@ -303,7 +303,7 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
         pp_page_say(text, room, "and %s %.3g\u00a0%%",
                     sheet->curve.count ? "at the point" : "minimum",
                     100.0 * sheet->further);
-    pp_page_say(text, room, "as read to a fifth of a division.");
+    pp_page_say(text, room, "if read to a fifth of a division.");
     if (sheet->left_out)
         pp_page_say(
             text, room, "%d %s outside the scope of this nomogram.", sheet->left_out,

@@ -223,6 +223,6 @@ void pp_pepper_pot_plot_draw(const struct pp_pepper_pot_drawing *drawing,
     set.down = 0.0;
     pp_lettering_draw(drawing->cr, style, &set, frame->x - border.left,
                       frame->y + 0.5 * frame->height,
-                      panel->any_slope ? "up the slope \u00f7 distance"
-                                       : "above the point \u00f7 distance");
+                      panel->any_slope ? "distance up the slope \u00f7 distance"
+                                       : "height above the point \u00f7 distance");
 }

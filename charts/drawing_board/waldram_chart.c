@@ -13,10 +13,9 @@
 static void say_waldram_foot(char *foot, size_t room,
                              const struct pp_waldram_sheet *sheet)
 {
-    pp_page_say(
-        foot, room, "Each square is worth %.3g\u00a0%% %s.", 100.0 * sheet->worth,
-        sheet->upright ? "of the horizontal illuminance under the open sky, on the wall"
-                       : "daylight factor");
+    pp_page_say(foot, room, "Each square is worth %.3g\u00a0%% %s.",
+                100.0 * sheet->worth,
+                sheet->upright ? "vertical sky component" : "daylight factor");
     bool glazed = false;
     for (int i = 0; i < sheet->count; i++)
         glazed = glazed || sheet->panels[i].glazed;

@@ -237,7 +237,7 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
     }
     pp_lettering_draw(drawing->cr, style, &set, plot->map.x0,
                       bottom + 2.2 * tick + label_height(drawing),
-                      "azimuth, left and right of the normal of the window");
+                      "azimuth to the left and right of the window normal");
 }
 
 /* --- windows -------------------------------------------------------------------------

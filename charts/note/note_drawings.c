@@ -122,8 +122,8 @@ double pp_note_drawings_opening(cairo_t *cr, const struct pp_style *style,
         pp_room_elevation_draw(cr, style, &elevation);
     }
     snprintf(words, sizeof words,
-             "Window %s, %s%.40s from inside, 1:%g; the cross is opposite the "
-             "point, %.2f\u00a0m away",
+             "Window %s, %s%.40s from inside, 1:%g; the cross is opposite the point, "
+             "%.2f\u00a0m away",
              opening->label, wall ? "wall " : "its face", wall ? wall : "", scale,
              elevation.distance_m);
     double used = 2.0 * border + high * elevation.mm_per_m + style->scale;

@@ -203,9 +203,9 @@ static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *c
     snprintf(
         subtitle, sizeof subtitle,
         is_sky_factor(drawing)
-            ? "Area with a sky factor over 0.2\u00a0%% (uniform sky, no glass), %s "
+            ? "Area with a sky factor over 0.2\u00a0%% (uniform sky, no glass), at %s "
               "above the floor%s"
-            : "Area of the working plane with a view of the sky, %s above the floor%s",
+            : "Area with a view of the sky, on the working plane %s above the floor%s",
         plane, chart->before ? ": existing and proposed" : "");
     const char *foot =
         is_sky_factor(drawing)

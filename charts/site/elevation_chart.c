@@ -347,8 +347,8 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
     const struct pp_site_sheet *site = &drawing->sheet->site;
     pp_page_say(
         foot, room,
-        "Figures are in per cent, at the centre of the outer face of each window%s.",
-        site->has_before ? "; above them, in light type, the existing value" : "");
+        "Figures are in per cent, for the centre of the outer face of each window%s.",
+        site->has_before ? "; the existing value is above them, in light type" : "");
     if (site->french_m > 0.0)
         pp_page_say(foot, room,
                     "Figures for full-height windows are at %g m above the floor.",

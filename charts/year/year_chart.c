@@ -58,7 +58,7 @@ static void draw_map(const struct year_plot *plot, struct pp_box box)
     cairo_t *cr = plot->cr;
     double scale = plot->style.scale;
     put_panel_title(plot, box.x, box.y - 1.0 * scale,
-                    "Mean illuminance of the points, by day and hour (standard time)");
+                    "Mean illuminance at the points, by day and hour (standard time)");
     double left = box.x + 7.0 * scale, low = box.y + box.height - 5.0 * scale;
     double wide = box.x + box.width - left, high = low - box.y;
     double day = wide / 365.0;

@@ -36,7 +36,7 @@ static enum pp_status read_altitude(const char *text, void *place, struct pp_err
     double deg;
     if (!pp_text_parse_number(text, &deg) || !(deg > 0.0 && deg <= 45.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "an altitude above 0, to 45 degrees, such as 11");
+                       "an altitude above 0 and up to 45 degrees, such as 11");
     *(double *)place = deg * PP_RAD;
     return PP_OK;
 }

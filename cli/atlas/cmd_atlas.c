@@ -265,8 +265,9 @@ static const struct pp_option sweep_options[] = {
 static const struct pp_option map_options[] = {
     {"map", 0, "BY",
      "Draw a map of the atlas FILE to -o FILE.pdf, FILE.svg or FILE.png. It shows the "
-     "ratio of hand to simulated figures. BY is depth (of the point, and room "
-     "proportion), erc (share of direct light), ground, reflectance or obstruction.",
+     "ratio of hand to simulated figures. BY is depth (depth of the point and "
+     "proportion of the room), erc (share of the externally reflected component in the "
+     "direct component), ground, reflectance or obstruction.",
      read_map, 0},
     {"method", 0, "NAME",
      "Column of the atlas for the map, such as exact+bre, average-df or erc.exact "

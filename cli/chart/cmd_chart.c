@@ -58,7 +58,8 @@ static enum pp_status read_mirror_line(const char *text, void *place,
 #define PLACE(member) offsetof(struct pp_chart_words, member)
 
 static const struct pp_option sheet_options[] = {
-    {"list", 'l', NULL, "List the kinds of chart, or after KIND its options, and stop.",
+    {"list", 'l', NULL,
+     "List the kinds of chart, or after KIND the options of that chart, and stop.",
      NULL, PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: from the ending of -o FILE).",
      read_format, PLACE(format)},
@@ -69,8 +70,8 @@ static const struct pp_option sheet_options[] = {
     {"dpi", 0, "N", "Resolution of a PNG in dots per inch, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
     {"log", 0, NULL,
-     "Section: logarithmic scale of daylight factors (default if they span a ratio of "
-     "more than 30).",
+     "Section: logarithmic scale of daylight factors (default if the highest is more "
+     "than 30 times the lowest).",
      NULL, PLACE(logarithmic)},
     {"linear", 0, NULL, "Section: linear scale.", NULL, PLACE(linear)},
     {"before", 'b', "FILE",
@@ -387,13 +388,13 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
     if (chart->choice.cut.kind != PP_SECTION_OF_ROOM && kind == &pp_draw_section
         && options->study.points.count > 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--cut and --points exclude each other; expected one of them");
+                       "--cut and --points cannot be combined; expected one of them");
     if (chart->choice.line_said && kind != &pp_draw_plan)
         return pp_fail(err, PP_BAD_INPUT, "--line is for a plan only");
     chart->before_is_state = !chart->before || strcmp(chart->before, "existing") == 0;
     if (chart->logarithmic && chart->linear)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--log and --linear exclude each other; expected one of them");
+                       "--log and --linear cannot be combined; expected one of them");
     chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG
                           : chart->linear    ? PP_SCALE_LINEAR
                                              : PP_SCALE_AS_FITS;

@@ -31,12 +31,12 @@ struct compare_options {
 static const char about[] =
     "Compares daylight factors of another program with the simulation at the same "
     "points, and finds the cause of the difference. It tests switches that imitate "
-    "other programs (--as-if) and shows the probability and share of each. OTHER.csv "
-    "has a header with the column names (x, y, z and df_percent, df_fraction or lux) "
-    "and one line per point. Without OTHER.csv, --as-if compares the simulation with "
-    "and without the switches. ROOM is a room file; - is standard input. Radiance "
-    "scene files can replace ROOM, as in import; then OTHER.csv comes last and has x, "
-    "y and z.";
+    "other programs (--as-if) and shows the probability of each and its share of the "
+    "difference. OTHER.csv has a header with the column names (x, y, z and df_percent, "
+    "df_fraction or lux) and one line per point. Without OTHER.csv, --as-if compares "
+    "the simulation with and without the switches. ROOM is a room file; - is standard "
+    "input. Radiance scene files can replace ROOM, as in import; then OTHER.csv comes "
+    "last and has x, y and z.";
 
 /* ---- options ---- */
 
@@ -83,8 +83,8 @@ static void help_on_switches(FILE *out)
     static const char *const switches[][2] = {
         {"bounces=N",
          "at most N reflections between surfaces; the ground is a light source"},
-        {"ab=N", "at most N-1 reflections, including that of the ground, as Radiance "
-                 "counts a ground surface; ab=0: no light from the sky"},
+        {"ab=N", "at most N-1 reflections, including that at the ground, as in "
+                 "Radiance with a ground surface; ab=0: no light from the sky"},
         {"glass=normal", "glass has its normal transmittance at all angles"},
         {"glass=transmissivity", "the transmittance was entered as a transmissivity"},
         {"glass=none", "openings without glass"},
@@ -96,7 +96,7 @@ static void help_on_switches(FILE *out)
          "another sky: a value of --sky, or gensky: overcast, blended into the "
          "ground at the horizon"},
         {"ground=R", "ground reflectance; open: the whole sky lights the ground"},
-        {"outside=none", "no obstructions outside"},
+        {"outside=none", "no external obstructions"},
         {"colour=grey",
          "in a scene: materials are grey, with the luminance of their colours"},
         {"colour=mean", "red, green and blue have equal weight in luminance; green: "
@@ -406,7 +406,7 @@ static enum pp_exit run_compare(void *values, char **files, int file_count)
         exit_status = run_comparison(&compare);
     } else {
         pp_fail(&err, PP_BAD_INPUT,
-                "%.200s: there are %d rooms; expected one, given by --room NAME",
+                "%.200s: there are %d rooms; expected one, selected by --room NAME",
                 files[0], rooms.count);
         exit_status = pp_message_error(&err);
     }

@@ -181,9 +181,9 @@ static enum pp_status take_number(struct csv_reading *reading, enum csv_column c
     double most = column == VALUE ? 1e9 : 1e6;
     point_commas(reading, word);
     if (!pp_text_parse_number(word, &of[column]) || fabs(of[column]) > most)
-        return pp_fail(
-            err, PP_BAD_INPUT, "%.200s:%d: \"%s\" is not a number; expected a number",
-            reading->file, reading->line, pp_text_excerpt(shown, sizeof shown, word));
+        return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: found \"%s\"; expected a number",
+                       reading->file, reading->line,
+                       pp_text_excerpt(shown, sizeof shown, word));
     if (column == VALUE && of[column] < 0.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "%.200s:%d: the value is %g; expected 0 or more", reading->file,

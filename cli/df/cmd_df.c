@@ -53,7 +53,7 @@ static const struct pp_option margin_option[] = {
 static const struct pp_option bands_option[] = {
     {"bands", 0, NULL,
      "Show the bands of all methods in the text table, not only those of the first, "
-     "and in CSV.",
+     "and also in CSV.",
      NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
      "Leave out the bands, which contain 95 of 100 true values in similar rooms.", NULL,

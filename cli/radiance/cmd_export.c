@@ -53,7 +53,7 @@ static const struct pp_option to_options[] = {
 };
 
 static const struct pp_option output_options[] = {
-    {"output", 'o', "DIR", "Directory to write; it must be new or empty.",
+    {"output", 'o', "DIR", "Directory for the files; it must be new or empty.",
      pp_options_read_text, offsetof(struct export_options, directory)},
     {"force", 0, NULL,
      "Replace DIR if it contains an export; other directories are never replaced.",
@@ -128,7 +128,8 @@ static enum pp_status take_moment(struct pp_study_room *room,
     double west_of_south = atan2(-sun.x, -sun.y) / PP_RAD;
     *external_lux = moment.sky.diffuse_lx;
     snprintf(note, size,
-             "approximately the same in lumens: !gendaylit -ang %.3f %.3f -L %.0f %.0f",
+             "approximately the same sky by illuminances: !gendaylit -ang %.3f %.3f -L "
+             "%.0f %.0f",
              asin(sun.z) / PP_RAD, west_of_south, moment.sky.direct_lx,
              moment.sky.diffuse_lx);
     return PP_OK;
@@ -230,7 +231,8 @@ static enum pp_status check_export_options(void *values, char **files, int file_
     if (!options->to)
         return pp_fail(err, PP_BAD_INPUT, "expected --to radiance");
     if (!options->directory)
-        return pp_fail(err, PP_BAD_INPUT, "expected -o DIR, the directory to write");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "expected -o DIR, the directory for the files");
     if (strcmp(options->directory, "-") == 0)
         return pp_fail(
             err, PP_BAD_INPUT,
@@ -246,7 +248,7 @@ static enum pp_status check_export_options(void *values, char **files, int file_
 }
 
 static const struct pp_option quiet_option[] = {
-    {"quiet", 'q', NULL, "Do not list what the scene does not include.", NULL,
+    {"quiet", 'q', NULL, "Do not list features that the scene does not include.", NULL,
      offsetof(struct export_options, room.quiet)},
     {0},
 };

@@ -351,7 +351,7 @@ static enum pp_status check_import_options(void *values, char **files, int file_
             from_input = true;
         }
     if (room_options->study.samples > MOST_SAMPLES)
-        return pp_fail(err, PP_BAD_INPUT, "--samples is %ld; expected %ld at most",
+        return pp_fail(err, PP_BAD_INPUT, "--samples is %ld; expected at most %ld",
                        room_options->study.samples, MOST_SAMPLES);
     if (!options->points_file && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,

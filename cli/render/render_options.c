@@ -319,8 +319,8 @@ const struct pp_option pp_render_shown_options[] = {
     {"records", 0, NULL, "On a sheet: mark the records of the cache.", NULL,
      PLACE(records)},
     {"grid", 0, NULL,
-     "On a sheet of a fisheye: overlay altitudes, compass points and the outlines of "
-     "the openings.",
+     "On a sheet with a fisheye view: overlay altitudes, compass points and the "
+     "outlines of the openings.",
      NULL, PLACE(grid)},
     {"from-picture", 0, "FILE.hdr", "Display this picture instead of a room.",
      pp_options_read_input, PLACE(from_picture)},

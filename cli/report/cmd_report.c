@@ -23,13 +23,13 @@ enum { SHORT_ROOMS = 2 };
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
 static const char about[] =
-    "Writes a report of all rooms in a file: with -o FILE.html one self-contained page "
-    "of HTML, with -o FILE.pdf sheets of A4. For each room it shows daylight factors "
+    "Writes a report of all rooms in a file: one self-contained HTML page with -o "
+    "FILE.html, or A4 sheets with -o FILE.pdf. For each room it shows daylight factors "
     "by hand with their bands, simulated ones with standard errors, and the criteria. "
     "It adds the effect of changes, plan and section, and states how the figures were "
-    "calculated. For a site it shows plan and elevations, the sky seen by every window "
-    "and the lit area of every room. Existing and proposed states are compared. If "
-    "sunlight is assessed, it adds sun paths. FILE is a room file; - is standard "
+    "calculated. For a site it shows plan and elevations, the sky seen from every "
+    "window and the lit area of every room. Existing and proposed states are compared. "
+    "If sunlight is assessed, it adds sun paths. FILE is a room file; - is standard "
     "input.";
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)

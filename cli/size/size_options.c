@@ -134,7 +134,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
         other = "obstruction";
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s and --%s exclude each other; expected one of them", other,
+                       "--%s and --%s cannot be combined; expected one of them", other,
                        own);
     if (options->envelope && rule->of == PP_RETAINED_SKY_LIT_AREA)
         return pp_fail(err, PP_BAD_INPUT,
@@ -201,7 +201,7 @@ static enum pp_status settle_criterion(struct pp_size_options *options,
                                                                : NULL;
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s and --for exclude each other; expected one of them%s",
+                       "--%s and --for cannot be combined; expected one of them%s",
                        other, strcmp(other, "by") == 0 ? ", or --by traced" : "");
     struct pp_error fault = {0};
     enum pp_status status = pp_criterion_margin_check(request->criterion, &fault);

@@ -85,7 +85,7 @@ static void read_holidays(struct header_reader *r)
     else if (*leap)
         pp_mistakes_add(
             r->mistakes, r->line,
-            "leap year observed (field 2) is \"%s\"; expected Yes, No or nothing",
+            "the leap year entry (field 2) is \"%s\"; expected Yes, No or nothing",
             pp_text_excerpt(shown, sizeof shown, leap));
 
     struct pp_epw *epw = r->epw;
@@ -127,11 +127,11 @@ static void read_period(struct header_reader *r, int index)
     period->weekday = read_weekday(r, field(r, 4 + 4 * index));
     if (!pp_month_day_parse_dated(from, &period->from, &first)
         || !pp_month_day_parse_dated(to, &period->to, &last)) {
-        pp_mistakes_add(r->mistakes, r->line,
-                        "data period %d is from \"%s\" to \"%s\"; expected two days as "
-                        "MONTH/DAY",
-                        index + 1, pp_text_excerpt(a, sizeof a, from),
-                        pp_text_excerpt(b, sizeof b, to));
+        pp_mistakes_add(
+            r->mistakes, r->line,
+            "data period %d is from \"%s\" to \"%s\"; expected two dates as MONTH/DAY",
+            index + 1, pp_text_excerpt(a, sizeof a, from),
+            pp_text_excerpt(b, sizeof b, to));
         return;
     }
     if (first > 0 && last > 0)

@@ -16,8 +16,7 @@ bool pp_epw_lines_check_bytes(const char *bytes, size_t length,
                               struct pp_mistakes *mistakes)
 {
     if (length > PP_EPW_BYTES_MOST) {
-        pp_mistakes_add(mistakes, 0,
-                        "the file is larger than %d MiB, which is the limit",
+        pp_mistakes_add(mistakes, 0, "the file is larger than the limit of %d MiB",
                         PP_EPW_BYTES_MOST >> 20);
         return false;
     }

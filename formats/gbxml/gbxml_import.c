@@ -288,10 +288,10 @@ static enum pp_status write_until_good(struct gbxml_work *work, struct pp_error 
     for (int turn = 0; status == PP_OK; turn++) {
         struct pp_mistakes mistakes;
         if (!has_rooms(work) || turn == TURNS_MOST) {
-            status =
-                pp_fail(err, PP_BAD_INPUT,
-                        "%s: no space became a room with an opening to the outside",
-                        work->file);
+            status = pp_fail(err, PP_BAD_INPUT,
+                             "%s: no space could be converted to a room with an "
+                             "opening to the outside",
+                             work->file);
             break;
         }
         status = write_all(work, &writing, err);

@@ -62,11 +62,10 @@ static enum pp_status read_units(struct gbxml_reader *r)
         find_unit(pp_gbxml_document_attribute(r->root, "volumeUnit"), "Cubic"), 3.0);
     if (isfinite(r->loops.metre))
         return PP_OK;
-    return pp_fail(
-        r->err, PP_BAD_INPUT,
-        "%s:%d: lengthUnit is \"%.40s\"; expected Meters, Feet, Millimeters, "
-        "Inches or another of gbXML's",
-        r->file, r->root->line, typed ? typed : "");
+    return pp_fail(r->err, PP_BAD_INPUT,
+                   "%s:%d: lengthUnit is \"%.40s\"; expected Meters, Feet, "
+                   "Millimeters, Inches or another length unit of gbXML",
+                   r->file, r->root->line, typed ? typed : "");
 }
 
 /* ---- polygons ---- */
@@ -180,7 +179,7 @@ static double take_transmittance(struct gbxml_reader *r,
     if (type)
         pp_mistakes_add(r->notes, type->line,
                         "%s \"%.60s\" has no visible transmittance above 0; its "
-                        "openings get clear-double",
+                        "openings get the glazing clear-double",
                         type->name, pp_gbxml_document_attribute(type, "id"));
     r->without_type += !type;
     return NAN;
@@ -441,9 +440,10 @@ enum pp_status pp_gbxml_read(struct pp_gbxml_model *model,
         pp_mistakes_add(notes, 0, "%d openings between spaces are treated as walls",
                         r.between);
     if (r.without_type > 0)
-        pp_mistakes_add(notes, 0,
-                        "%d openings have no window type and get clear-double",
-                        r.without_type);
+        pp_mistakes_add(
+            notes, 0,
+            "%d openings have no window type and get the glazing clear-double",
+            r.without_type);
     if (status == PP_OK && model->space_count == 0)
         status = pp_fail(err, PP_BAD_INPUT, "%s: the Campus has no Space", file);
     return status;

@@ -225,7 +225,8 @@ static void fit_plane(struct pp_gbxml_room *room, const struct pp_gbxml_model *m
     if (spacing > default_spacing_m) {
         room->spacing_m = spacing;
         pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\" measures %g m by %g m and gets a grid of %g m",
+                        "space \"%.60s\" measures %g m by %g m and gets a grid with a "
+                        "spacing of %g m",
                         space->id, room->width_m, room->depth_m, spacing);
     }
     if (room->height_m < default_plane_m + clear_m) {

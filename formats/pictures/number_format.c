@@ -10,7 +10,8 @@
 const struct pp_number_format pp_number_format_hdr = {
     .ending = "hdr",
     .other_ending = "pic",
-    .summary = "Radiance format, accurate to 1 % of the brightest channel, with notes",
+    .summary = "Radiance format, accurate to 1 % of the brightest channel, with notes "
+               "in the header",
     .write = pp_picture_hdr_write,
 };
 

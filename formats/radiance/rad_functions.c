@@ -192,7 +192,7 @@ static enum pp_status take_pane(struct pp_rad_reader *reader,
         return pp_rad_words_fail(primitive->words, primitive->line, err,
                                  "the glazing is not valid; expected 0 to 20 panes, a "
                                  "refractive index above 1, an absorption of 0 or "
-                                 "more, a factor above 0, shares from 0 to 1");
+                                 "more, a factor above 0, and shares from 0 to 1");
     struct pp_glass glass =
         panes == 0.0 ? pp_glass_none() : pp_glass_panes((int)panes, n[10], n[11]);
     if (panes != 0.0 && n[12] != 1.0) {
@@ -271,7 +271,7 @@ static enum pp_status take_sky(struct pp_rad_reader *reader,
             return pp_rad_words_fail(
                 primitive->words, primitive->line, err,
                 "the skyline is not valid; expected a direction of length 1, a slope "
-                "above 0, a radiance of 0 or more");
+                "above 0, and a radiance of 0 or more");
         pattern.skylines[pattern.skyline_count++] = (struct pp_pattern_skyline){
             pp_rad_transform_direction(&context->transform, outward), of[2], of[3]};
     }

@@ -246,9 +246,10 @@ static void print_found(const struct pp_compare_result *result, int width, FILE 
     pp_print_wrapped(text, 2, 2, width, out);
     fputc('\n', out);
     if (compared->search.sets[0].count == 0)
-        print_item("nothing",
-                   "no cause on the list explains the difference better than noise",
-                   width, out);
+        print_item(
+            "nothing",
+            "no cause on the list explains the difference better than noise does",
+            width, out);
     print_causes(result, width, out);
     print_instead(result, width, out);
     text[0] = '\0';

@@ -97,10 +97,10 @@ static void say_planning(struct pp_document *document, const struct pp_assessmen
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
         "BR 209 [BR209] is advisory, and its figures should be applied flexibly. Each "
-        "window counts once: it meets the guide with a vertical sky component of 27 %% "
-        "or 0.8 of its former value. The 25 degree rule is only a first check, so "
-        "exceeding it is not a failure. The bands of loss (20, 30, 40 %%) are common "
-        "practice in impact assessments and not part of the guide.");
+        "window counts once: it meets the guide if its vertical sky component is at "
+        "least 27 %%, or at least 0.8 of its former value. The 25 degree rule is only "
+        "a first check, so exceeding it is not a failure. The bands of loss (20, 30, "
+        "40 %%) are common practice in impact assessments and not part of the guide.");
     if (sun)
         pp_document_paragraph(
             document, PP_TONE_PLAIN,
@@ -129,7 +129,7 @@ static void say_other(struct pp_document *document, const struct pp_assessments 
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
         "Glare, %soverheating, electric light and energy are not assessed. The figures "
-        "apply to the design and site in the file: a change of the design or of a "
+        "apply to the design and site in the file: a change to the design or to a "
         "building nearby requires a new assessment.",
         is_assessed(all, "view-out") ? "" : "views, ");
 }

@@ -318,7 +318,7 @@ static enum pp_status put_losses(struct pp_document *document,
     enum pp_status status =
         pp_br209_count_groups(&groups, &count, all->list, all->count, err);
     if (status == PP_OK) {
-        pp_document_heading(document, 3, "Windows by the loss of sky");
+        pp_document_heading(document, 3, "Windows by loss of sky");
         pp_document_table(document);
         pp_document_column(document, PP_COLUMN_WORDS, "floor");
         pp_document_column(document, PP_COLUMN_NUMBERS, "windows that meet BR 209");

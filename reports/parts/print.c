@@ -182,7 +182,8 @@ static void describe_opening(const struct pp_world *world,
     if (slope < 0.5)
         pp_text_append(text, TEXT_BYTES, ", horizontal at %.2f m", sill);
     else if (slope < 89.5)
-        pp_text_append(text, TEXT_BYTES, ", sloping %.0f deg from %.2f m", slope, sill);
+        pp_text_append(text, TEXT_BYTES, ", slope %.0f deg, lower edge at %.2f m",
+                       slope, sill);
     else
         pp_text_append(text, TEXT_BYTES, ", sill %.2f m", sill);
     if (opening->reveal_m > 0.0)

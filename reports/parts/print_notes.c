@@ -154,7 +154,7 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
         return;
     pp_text_append(text, sizeof text,
                    ": the allowance for decorations (%.3g) is not applied, because it "
-                   "concerns the internally reflected component alone",
+                   "concerns only the internally reflected component",
                    report->world->decorations);
     fputs("  - ", out);
     pp_print_wrapped(text, 4, 4, width, out);

@@ -201,9 +201,10 @@ void pp_validate_report_rooms(const struct pp_validation *validation, int width,
     pp_print_wrapped(
         "Figures are in per cent of the illuminance under the open sky unless stated "
         "otherwise. off: difference of the average over the working plane from the "
-        "simulated average, in per cent of it. bias: mean of method minus simulated at "
-        "the points. spread: root mean square of this difference, after subtraction of "
-        "the simulation noise. worst: the largest difference and its point.",
+        "simulated average, in per cent of the latter. bias: mean difference, method "
+        "minus simulation, at the points. spread: root mean square of this difference, "
+        "after subtraction of the simulation noise. worst: the largest difference and "
+        "its point.",
         2, 2, width, out);
     if (parts) {
         fputs("  ", out);

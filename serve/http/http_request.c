@@ -155,7 +155,7 @@ static enum MHD_Result begin_request(struct pp_server *server,
         return send_page_file(connection, url);
     if (!endpoint)
         return allowed ? refuse(connection, MHD_HTTP_METHOD_NOT_ALLOWED,
-                                "the path does not support that method", allowed)
+                                "this path does not support the method", allowed)
                        : refuse(connection, MHD_HTTP_NOT_FOUND, "there is no such path",
                                 NULL);
     size_t expected = 0;

@@ -179,7 +179,7 @@ struct pp_child_result pp_child_run(struct pp_task *task, const char *const *wor
 const char *pp_child_sentence(struct pp_child_result *result)
 {
     if (result->end == PP_CHILD_LIMIT)
-        return "the command took too long, or its result is too large";
+        return "the command took too long, or its result was too large";
     /* The message begins "pepperpot: " or "pepperpot COMMAND: ". */
     char *sentence = result->errors ? strstr(result->errors, "pepperpot") : NULL;
     sentence = sentence ? strstr(sentence, ": ") : NULL;

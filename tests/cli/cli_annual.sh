@@ -93,7 +93,7 @@ check "its factor is null" shows '"df": { "value": null, "why"' $perez,35,150 -f
 check "the sun of a time" shows "sun 38.7 degrees high" $perez --when "2023-03-21 12:00" "$room"
 check "clock of a zone" shows "clock 9 h ahead" $perez --when "2023-03-21 21:00+09:00" "$room"
 check "a black sky is said" shows "sky is black" df --samples 16 --sky perez,100,0,10,180 "$room"
-check "no sun" refuses 2 "gives no sun" $perez "$room"
+check "no sun" refuses 2 "has no position of the sun" $perez "$room"
 check "one irradiance" refuses 2 "perez,DNI,DHI" df --sky perez,600 "$room"
 check "more than the sun gives" refuses 2 "1500" df --sky perez,1600,100,35,150 "$room"
 check "a sun below the horizon" refuses 2 "0 to 90" df --sky perez,600,100,-3,150 "$room"

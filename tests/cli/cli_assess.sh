@@ -62,7 +62,7 @@ check "nor by itself" shows "no verdicts" assess -c obstruction "$scratch/near.x
 sed 's/<plan/<site country="UK"\/><plan/' "$scratch/near.xml" >"$scratch/uk.xml"
 check "UK is no country code" refuses 1 'did you mean "GB"' assess --by-hand "$scratch/uk.xml"
 for altitude in 0 -3 50 high; do
-    check "no least altitude of $altitude" refuses 2 "above 0, to 45 degrees" \
+    check "no least altitude of $altitude" refuses 2 "above 0 and up to 45 degrees" \
         assess --least-altitude=$altitude "$deep"
 done
 check "the sun's least altitude" shows "hours with the sun above 11 degrees" \

@@ -94,7 +94,7 @@ check "and another with another" \
 check "a section of nothing is refused" \
     refuses 1 "no daylight factor" chart section -m exact+bre -o x.svg "$examples/studio.xml"
 check "and one of a part" refuses 1 "pair" chart section -m bre -o x.svg "$deep"
-check "a scale is one" refuses 2 "exclude each other" chart section --log --linear -o x.svg "$deep"
+check "a scale is one" refuses 2 "cannot be combined" chart section --log --linear -o x.svg "$deep"
 check "the section has its own pair too" quietly chart section -o "$scratch/s.svg" \
     "$examples/studio.xml"
 
@@ -441,7 +441,7 @@ check "an opening that is not there" refuses 1 "no window is called \"Lo\"" \
     chart section --cut Lo -o x.pdf "$scratch/wells.xml"
 check "a place that is no number" refuses 2 "such as x=2.1" \
     chart section --cut x=two -o x.pdf "$scratch/wells.xml"
-check "a cut and points" refuses 2 "exclude each other" \
+check "a cut and points" refuses 2 "cannot be combined" \
     chart section --cut x=2 --points 1,1 -o x.pdf "$scratch/wells.xml"
 check "a cut of a chart without one" refuses 2 "for a section or a plan" \
     chart site --cut x=2 -o x.pdf "$scratch/wells.xml"

@@ -131,12 +131,12 @@ check "an empty file" wrong 1 "wrong.csv: there are no values" </dev/null
 check "a header alone" wrong 1 "wrong.csv: there are no values" <<'CSV'
 x,y,df_percent
 CSV
-check "a word where a number should be" wrong 1 'wrong.csv:3: "dark" is not a number; expected a number' <<'CSV'
+check "a word where a number should be" wrong 1 'wrong.csv:3: found "dark"; expected a number' <<'CSV'
 x,y,df_percent
 1,1,2.2
 1,2,dark
 CSV
-check "NaN" wrong 1 'wrong.csv:2: "nan" is not a number; expected a number' <<'CSV'
+check "NaN" wrong 1 'wrong.csv:2: found "nan"; expected a number' <<'CSV'
 x,y,df_percent
 1,1,nan
 CSV

@@ -170,7 +170,7 @@ check "as blocks they can be judged" gives assess --by-hand -c former-sky --room
 check "and leave it that to 1e-4" is "$(sed -n '2s/.*,78,[0-9.]*,[0-9.]*,\([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-4
 check "as JSON" shows '"format": "pepperpot-envelope-1"' size --envelope Tower -f json "$site"
 check "an outline is a plot too" shows '"verdict": "none"' size --envelope Corner -f json "$site"
-check "an envelope or a height" refuses 2 "and --envelope exclude each other" \
+check "an envelope or a height" refuses 2 "and --envelope cannot be combined" \
     size --envelope Tower --obstruction Tower "$site"
 check "it is by windows" refuses 2 "expected --of vsc" size --envelope Tower --of lit-area "$site"
 check "cells are an envelope's" refuses 2 "csv is for --envelope only" \
@@ -184,7 +184,7 @@ check "a plot by its name" refuses 1 "did you mean Tower?" size --envelope Towr 
 check "a block by its name" refuses 1 "did you mean Tower?" size --obstruction Towr "$site"
 check "a window by its name" refuses 1 'no vertical window is named "W9"' \
     size --obstruction Tower --window-name W9 "$site"
-check "no target with it" refuses 2 "and --obstruction exclude each other" \
+check "no target with it" refuses 2 "and --obstruction cannot be combined" \
     size --obstruction Tower --target 2% "$site"
 check "no share without it" refuses 2 "needs --obstruction" size --target 2% --keep 80% "$site"
 check "a file without names" refuses 1 "no block in it has a name" size --obstruction Tower "$deep"

@@ -157,10 +157,10 @@ check "traced throughout" shows "reach, simulated" \
 check "what compares is not sized by" shows "none: this criterion needs a state before" \
     size --by-hand --for former-sky "$deep"
 check "a criterion by its name" refuses 2 "there is no criterion" size --for en1737 "$deep"
-check "or a target" refuses 2 "--target and --for exclude each other" size --for average -t 2% "$deep"
-check "it has figures of its own" refuses 2 "--by and --for exclude each other" \
+check "or a target" refuses 2 "--target and --for cannot be combined" size --for average -t 2% "$deep"
+check "it has figures of its own" refuses 2 "--by and --for cannot be combined" \
     size --for average --by exact+bre "$deep"
-check "and points of its own" refuses 2 "--points and --for exclude each other" \
+check "and points of its own" refuses 2 "--points and --for cannot be combined" \
     size --for average --points 1.5,6 "$deep"
 check "a target is wanted" refuses 2 "--target" size "$deep"
 check "a room file is wanted" refuses 2 "room file" size -t 2

@@ -181,7 +181,7 @@ static enum pp_status take_material(struct pp_rad_reader *reader,
         return pp_rad_words_fail(
             words, primitive->line, err,
             "a mirror with the alternate material \"%.*s\" is not supported; expected "
-            "that material, or a mirror without strings",
+            "that material instead of the mirror, or a mirror without strings",
             pp_rad_words_shown(primitive->strings[0]), primitive->strings[0].text);
     if (!materials[which].grain && primitive->string_count > is_illum)
         return pp_rad_words_fail(

@@ -130,8 +130,8 @@ static enum pp_status take_alias(struct pp_rad_reader *reader,
         && (meaning.kind != PP_RAD_MATERIAL
             || reader->scene->materials[meaning.index].emits == PP_EMITS_NOTHING))
         return pp_rad_words_fail(words, primitive->line, err,
-                                 "an alias modifies a material without emission by a "
-                                 "sky's brightfunc; expected void or inherit");
+                                 "an alias applies the brightfunc of a sky to a "
+                                 "material without emission; expected void or inherit");
     int pattern = patterned ? primitive->modifier.index : -1;
     if (meaning.kind == PP_RAD_MATERIAL && !inherits
         && reader->scene->materials[meaning.index].pattern != pattern) {
@@ -169,10 +169,11 @@ static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
         return status;
     return pp_rad_words_fail(
         primitive->words, primitive->line, err,
-        "the type \"%.*s\" is not supported; expected a shape, a material, alias, the "
-        "brightfunc of gensky or a mixfunc of two sides. Shapes are polygon, sphere, "
-        "bubble, cone, cup, cylinder, tube, ring and source. Materials are plastic, "
-        "metal, trans, plastic2, metal2, trans2, glass, light, glow, illum and mirror",
+        "the type \"%.*s\" is not supported; expected a shape, a material, an alias, "
+        "the brightfunc of gensky or a mixfunc of two sides. Shapes are polygon, "
+        "sphere, bubble, cone, cup, cylinder, tube, ring and source. Materials are "
+        "plastic, metal, trans, plastic2, metal2, trans2, glass, light, glow, illum "
+        "and mirror",
         pp_rad_words_shown(primitive->type), primitive->type.text);
 }
 

@@ -240,7 +240,7 @@ static enum pp_status take_polygon(struct pp_rad_reader *reader,
     if (count < 3 || primitive->number_count % 3 != 0 || primitive->string_count > 0)
         return pp_rad_words_fail(primitive->words, primitive->line, err,
                                  "a polygon has %d numbers; expected three for each of "
-                                 "three corners or more",
+                                 "at least three corners",
                                  primitive->number_count);
     /* Each three numbers are a corner. */
     const struct pp_vec3 *corners =

@@ -179,7 +179,7 @@ static void a_leap_day_against_the_header_is_a_mistake(void **state)
 
     epw_begin(&made);
     epw_header(&made, "Maybe", "1,1,Data,Monday,2/28,3/1");
-    assert_refused(&made, 5, "leap year observed (field 2) is \"Maybe\"");
+    assert_refused(&made, 5, "the leap year entry (field 2) is \"Maybe\"");
 }
 
 /* A period that ends on 29 February, in a year without it, before another. */
@@ -410,7 +410,7 @@ static void header_lines_that_are_wrong_are_named(void **state)
         {EPW_LOCATION, "2,1,D,,1/1,1/1", 2, "has 7 fields; expected 11"},
         {EPW_LOCATION, "1,1,D,Moonday,1/1,1/1", 2, "starts on \"Moonday\""},
         {EPW_LOCATION, "1,1,D,,1/32,1/1", 2, "from \"1/32\" to \"1/1\""},
-        {EPW_LOCATION, "1,1,D,,1/1,1.Jan", 2, "expected two days as MONTH/DAY"},
+        {EPW_LOCATION, "1,1,D,,1/1,1.Jan", 2, "expected two dates as MONTH/DAY"},
         {EPW_LOCATION, "1,1,D,,1/1/2001,1/1/2000", 2, "ends before it begins"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

@@ -318,7 +318,7 @@ static void others_are_refused_with_a_reason(void **state)
          "<PolyLoop><CartesianPoint><Coordinate>nan</Coordinate><Coordinate>1e308"
          "</Coordinate><Coordinate>0</Coordinate></CartesianPoint></PolyLoop>"
          "</PlanarGeometry></Surface></Campus></gbXML>",
-         "no space became a room with an opening"},
+         "no space could be converted to a room with an opening"},
     };
     for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++) {
         struct pp_mistakes notes;

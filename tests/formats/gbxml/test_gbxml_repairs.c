@@ -378,7 +378,8 @@ static void grid_and_working_plane_fit(void **state)
     made_gbxml_end(&file, "");
     char notes[2000], *xml = made_gbxml_import(&file, notes, sizeof notes);
     assert_int_equal(sizes_of(xml, 0).points, 199 * 159);
-    assert_non_null(strstr(notes, "200 m by 160 m and gets a grid of 1 m"));
+    assert_non_null(
+        strstr(notes, "200 m by 160 m and gets a grid with a spacing of 1 m"));
     free(xml);
     made_gbxml_begin(&file, "Meters", 1.0, "");
     made_gbxml_space(&file, "a", "");
