@@ -76,7 +76,7 @@ static bool correct_glass(struct correction *correction, unsigned allowances,
         return false;
     if (!(allowances & PP_ALLOWS_CLEAR_GLASS))
         *correction = (struct correction){
-            "T", "glass: diffuse transmittance (clear single: 0.85)",
+            "T", "diffuse transmittance of the glass (clear single glass: 0.85)",
             pp_allowance_reflected_glass(opening)};
     else if (bare)
         *correction = (struct correction){"G",
@@ -105,8 +105,8 @@ static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances
             "B", "frame factor: glass area over opening area", opening->frame_factor};
     /* No published figure includes curtains. */
     if (opening->curtains != 1.0)
-        list[count++] =
-            (struct correction){"K", "curtains: transmittance", opening->curtains};
+        list[count++] = (struct correction){"K", "transmittance of the curtains",
+                                            opening->curtains};
     return count;
 }
 
@@ -165,7 +165,7 @@ void pp_allowance_steps(struct pp_steps *steps, const struct pp_method *method,
     double D = pp_allowance_decorations(method, world);
     if (D != 1.0)
         list[count++] =
-            (struct correction){"D", "decorations: deterioration factor", D};
+            (struct correction){"D", "deterioration factor of the decorations", D};
     product[0] = '\0';
     for (int i = 0; i < count; i++) {
         pp_steps_add_named(steps, PP_UNIT_NUMBER, list[i].value, list[i].symbol, "%s",

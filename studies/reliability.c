@@ -145,7 +145,7 @@ static double compare_grounds(struct pp_reliability *found,
     }
     if (names[0])
         snprintf(found->grounds, sizeof found->grounds,
-                 "%s: assumes a ground reflectance of %g, not the room's %g", names,
+                 "%s: assumed ground reflectance %g instead of the room's %g", names,
                  own, ground);
     return most;
 }

@@ -81,7 +81,7 @@ const struct pp_formula pp_fitted_position_f_d = {
     .symbol = "f_d",
     .sum = "m_d exp((q_d - m_d) / 2 - q_d x / d_r) / (1 - exp(-m_d))",
     .unit = PP_UNIT_NUMBER,
-    .what = "factor for the depth of the point",
+    .what = "factor for the distance of the point from this wall",
     .quantities = of_f_d,
 };
 
@@ -171,7 +171,7 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
                       "depth of the room beyond the start of decay, in decay lengths");
     pp_worksheet_work(sheet, &pp_fitted_position_m_d, "absolute value of q_d");
     pp_worksheet_work(sheet, &pp_fitted_position_f_d,
-                      "factor for the depth of the point");
+                      "factor for the distance of the point from this wall");
     pp_worksheet_work(sheet, &pp_fitted_position_q_s,
                       "half the width of the wall beside the opening, in decay "
                       "lengths");

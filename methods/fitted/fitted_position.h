@@ -37,10 +37,12 @@
 /* Rows of a formula's list of quantities. */
 #define PP_FITTED_POSITION_QUANTITIES                                                  \
     {"f_d", PP_UNIT_NUMBER,                                                            \
-     "factor for the depth of the point, relative to the mean"},                       \
+     "factor for the distance of the point from the wall with the opening, relative "  \
+     "to the mean"},                                                                   \
     {                                                                                  \
         "f_s", PP_UNIT_NUMBER,                                                         \
-            "factor for the position along the wall, relative to the mean"             \
+            "factor for the position of the point along the wall, relative to the "    \
+            "mean"                                                                     \
     }
 
 /* Rows of a method's list of formulae. */

@@ -401,8 +401,8 @@ static enum pp_status evaluate_by(const struct pp_world *world,
     }
     double share = depth_share(r, opening, receiver);
     if (share < 0.1 - 1e-9 || share > 0.9 + 1e-9)
-        part->why = "is too near to this point or too far from it; the tables cover "
-                    "distances of 0.1 to 0.9 of the room depth";
+        part->why = "is too close to this point or too far from it; the tables cover "
+                    "distances of 0.1 to 0.9 times the room depth";
     else
         part->value = window_value(r, opening, share, one, &part->sheet);
     return PP_OK;
@@ -432,7 +432,8 @@ static enum pp_status evaluate_one(const struct pp_world *world,
 
 const struct pp_method pp_method_lumen = {
     .name = "lumen",
-    .summary = "lumen method with separate coefficients for sky and ground",
+    .summary = "lumen method with separate coefficients of utilization for sky and "
+               "ground",
     .source = "IES84",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,
@@ -447,7 +448,7 @@ const struct pp_method pp_method_lumen = {
 
 const struct pp_method pp_method_lumen_one = {
     .name = "lumen-one",
-    .summary = "lumen method with a single coefficient",
+    .summary = "lumen method with a single coefficient of utilization",
     .source = "IES84",
     .formulae = formulae_of_one,
     .gives = PP_GIVES_WHOLE,

@@ -39,25 +39,32 @@ struct upright_set {
 
 static const struct pp_formula_quantity of_primary[] = {
     {"p_u", PP_UNIT_DAYLIGHT_FACTOR,
-     "primary scale at the upper edge, for a receiver facing the window"},
+     "reading of the primary scale at the upper edge, for a receiver facing the "
+     "window"},
     {"p_l", PP_UNIT_DAYLIGHT_FACTOR,
-     "primary scale at the lower edge, for a receiver facing the window"},
+     "reading of the primary scale at the lower edge, for a receiver facing the "
+     "window"},
     {"q_u", PP_UNIT_DAYLIGHT_FACTOR,
-     "primary scale for a receiver side-on to the window, at the upper edge"},
+     "reading of the primary scale at the upper edge, for a receiver side-on to the "
+     "window"},
     {"q_l", PP_UNIT_DAYLIGHT_FACTOR,
-     "primary scale for a receiver side-on to the window, at the lower edge"},
+     "reading of the primary scale at the lower edge, for a receiver side-on to the "
+     "window"},
     {0},
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
     {"k_r", PP_UNIT_NUMBER,
-     "auxiliary scale for a receiver facing the window, at the right jamb"},
+     "reading of the auxiliary scale at the right jamb, for a receiver facing the "
+     "window"},
     {"k_l", PP_UNIT_NUMBER,
-     "auxiliary scale for a receiver facing the window, at the left jamb (left "
-     "negative)"},
+     "reading of the auxiliary scale at the left jamb, for a receiver facing the "
+     "window (left negative)"},
     {"m_r", PP_UNIT_NUMBER,
-     "auxiliary scale for a receiver side-on to the window, at the right jamb"},
+     "reading of the auxiliary scale at the right jamb, for a receiver side-on to the "
+     "window"},
     {"m_l", PP_UNIT_NUMBER,
-     "auxiliary scale for a receiver side-on to the window, at the left jamb"},
+     "reading of the auxiliary scale at the left jamb, for a receiver side-on to the "
+     "window"},
     {0},
 };
 static const struct pp_formula_quantity of_component[] = {
@@ -201,16 +208,18 @@ static void put_scales(struct pp_worksheet *sheet,
     }
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
                      pp_protractor_dial_share(dial, high), symbols->upper,
-                     "primary scale for a receiver %s, at the upper edge",
+                     "reading of the primary scale for a receiver %s, at the upper "
+                     "edge",
                      symbols->what);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
                      pp_protractor_dial_share(dial, low), symbols->lower,
-                     "the same scale at the lower edge");
+                     "reading of the same scale at the lower edge");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[0], symbols->left,
-                     "auxiliary scale for a receiver %s, at the left jamb",
+                     "reading of the auxiliary scale for a receiver %s, at the left "
+                     "jamb",
                      symbols->what);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, sides[1], symbols->right,
-                     "the same scale at the right jamb");
+                     "reading of the same scale at the right jamb");
 }
 
 static void work_part(struct pp_part_steps *terms, struct pp_part *sum,

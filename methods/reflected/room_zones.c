@@ -15,7 +15,7 @@
 #define ZONES                                                                          \
     {"F", PP_UNIT_NUMBER, "form factor between plane and ceiling"},                    \
         {"m", PP_UNIT_NUMBER,                                                          \
-         "form factor from the walls to the plane, and to the ceiling"},               \
+         "form factor from the walls to the plane or to the ceiling"},                 \
         {"rho_p", PP_UNIT_NUMBER,                                                      \
          "effective reflectance of the cavity below the "                              \
          "plane"},                                                                     \
@@ -65,7 +65,7 @@ const struct pp_formula pp_room_zones_above =
         "effective reflectance of the ceiling cavity", of_cavity_above);
 const struct pp_formula pp_room_zones_m =
     OWN("m", "S (1 - F) / A_w", PP_UNIT_NUMBER,
-        "form factor from the walls to the plane, and to the ceiling", of_m);
+        "form factor from the walls to the plane or to the ceiling", of_m);
 const struct pp_formula pp_room_zones_u_w =
     OWN("u_w", "rho_v m (1 + rho_c F) / (1 - rho_v (1 - 2 m) - rho_c rho_v (1 - F) m)",
         PP_UNIT_NUMBER, "fraction of the light on the walls that reaches the plane",
@@ -131,7 +131,7 @@ double pp_room_zones_put(struct pp_worksheet *sheet, const struct pp_world *worl
                      form_factor(S, outline_m(&world->plane), height_m), "F",
                      "form factor between plane and ceiling, %.2f m apart", height_m);
     pp_worksheet_work(sheet, &pp_room_zones_m,
-                      "form factor from the walls to the plane, and to the ceiling");
+                      "form factor from the walls to the plane or to the ceiling");
     pp_worksheet_work(sheet, &pp_room_zones_u_w,
                       "fraction of the light on the walls that reaches the plane");
     pp_worksheet_work(sheet, &pp_room_zones_u_c,

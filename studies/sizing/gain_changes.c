@@ -395,7 +395,7 @@ const struct pp_gain_kind pp_gain_kinds[] = {
     {one_more_window, "few windows", true},
     {opposite_window, NULL, true},
     {lower_sills, "high sills", true},
-    {clearer_glazing, "dim glazing", true},
+    {clearer_glazing, "glazing with a low transmittance", true},
     {cleaner_glass, "dirty glass", true},
     {thinner_frames, "wide frames", true},
     {lighter_ceiling, "a dark ceiling", true},

@@ -143,7 +143,7 @@ static enum pp_status choose_sized_openings(int *openings, int *count,
         return pp_fail(err, PP_BAD_INPUT, "there is no window on line %ld",
                        request->line);
     if (request->wall)
-        return pp_fail(err, PP_BAD_INPUT, "there is no window in a wall \"%.200s\"",
+        return pp_fail(err, PP_BAD_INPUT, "there is no window in the wall \"%.200s\"",
                        request->wall);
     return pp_fail(
         err, PP_BAD_INPUT,

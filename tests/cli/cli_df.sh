@@ -80,13 +80,13 @@ check "one room of a building" shows "Kitchen" df --room Kitchen "$examples/buil
 check "and no other" nothing "$(grep Bedroom "$scratch/out")"
 # Where hand figures cannot be relied on.
 check "a method with another ground is named" \
-    shows "bre, average-df: assumes a ground reflectance" df --methods exact+bre,average-df "$deep"
+    shows "bre, average-df: assumed ground reflectance" df --methods exact+bre,average-df "$deep"
 sed 's/ground-reflectance="0.2"//; s/<site /<site ground-reflectance="0.1" /' "$deep" \
     >"$scratch/dark-ground.xml"
 check "where the room's is another" nothing \
-    "$("$pepperpot" df "$scratch/dark-ground.xml" | grep "assumes a ground reflectance")"
+    "$("$pepperpot" df "$scratch/dark-ground.xml" | grep "assumed ground reflectance")"
 check "and not of a method that takes the room's" nothing \
-    "$("$pepperpot" df -m exact+split-flux "$deep" | grep "assumes a ground reflectance")"
+    "$("$pepperpot" df -m exact+split-flux "$deep" | grep "assumed ground reflectance")"
 check "snow is far from the ground of the BRE formula" sh -c "
     sed 's/<site /<site ground-reflectance=\"0.8\" /; s/ground-reflectance=\"0.2\"//2' '$scratch/dark-ground.xml' |
     sed 's/ground-reflectance=\"0.1\"//' | '$pepperpot' df - | tr -s '\\n ' ' ' | grep -q 'the ground reflectance is 0.8'"

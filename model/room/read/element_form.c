@@ -61,8 +61,8 @@ static void to_metres(double *value, const struct value_place *at)
 static bool read_form_number(double *value, const struct value_place *at)
 {
     if (!pp_text_parse_number(at->text, value))
-        return wrong(at,
-                     strchr(at->text, ',') ? " (with a decimal point, no comma)" : "");
+        return wrong(at, strchr(at->text, ',') ? " (with a decimal point, not a comma)"
+                                               : "");
     to_metres(value, at);
     return in_range(at->kind, *value) || wrong(at, "");
 }

@@ -14,8 +14,8 @@ static const char *plan_fault(const struct pp_plan_form *form, int vertices)
 {
     bool width = !isnan(form->width_m), depth = !isnan(form->depth_m);
     if (vertices > 0 && (width || depth))
-        return "width or depth and vertices are both given; expected width and depth, "
-               "or three or more vertices";
+        return "width or depth is given as well as vertices; expected either width and "
+               "depth, or three or more vertices";
     if (vertices > 0)
         return vertices < 3 ? "fewer than three vertices; expected three or more"
                             : NULL;

@@ -95,7 +95,7 @@ static void points_are_read_by_their_depth_alone(void **state)
     evaluate(&parts, "lumen");
     const struct pp_reading *points = column("lumen")->points;
     assert_near(points[0].value, points[1].value, 1e-15);
-    assert_non_null(strstr(points[2].why, "too near to this point or too far"));
+    assert_non_null(strstr(points[2].why, "too close to this point or too far"));
     assert_true(points[3].value > points[0].value);
     assert_true(points[4].value < points[0].value);
     assert_non_null(points[5].why);
