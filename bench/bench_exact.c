@@ -96,8 +96,8 @@ static void rooms(const char *name, const char *parts)
             must(ways[i].prepare(&tools, world, &light, &err), &err);
         made_us = 1e6 * (processor_s() - start);
         double us = point_us(world, &light, &ways[i], tools, &mean);
-        printf("  %-22s %9.3f us a point (mean %.9f); tables %6.0f us\n", ways[i].name,
-               us, mean, made_us);
+        printf("  %-22s %9.3f us per point (mean %.9f); tables %6.0f us\n",
+               ways[i].name, us, mean, made_us);
         pp_method_exact.destroy_tools(tools);
     }
     pp_world_destroy(world);

@@ -79,7 +79,7 @@ static void light_and_glow(void)
     struct pp_light_scene *glow = lamp(pp_material_glow(pp_rgb_grey(1.0)));
     double s = hypot(0.35, 2.3);
     double exact = 4.0 * (0.35 / s) * atan(0.35 / s);
-    printf("a square lamp of 0.7 m, 2.3 m over a plane: closed form %.6f\n", exact);
+    printf("a square lamp of 0.7 m, 2.3 m above a plane: closed form %.6f\n", exact);
     printf("  %8s  %12s %9s  %12s %9s\n", "rays", "as light", "error", "as glow",
            "error");
     for (uint32_t paths = 4; paths <= 65536; paths *= 4) {
@@ -92,8 +92,8 @@ static void light_and_glow(void)
     }
     struct outcome few = measure(light, NULL, NULL, options, under, 32);
     struct outcome many = measure(glow, NULL, NULL, options, under, 65536);
-    printf("  light with %.0f rays: %.4f %%; glow with %.0f: %.4f %%: %.2f %% of the "
-           "rays, %.2f of the error\n",
+    printf("  light, %.0f rays: error %.4f %%; glow, %.0f rays: error %.4f %%; "
+           "ratios: rays %.2f %%, error %.2f\n",
            few.rays, 100.0 * few.error, many.rays, 100.0 * many.error,
            100.0 * few.rays / many.rays, few.error / many.error);
     pp_light_scene_destroy(light);
@@ -121,8 +121,8 @@ static void openings(const char *name, const char *xml)
     double start = processor_s(), log_sum = 0.0;
     must(pp_opening_store_create(&store, scene, environment, 1, 1, &err), &err);
     printf("%s (store: %.3f s)\n", name, processor_s() - start);
-    printf("  %5s  %-19s %-19s %-19s  saves\n", "y", "aimed at, stored", "followed",
-           "found by chance");
+    printf("  %5s  %-19s %-19s %-19s  gain\n", "y", "sampled, stored",
+           "sampled, traced", "found by chance");
     struct pp_radiance_options options = pp_radiance_state_defaults();
     options.source_size = 0.5;
     for (int i = 0; i < world->receiver_count; i++) {

@@ -171,9 +171,10 @@ static void polished(const char *name, const char *finishes)
 
 static void polished_rooms(void)
 {
-    printf("rooms of 4 x 6 m with polished metal, %d paths a pixel: noise of a pixel\n"
-           "  %-28s by paths  time  by a cache\n",
-           SAMPLES, "");
+    printf(
+        "rooms of 4 x 6 m with polished metal, %d paths per pixel: noise of a pixel\n"
+        "  %-28s by paths  time  by cache\n",
+        SAMPLES, "");
     polished("none", "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>");
     polished("floor, polished aluminium",
              "<finishes floor='polished-aluminium' walls='0.5' ceiling='0.7'/>");
@@ -219,7 +220,7 @@ static double deep_room(int samples, struct pp_cache_options wanted, int threads
     start = pp_clock_s() - start;
     spent = processor_s() - spent;
 
-    printf("deep room, 3 x 9 x 2.7 m: a picture of %d x %d, %d bounces, %d paths a "
+    printf("deep room, 3 x 9 x 2.7 m: a picture of %d x %d, %d bounces, %d paths per "
            "pixel, %d thread%s\n",
            SIDE, SIDE, BOUNCES, samples, threads, threads == 1 ? "" : "s");
     printf("  %zu records in %.2f s; all in %.2f s, %.2f s of processor "

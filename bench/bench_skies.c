@@ -68,10 +68,11 @@ int main(void)
         pp_tracer_destroy(tracer);
         pp_environment_destroy(environment);
     }
-    printf("100 skies on one scene of %d triangles, %d points:\n",
+    printf("100 skies over one scene of %d triangles, %d points:\n",
            scene->triangle_count, world->receiver_count);
-    printf("  one build %.2f ms; 100 lights on it %.3f ms; 100 integrations %.2f s\n",
-           1e3 * built, 1e3 * lights, integrated);
+    printf(
+        "  building %.2f ms; lighting by 100 skies %.3f ms; 100 integrations %.2f s\n",
+        1e3 * built, 1e3 * lights, integrated);
     printf("  mean at the first point %.3f %%\n", 100.0 * sum / SKIES);
     pp_light_scene_destroy(scene);
     pp_world_destroy(world);

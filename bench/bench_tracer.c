@@ -112,7 +112,7 @@ static void bench_random_rooms(void)
         pp_world_destroy(world);
     }
     printf(
-        "random rooms: %d points and the average at 1 %%: %.1f ms of one core a room "
+        "random rooms: %d points and the average at 1 %%: %.1f ms of one core per room "
         "(mean of %d)\n",
         (int)POINTS, 1e3 * taken / ROOMS, (int)ROOMS);
 }
@@ -203,8 +203,8 @@ static void bench_rays(const char *name, const struct pp_world *world,
         t = processor_s() - start;
         kernels = fmin(kernels, t);
     }
-    printf("%s%s: %ld rays (%.0f %% hit), %.0f ns a ray traced, %.0f ns bare: "
-           "ratio %.2f\n",
+    printf("%s%s: %ld rays (%.0f %% hit), %.0f ns per traced ray, %.0f ns by the "
+           "kernels alone: ratio %.2f\n",
            name, every_ray ? ", every ray" : "", log.count,
            100.0 * hits / (3.0 * log.count), 1e9 * traced / log.count,
            1e9 * kernels / log.count, kernels / traced);
