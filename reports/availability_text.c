@@ -87,7 +87,7 @@ static bool print_periods(const struct pp_availability_sheet *sheet, int width,
 static void print_light(const struct pp_availability_sheet *sheet, int width, FILE *out)
 {
     char median[160];
-    print_availability_fact("light outside", sheet->light, width, out);
+    print_availability_fact("external light", sheet->light, width, out);
     print_availability_fact("days and clock", sheet->calendar, width, out);
     if (isfinite(sheet->median_lx))
         snprintf(median, sizeof median,

@@ -181,7 +181,7 @@ void pp_block_plan_draw(cairo_t *cr, const struct pp_style *style,
         say_block(cr, style, &frame, &world->blocks[i], labels);
     free(labels);
     char words[64];
-    snprintf(words, sizeof words, "Blocks outside, 1:%g; lengths in metres",
+    snprintf(words, sizeof words, "External blocks, 1:%g; lengths in metres",
              frame.scale);
     const struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT, .across = 0.5, .down = 1.0};

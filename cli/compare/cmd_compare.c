@@ -61,7 +61,7 @@ static const struct pp_option compare_options[] = {
      "fraction or lux.",
      read_unit, PLACE(unit)},
     {"external", 0, "LUX",
-     "Horizontal illuminance outside, if the other values are in lux.",
+     "External horizontal illuminance, if the other values are in lux.",
      pp_options_read_lux, PLACE(room.study.external_lux)},
     {"noise", 0, "E%",
      "Standard deviation of the other program's values between runs, as a share of "
@@ -204,8 +204,8 @@ static enum pp_status to_fractions(double *theirs, const struct pp_other_values 
                        path);
     if (unit == PP_OTHER_LUX && lux == 0.0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: values in lux need the horizontal illuminance outside; "
-                       "expected --external LUX",
+                       "%.200s: values in lux need the external horizontal "
+                       "illuminance; expected --external LUX",
                        path);
     double most = 0.0, of_unit = unit == PP_OTHER_PERCENT ? 100.0
                                  : unit == PP_OTHER_LUX   ? lux

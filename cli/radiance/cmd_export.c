@@ -43,7 +43,7 @@ static const struct pp_option to_options[] = {
     {"to", 't', "PROGRAM", "Target format: radiance.", read_program,
      offsetof(struct export_options, to)},
     {"external", 0, "LUX",
-     "Horizontal illuminance outside under the exported sky (default 10000).",
+     "External horizontal illuminance under the exported sky (default 10000).",
      pp_options_read_lux, offsetof(struct export_options, external_lux)},
     {"gloss", 0, NULL,
      "Export the colour and gloss of finishes, for pictures. By default they are matt "

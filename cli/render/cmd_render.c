@@ -12,7 +12,7 @@
 
 static const struct pp_option external_option[] = {
     {"external", 0, "LUX",
-     "Horizontal illuminance outside in lux (default 10000); luminances and "
+     "External horizontal illuminance in lux (default 10000); luminances and "
      "illuminances are proportional to it.",
      pp_options_read_lux, offsetof(struct pp_room_options, study.external_lux)},
     {0},

@@ -96,7 +96,7 @@ static void put_item(const struct pp_advice_item *item, const struct pp_report *
 void pp_advice_report(const struct pp_advice *advice, const struct pp_report *report,
                       int width, FILE *out)
 {
-    fputs("\n  Which method to use\n\n", out);
+    fputs("\n  Recommended methods\n\n", out);
     if (advice->why_not[0]) {
         fputs("  ", out);
         pp_print_wrapped(advice->why_not, 2, 2, width, out);

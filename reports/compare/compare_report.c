@@ -261,7 +261,7 @@ static void print_found(const struct pp_compare_result *result, int width, FILE 
         print_item("unknown", text, width, out);
     text[0] = '\0';
     append_missing(text);
-    print_item("not seen", text, width, out);
+    print_item("untested", text, width, out);
     print_cures(result, width, out);
 }
 

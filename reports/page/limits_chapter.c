@@ -49,12 +49,11 @@ static void say_geometry(struct pp_document *document, const struct pp_assessmen
         all->count ? all->list[0].room->file : "");
     if (ground[0] == ground[1])
         pp_document_paragraph(document, PP_TONE_PLAIN,
-                              "The reflectance of the ground outside is %.3g.",
-                              ground[0]);
+                              "The ground reflectance is %.3g.", ground[0]);
     else if (ground[0] < ground[1])
         pp_document_paragraph(document, PP_TONE_PLAIN,
-                              "The reflectance of the ground outside is %.3g to %.3g.",
-                              ground[0], ground[1]);
+                              "The ground reflectance is %.3g to %.3g.", ground[0],
+                              ground[1]);
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
         "Surfaces are matt and evenly coloured, with the reflectances in the file. "

@@ -267,7 +267,8 @@ static void put_rights(struct pp_document *document, const struct pp_site_table 
     pp_document_column(document, PP_COLUMN_NUMBERS, "share, %%");
     if (compares) {
         pp_document_column(document, PP_COLUMN_NUMBERS, "lost, m²");
-        pp_document_column(document, PP_COLUMN_NUMBERS, "lost, as first zone, m²");
+        pp_document_column(document, PP_COLUMN_NUMBERS,
+                           "lost, equivalent first zone, m²");
     }
     pp_document_column(document, PP_COLUMN_WORDS, "verdict");
     for (int i = 0; i < table->rights_count; i++) {

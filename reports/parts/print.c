@@ -77,8 +77,8 @@ static void tell_picture(const struct pp_sky_picture *picture,
          picture->title, picture->horizontal_lx);
     if (picture->filled >= 5e-4)
         tell(listener, "",
-             "%.1f %% of this light is from directions that the photograph lacks and "
-             "that were filled in",
+             "%.1f %% of this light is from directions missing from the photograph, "
+             "which were filled in",
              100.0 * picture->filled);
     if (picture->saturated)
         tell(listener, "",

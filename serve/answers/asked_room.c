@@ -115,8 +115,8 @@ static bool is_too_large(struct pp_task *task, const struct pp_asked_room *asked
         return false;
     pp_task_fail(task, MHD_HTTP_UNPROCESSABLE_CONTENT,
                  "the room has %d points, %d openings and %d objects; this server "
-                 "accepts at most %d, %d and %d, and only lower numbers in "
-                 "combination. Use the pepperpot command instead",
+                 "accepts at most %d, %d and %d, and fewer if all three numbers are "
+                 "large. Use the pepperpot command instead",
                  points, openings, objects, POINTS_MOST, OPENINGS_MOST, OBJECTS_MOST);
     return true;
 }

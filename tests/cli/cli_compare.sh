@@ -165,7 +165,7 @@ check "a value without a unit" wrong 1 "expected --as percent, fraction or lux" 
 x,y,df
 1,1,2.2
 CSV
-check "lux without their sky" wrong 1 "values in lux need the horizontal illuminance outside; expected --external LUX" <<'CSV'
+check "lux without their sky" wrong 1 "values in lux need the external horizontal illuminance; expected --external LUX" <<'CSV'
 x,y,lux
 1,1,220
 CSV
