@@ -135,7 +135,7 @@ enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
     if (words->include && words->exclude)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "--include and --exclude both select materials; expected one of them");
+            "--include and --exclude both select materials; expected only one of them");
     if (!list)
         return PP_OK;
     words->names = strdup(list);

@@ -96,13 +96,13 @@ static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_erro
     choice->of.sun_altitude_rad = v[2] * PP_RAD;
     choice->of.sun_bearing_rad = v[3] * PP_RAD;
     if (choice->weather)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--weather and --sky perez both determine the sky; expected one of them");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--weather and --sky perez both determine the sky; expected "
+                       "only one of them");
     if (count == 4 && choice->when)
         return pp_fail(err, PP_BAD_INPUT,
                        "--when and --sky perez,DNI,DHI,ALTITUDE,BEARING both determine "
-                       "the sun; expected one of them");
+                       "the sun; expected only one of them");
     if (choice->when && !is_in_calendar(&choice->of))
         return pp_fail(err, PP_BAD_INPUT,
                        "--when is %s; expected a date in the years 1800 to 2200",

@@ -252,7 +252,7 @@ enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
     if (options->by_hand && of_simulation)
         return pp_fail(err, PP_BAD_INPUT,
                        "--by-hand leaves out the simulation, but %s controls it; "
-                       "expected one of them",
+                       "expected only one of them",
                        of_simulation);
     options->study.simulate = !options->by_hand;
     return PP_OK;
@@ -275,7 +275,7 @@ enum pp_status pp_room_options_settle(struct pp_room_options *options,
     if (options->study.error > 0.0 && options->study.samples > 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--error and --samples both determine when the simulation "
-                       "stops; expected one of them");
+                       "stops; expected only one of them");
     bool has_end = options->study.error > 0.0 || options->study.samples > 0
                    || options->study.seconds > 0.0;
     if (options->study.simulate && !has_end)

@@ -125,15 +125,15 @@ static enum pp_status check_place(const struct pp_assess_words *options,
     const char *names[64];
     int count = 0;
     if (options->weather && (options->place || options->median_lux > 0.0))
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--weather and %s both set the median illuminance; expected one of them",
-            options->place ? "--place" : "--median-diffuse");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--weather and %s both set the median illuminance; expected "
+                       "only one of them",
+                       options->place ? "--place" : "--median-diffuse");
     if (!options->place || pp_capitals_find(options->place))
         return options->place && options->median_lux > 0.0
                    ? pp_fail(err, PP_BAD_INPUT,
                              "--place and --median-diffuse both set the median "
-                             "illuminance; expected one of them")
+                             "illuminance; expected only one of them")
                    : PP_OK;
     for (; count < 64 && count < pp_capitals_count(); count++)
         names[count] = pp_capitals_at(count)->name;
@@ -152,7 +152,7 @@ static enum pp_status check_schedule(const struct pp_assess_words *options,
                ? PP_OK
                : pp_fail(err, PP_BAD_INPUT,
                          "--schedule is for a single run, but --sweep makes many; "
-                         "expected one of them");
+                         "expected only one of them");
 }
 
 enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
@@ -180,9 +180,9 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
         status = options->profile ? PP_OK : PP_BAD_INPUT;
     }
     if (status == PP_OK && options->criteria && options->profile)
-        status =
-            pp_fail(err, PP_BAD_INPUT,
-                    "--criteria and --for both select criteria; expected one of them");
+        status = pp_fail(
+            err, PP_BAD_INPUT,
+            "--criteria and --for both select criteria; expected only one of them");
     if (status == PP_OK && options->mirror_image.given
         && (options->before || options->room.state != PP_STATE_BOTH))
         status = pp_fail(err, PP_BAD_INPUT,
@@ -194,11 +194,11 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
     if (status == PP_OK && options->table && options->room.sweep.axis_count > 0)
         status = pp_fail(err, PP_BAD_INPUT,
                          "--table is for a single run, but --sweep makes many; "
-                         "expected one of them");
+                         "expected only one of them");
     if (status == PP_OK && options->before && options->room.state != PP_STATE_BOTH)
-        status =
-            pp_fail(err, PP_BAD_INPUT,
-                    "--before and --state both select states; expected one of them");
+        status = pp_fail(
+            err, PP_BAD_INPUT,
+            "--before and --state both select states; expected only one of them");
     return status;
 }
 

@@ -387,14 +387,16 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
         return pp_fail(err, PP_BAD_INPUT, "--cut is for a section or a plan");
     if (chart->choice.cut.kind != PP_SECTION_OF_ROOM && kind == &pp_draw_section
         && options->study.points.count > 0)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--cut and --points cannot be combined; expected one of them");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--cut and --points cannot be combined; expected only one of them");
     if (chart->choice.line_said && kind != &pp_draw_plan)
         return pp_fail(err, PP_BAD_INPUT, "--line is for a plan only");
     chart->before_is_state = !chart->before || strcmp(chart->before, "existing") == 0;
     if (chart->logarithmic && chart->linear)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--log and --linear cannot be combined; expected one of them");
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--log and --linear cannot be combined; expected only one of them");
     chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG
                           : chart->linear    ? PP_SCALE_LINEAR
                                              : PP_SCALE_AS_FITS;

@@ -124,9 +124,9 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     bool parallel = choice->view == PP_CHOOSE_PARALLEL || choice->view == PP_CHOOSE_PLAN
                     || choice->view == PP_CHOOSE_SECTION;
     if (choice->towards.count && choice->direction.count)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "--towards and --direction both determine the view; expected one of them");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--towards and --direction both determine the view; expected "
+                       "only one of them");
     if (parallel && choice->angle_deg > 0.0)
         return pp_fail(
             err, PP_BAD_INPUT,
@@ -178,7 +178,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
     if (choice->from_picture && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--from-picture displays a picture instead of a room; expected "
-                       "one of them");
+                       "only one of them");
     const char *making = making_said(choice, options);
     if (choice->from_picture && making)
         return pp_fail(err, PP_BAD_INPUT,
@@ -217,7 +217,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
     if (plain && of_transport)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s cannot be combined with --plain, which follows every path "
-                       "and samples every window; expected one of them",
+                       "and samples every window; expected only one of them",
                        of_transport);
     if (choice->exposure.said && !shown)
         return pp_fail(err, PP_BAD_INPUT,

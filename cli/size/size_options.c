@@ -134,8 +134,8 @@ static enum pp_status settle_block(struct pp_size_options *options,
         other = "obstruction";
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s and --%s cannot be combined; expected one of them", other,
-                       own);
+                       "--%s and --%s cannot be combined; expected only one of them",
+                       other, own);
     if (options->envelope && rule->of == PP_RETAINED_SKY_LIT_AREA)
         return pp_fail(err, PP_BAD_INPUT,
                        "--envelope keeps the sky of windows; expected --of vsc");
@@ -201,7 +201,7 @@ static enum pp_status settle_criterion(struct pp_size_options *options,
                                                                : NULL;
     if (other)
         return pp_fail(err, PP_BAD_INPUT,
-                       "--%s and --for cannot be combined; expected one of them%s",
+                       "--%s and --for cannot be combined; expected only one of them%s",
                        other, strcmp(other, "by") == 0 ? ", or --by traced" : "");
     struct pp_error fault = {0};
     enum pp_status status = pp_criterion_margin_check(request->criterion, &fault);
@@ -241,7 +241,7 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     if (options->request.traced && options->room.by_hand)
         return pp_fail(err, PP_BAD_INPUT,
                        "--by traced needs the simulation, but --by-hand leaves it out; "
-                       "expected one of them");
+                       "expected only one of them");
     enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
     if (status == PP_OK)
         status = pp_room_options_settle(&options->room, err);

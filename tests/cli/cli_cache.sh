@@ -123,7 +123,7 @@ check "three bounces and a half are refused" \
     refuses 2 "--bounces is \"3.5\"" df $few --bounces=3.5 "$deep"
 check "a short word needs its value" refuses 2 "-ab needs a value" df $few "$deep" -ab
 check "two lists of materials are refused" \
-    refuses 2 "expected one of them" df $few -ai floor -ae ceiling "$deep"
+    refuses 2 "expected only one of them" df $few -ai floor -ae ceiling "$deep"
 check "a material that is not there is refused" \
     refuses 1 'no material "carpet"' df $few -ae carpet "$deep"
 tap_done

@@ -42,7 +42,7 @@ check "an error needs a simulation" refuses 2 "expected --simulate" df --error 1
 check "samples are whole" refuses 2 "whole number" df -s --samples 1e3 "$deep"
 check "a time has a unit" refuses 2 "such as 10s" df -s --time soon "$deep"
 check "error and samples exclude each other" \
-    refuses 2 "expected one of them" df -s --error 1% --samples 64 "$deep"
+    refuses 2 "expected only one of them" df -s --error 1% --samples 64 "$deep"
 check "threads are from 1 up" refuses 2 "from 1 to 1024" df --threads 0 "$deep"
 check "a seed is not negative" refuses 2 "--seed" df --seed -1 "$deep"
 check "points have two coordinates or three" refuses 2 "X,Y" df --points 1.5 "$deep"

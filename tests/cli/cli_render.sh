@@ -248,7 +248,7 @@ check "an eye that looks at itself" refuses 1 "the position of the eye" \
     render --from 1,4 --towards 1,4 $small "$deep" -o "$scratch/x.png"
 check "a view along its own up" refuses 1 "another up" \
     render --direction 0,0,1 --up 0,0,2 $small "$deep" -o "$scratch/x.png"
-check "towards and direction" refuses 2 "expected one of them" \
+check "towards and direction" refuses 2 "expected only one of them" \
     render --towards 1,1 --direction 1,0,0 "$deep" -o "$scratch/x.png"
 check "an angle of a plan" refuses 2 "--across" \
     render --view plan --angle 60 "$deep" -o "$scratch/x.png"
@@ -266,7 +266,7 @@ check "a grid over no fisheye" refuses 2 "fisheye" \
     render --grid "$deep" -o "$scratch/x.png"
 check "the eye's contrast of daylight factors" refuses 2 "--exposure human is for luminance" \
     render --quantity df --exposure human "$deep" -o "$scratch/x.png"
-check "a room and a picture" refuses 2 "expected one of them" \
+check "a room and a picture" refuses 2 "expected only one of them" \
     render --from-picture "$scratch/one.hdr" "$deep" -o "$scratch/x.png"
 for option in --view=plan --from=1,2 --towards=1,2 --direction=0,1,0 --up=0,0,1 \
     --angle=60 --across=3 --size=10x10 --samples=64 --engine=path --windows=aimed \

@@ -214,8 +214,8 @@ check "hours of sun in h" shows '"unit": "h"' \
 
 check "a profile by its name" refuses 2 "did you mean uk-planning?" \
     assess --for uk-planing "$site"
-check "--for or --criteria" refuses 2 "expected one of them" assess --for en17037 -c vsc "$site"
-check "--before or --state" refuses 2 "expected one of them" \
+check "--for or --criteria" refuses 2 "expected only one of them" assess --for en17037 -c vsc "$site"
+check "--before or --state" refuses 2 "expected only one of them" \
     assess --before "$site" --state existing "$site"
 check "two states" refuses 2 "existing, proposed or cumulative" df --state planned "$site"
 check "none in a file without" refuses 1 "nothing in the file has a state" df --state existing "$deep"
