@@ -23,7 +23,7 @@ double pp_allowance_reflected_glass(const struct pp_opening *opening)
 
 static const struct pp_formula_quantity of_the_opening[] = {
     {"a", PP_UNIT_SQUARE_METRE, "area of the opening"},
-    {"B", PP_UNIT_NUMBER, "frame factor: glass area over opening area"},
+    {"B", PP_UNIT_NUMBER, "frame factor: ratio of glass area to opening area"},
     {0},
 };
 
@@ -102,7 +102,8 @@ static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances
     count += correct_glass(&list[count], allowances, opening);
     if (!(allowances & PP_ALLOWS_FRAME))
         list[count++] = (struct correction){
-            "B", "frame factor: glass area over opening area", opening->frame_factor};
+            "B", "frame factor: ratio of glass area to opening area",
+            opening->frame_factor};
     /* No published figure includes curtains. */
     if (opening->curtains != 1.0)
         list[count++] = (struct correction){"K", "transmittance of the curtains",

@@ -68,13 +68,13 @@ static enum pp_status add_pair(struct pp_selection *selection, const char *direc
         return status;
     if (direct->gives != PP_GIVES_DIRECT)
         return pp_fail(err, PP_BAD_INPUT,
-                       "\"%s+%s\": %s does not give the direct component; expected a "
-                       "method that does as the first of a pair",
+                       "\"%s+%s\": %s does not give the direct component; the first "
+                       "method of a pair must give it",
                        direct_name, internal_name, direct_name);
     if (internal->gives != PP_GIVES_INTERNAL)
         return pp_fail(err, PP_BAD_INPUT,
                        "\"%s+%s\": %s does not give the internally reflected "
-                       "component; expected a method that does as the second of a pair",
+                       "component; the second method of a pair must give it",
                        direct_name, internal_name, internal_name);
     return add_selected_method(selection, direct, internal, err);
 }

@@ -121,7 +121,7 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
     double area_m2 = pp_region_area(&world->plane);
     if (!(area_m2 > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the room has no working plane at height %g m",
+                       "the room has no working plane at a height of %g m",
                        world->working_plane_m);
     struct pp_plane_wedges pieces;
     enum pp_status status =

@@ -9,7 +9,8 @@ struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
 {
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
-                     "area of surfaces above %.2f m, the centre of the opening",
+                     "area of surfaces above %.2f m, the height of the opening's "
+                     "centre",
                      opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
                      "mean reflectance of these surfaces");

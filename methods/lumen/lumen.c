@@ -33,7 +33,7 @@ static const double free_below_rad = 1e-3;
 
 #define OF_GLASS                                                                       \
     {"A", PP_UNIT_SQUARE_METRE, "area of the opening"},                                \
-        {"B", PP_UNIT_NUMBER, "frame factor: glass area over opening area"},           \
+        {"B", PP_UNIT_NUMBER, "frame factor: ratio of glass area to opening area"},    \
         {"T", PP_UNIT_NUMBER, "diffuse transmittance of the glass"},                   \
     {                                                                                  \
         "M", PP_UNIT_NUMBER, "maintenance factor (dirt)"                               \
@@ -289,7 +289,7 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_opening *openi
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, opening->inner.area_m2, "A",
                      "area of the opening");
     pp_allowance_put(sheet, PP_ALLOWS_FRAME, opening, "B",
-                     "frame factor: glass area over opening area");
+                     "frame factor: ratio of glass area to opening area");
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "T",
                      "diffuse transmittance of the glass");
     pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor (dirt)");

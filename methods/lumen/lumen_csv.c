@@ -453,7 +453,7 @@ static enum pp_status read_file(char **text, size_t *length, FILE *file,
         if (*length > FILE_LARGEST)
             return pp_fail(
                 err, PP_BAD_INPUT,
-                "%s: the file is too large; expected a table of 16 MB at most", path);
+                "%s: the file is too large; expected a table of at most 16 MB", path);
     }
     if (ferror(file))
         return pp_fail(err, errno == EISDIR ? PP_BAD_INPUT : PP_SYSTEM, "%s: %s", path,

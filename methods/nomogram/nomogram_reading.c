@@ -21,7 +21,7 @@ const struct pp_formula pp_nomogram_reading_ratio = {
     .sum = "W / S",
     .unit = PP_UNIT_NUMBER,
     .source = "GEEBELEN",
-    .what = "net glass area over the area of all interior surfaces, on scale A",
+    .what = "ratio of net glass area to the area of all interior surfaces, on scale A",
     .quantities = of_ratio,
     .fixed = true,
 };

@@ -138,7 +138,7 @@ static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
     pp_worksheet_work(sheet, &pp_protractor_read_initial,
                       "initial component, for an infinitely long opening");
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, reading->average_rad,
-                      "mean altitude of the upper and lower edge");
+                      "mean altitude of the upper and lower edges");
     put_pair(sheet, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0], "k_l",
              "angle of the left jamb from the normal (right positive)",
              "reading of the auxiliary scale at this angle");

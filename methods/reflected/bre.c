@@ -31,7 +31,8 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
 
 const struct pp_method pp_method_bre = {
     .name = "bre",
-    .summary = "average internally reflected component, BRE inter-reflection formula",
+    .summary = "average internally reflected component, by the BRE inter-reflection "
+               "formula",
     .source = "BRE310",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

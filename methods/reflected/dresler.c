@@ -92,7 +92,8 @@ static void put_parts(struct pp_worksheet *sheet, const struct pp_world *world,
     struct pp_interior_parts parts = pp_interior_split_without(world, z, -1);
     pp_worksheet_put(
         sheet, PP_UNIT_SQUARE_METRE, pp_interior_section_m2(world, z), "S",
-        "area of the horizontal plane at %.2f m, the centre of the opening", z);
+        "area of the horizontal plane at %.2f m, the height of the opening's centre",
+        z);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
                      "area of surfaces above this plane, openings included");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",

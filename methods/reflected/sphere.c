@@ -66,8 +66,8 @@ static enum pp_status evaluate_sphere(const struct pp_world *world,
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     pp_interior_put(sheet, &all);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
-                     "mean reflectance of surfaces above %.2f m, the centre of the "
-                     "opening",
+                     "mean reflectance of surfaces above %.2f m, the height of the "
+                     "opening's centre",
                      opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
                      "mean reflectance of surfaces below this height");

@@ -69,8 +69,8 @@ static const struct pp_formula one_part = {
     .symbol = "irc",
     .sum = "0",
     .unit = PP_UNIT_DAYLIGHT_FACTOR,
-    .what = "average internally reflected component in a room entirely above or below "
-            "the centre of the opening",
+    .what = "average internally reflected component in a room that is entirely above "
+            "or below the centre of the opening",
     .quantities = of_clear,
     .fixed = true,
 };
@@ -93,7 +93,8 @@ static enum pp_status evaluate_split_flux(const struct pp_world *world,
         return status;
     struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
-                     "area of surfaces above %.2f m, the centre of the opening",
+                     "area of surfaces above %.2f m, the height of the opening's "
+                     "centre",
                      opening->middle_z_m);
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.upper.reflectance, "rho_u",
                      "mean reflectance of these surfaces");

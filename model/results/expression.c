@@ -117,7 +117,9 @@ static struct term number(struct parser *parser)
     digits[length] = '\0';
     double value;
     if (!pp_text_parse_number(digits, &value))
-        return fail(parser, start, "this is not a number; expected one such as 0.85");
+        return fail(parser, start,
+                    "this is not a number; expected a number such as "
+                    "0.85");
     parser->at += length;
     return number_term(parser, start, value);
 }
@@ -413,8 +415,7 @@ bool pp_expression_parse(struct pp_expression *expression, const char *text, int
     if (!parser.failed && peek(&parser))
         fail(&parser, parser.at,
              *parser.at == ')' ? "this \")\" has no \"(\"; expected the end of the "
-                                 "formula of the formula"
-                               : "expected +, -, *, /, ^ or the end of the formula of "
-                                 "the formula");
+                                 "formula"
+                               : "expected +, -, *, /, ^ or the end of the formula");
     return !parser.failed;
 }

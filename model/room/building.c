@@ -337,7 +337,7 @@ enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
         if (room->surfaces[i].is_of_block && room->surfaces[i].line == line)
             roof = &room->surfaces[i];
     if (!roof)
-        return pp_fail(err, PP_BAD_INPUT, "no single block has the name \"%.60s\"",
+        return pp_fail(err, PP_BAD_INPUT, "expected exactly one block named \"%.60s\"",
                        name);
     double reach_m[2];
     find_reach(reach_m, room, line);
@@ -387,7 +387,7 @@ enum pp_status pp_building_divide_block(struct pp_building *building, const char
     struct pp_room *room = holder(building);
     struct pp_block like;
     if (!take_out(&like, room, name))
-        return pp_fail(err, PP_BAD_INPUT, "no block has the name \"%.60s\"", name);
+        return pp_fail(err, PP_BAD_INPUT, "no block is named \"%.60s\"", name);
     for (int i = 0; i < count; i++) {
         struct pp_block added = like;
         added.corner = cells[i].corner;

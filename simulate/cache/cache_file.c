@@ -172,8 +172,8 @@ static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache
                        title);
     if (scene != pp_light_scene_hash(cache->scene))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is the cache of another room; expected one of this room, or "
-                       "the name of a new file",
+                       "%s is the cache of another room; expected a cache of this "
+                       "room, or the name of a new file",
                        title);
     if (light != hash_of_light(cache))
         return pp_fail(err, PP_BAD_INPUT,

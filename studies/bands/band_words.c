@@ -30,7 +30,7 @@ static const char *const words[PP_BAND_FEATURES] = {
                       "above the point",
     [PP_ROOM_SIDE] = "ratio of the distance from the wall to the room height",
     [PP_ROOM_VIEW] = "configuration factor of the windows",
-    [PP_BAND_FIGURE] = "hand figure in per cent",
+    [PP_BAND_FIGURE] = "value of the hand figure (%)",
     [PP_BAND_SKY] = "share of the sky component",
     [PP_BAND_OUTSIDE] = "share of the externally reflected component",
     [PP_BAND_INSIDE] = "share of the internally reflected component",

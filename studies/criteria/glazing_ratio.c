@@ -48,8 +48,8 @@ const struct pp_criterion pp_criterion_glazing_ratio = {
     .name = "glazing-ratio",
     .title = "Ratio of glazing to floor area",
     .source = "IBC21, MBO02",
-    .summary = "glass is at least 8 % of the floor area, or openings are at least one "
-               "eighth of it",
+    .summary = "glass is at least 8 %, or openings are at least one eighth, of the "
+               "floor area",
     .bears_on_use = pp_bearing_needs_daylight,
     .countries = "US DE",
     .evaluate = assess_glazing_ratio,

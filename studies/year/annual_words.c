@@ -112,9 +112,9 @@ static void say_blinds(struct pp_annual_sheet *sheet,
         snprintf(sheet->blinds, sizeof sheet->blinds,
                  "LM-83-12, open loop: the blinds of a window group (one wall, one "
                  "glass) close when more than 2 %% of the points get 1000 lx or more "
-                 "of direct sun through it. Closed blinds are diffuse emitters of %g "
-                 "of the light on them, times the diffuse transmittance of the panes. "
-                 "All other figures are for open blinds",
+                 "of direct sun through it. Closed blinds diffusely emit %g of the "
+                 "incident light, times the diffuse transmittance of the panes. All "
+                 "other figures are for open blinds",
                  PP_BLIND_GROUPS_TRANSMITTANCE);
 }
 
@@ -206,6 +206,6 @@ void pp_annual_words_method(struct pp_annual_sheet *sheet,
                  "direct sun in closed form, in its true position; direct sky in "
                  "closed form, %d patches. Reflected light by paths, 16 x %d per "
                  "point, through %d cells with the sun in its true position. Sunlight "
-                 "that glass reflects regularly is ignored",
+                 "reflected specularly by glass is ignored",
                  options->patches, samples, cells);
 }

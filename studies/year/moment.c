@@ -45,7 +45,8 @@ static const struct {
     unsigned limit;
     const char *words;
 } limits[] = {
-    {PP_PEREZ_NO_DIFFUSE, "there is direct but no diffuse light, so the sky is black"},
+    {PP_PEREZ_NO_DIFFUSE, "there is direct light but no diffuse light, so the sky is "
+                          "black"},
     {PP_PEREZ_B_POSITIVE, "Perez's coefficient b is above 0 and was set to 0"},
     {PP_PEREZ_BRIGHTNESS,
      "the brightness is beyond Perez's limit and was set to the limit"},

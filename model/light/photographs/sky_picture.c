@@ -320,8 +320,8 @@ static enum pp_status fill_cells(struct pp_sky_picture *picture, struct pp_error
     }
     if (!(sum > 0.0) || !isfinite(sum))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the sky in the picture gives no light; expected pixels above 0 "
-                       "above the horizon");
+                       "the sky in the picture gives no light; expected pixels with "
+                       "values above 0 in the part above the horizon");
     picture->horizontal_lx = sum;
     picture->filled = of_fill / sum;
     return PP_OK;

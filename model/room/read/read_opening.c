@@ -60,7 +60,7 @@ static bool glass_of(struct pp_reader *r, struct pp_glass *glass,
                         ? "%s: diffusing is \"no\", but the glazing \"%s\" is "
                           "diffusing; expected a clear glazing, or a transmittance"
                         : "%s: diffusing is \"yes\", but the glazing \"%s\" is clear; "
-                          "expected a diffusing one, or a transmittance",
+                          "expected a diffusing glazing, or a transmittance",
                     e->name, name);
     return false;
 }

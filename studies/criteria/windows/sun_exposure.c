@@ -187,7 +187,7 @@ const struct pp_criterion pp_criterion_sun_exposure = {
     .name = "sun-exposure",
     .title = "EN 17037 exposure to sunlight",
     .source = "EN17037",
-    .summary = "at least 1.5, 3, 4 h of sun on 21 March at the inside of a window",
+    .summary = "at least 1.5, 3, 4 h of sun on 21 March on the inside of a window",
     .bears_on_use = pp_bearing_is_dwelling,
     .evaluate = assess_sun_exposure,
 };

@@ -9,9 +9,9 @@
 #include "studies/criteria/site_table.h"
 
 const char *const pp_schedule_titles[PP_SCHEDULE_CHANGES] = {
-    "vertical sky component, %", "sunlight hours of the year, %",
-    "sunlight hours in winter, %", "area with a view of the sky, m²",
-    "vertical sky component without own balconies, %"};
+    "vertical sky component, %", "annual sunlight hours, %", "winter sunlight hours, %",
+    "area with a view of the sky, m²",
+    "vertical sky component without the building's own balconies, %"};
 
 double pp_schedule_loss(struct pp_schedule_change change)
 {

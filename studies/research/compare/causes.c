@@ -196,7 +196,7 @@ static const struct pp_cause causes[] = {
      has_clear_glass},
     {"glass=transmissivity", "glass",
      "the transmittance of the glass was entered as a transmissivity",
-     "convert the transmittance to a transmissivity (0.90 is 0.98)", false, false,
+     "convert the transmittance to a transmissivity (0.90 becomes 0.98)", false, false,
      has_clear_glass},
     {"glass=none", "glass", "openings have no glass", "add the glass", false, false,
      has_glass},

@@ -290,8 +290,8 @@ static enum pp_status begin_compare(struct pp_compare *compare, struct pp_error 
     const struct traced_set *none;
     int count = subject->count;
     if (count > PP_COMPARE_POINTS_MOST)
-        return pp_fail(err, PP_BAD_INPUT, "%d points; expected %d at most", count,
-                       PP_COMPARE_POINTS_MOST);
+        return pp_fail(err, PP_BAD_INPUT, "there are %d points; expected at most %d",
+                       count, PP_COMPARE_POINTS_MOST);
     compare->cause_count = pp_causes_of(compare->causes, subject);
     compare->places = calloc((size_t)count + 1, sizeof *compare->places);
     if (!compare->places)

@@ -206,12 +206,12 @@ static void name_group(char text[48], const struct figure *figure)
     static const struct {
         const char *scene, *words;
     } names[] = {
-        {"roof", "5.9, roof %g x %g m"},
-        {"roof-glass", "5.10, glazed roof %g x %g m"},
-        {"facade", "5.11, facade %g x %g m"},
-        {"facade-glass", "5.12, glazed facade %g x %g m"},
-        {"canopy", "5.13, canopy %g m"},
-        {"opposite", "5.14, mask opposite %g m"},
+        {"roof", "case 5.9, roof %g x %g m"},
+        {"roof-glass", "case 5.10, glazed roof %g x %g m"},
+        {"facade", "case 5.11, facade %g x %g m"},
+        {"facade-glass", "case 5.12, glazed facade %g x %g m"},
+        {"canopy", "case 5.13, canopy %g m"},
+        {"opposite", "case 5.14, mask opposite %g m"},
     };
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(figure->scene, names[i].scene) == 0)

@@ -45,8 +45,8 @@ static void set_limits(struct pp_known_case *one, const struct hand_figure *figu
     one->least = figure->hand - figure->band.high - slack;
     if (isnan(one->limit))
         one->why = no_bands ? no_bands
-                            : "no band: the atlas has no band of this method for rooms "
-                              "and points like these";
+                            : "no band: the atlas has no band of this method for "
+                              "similar rooms and points";
 }
 
 static void add_figure(struct pp_known_cases *cases, const char *file,

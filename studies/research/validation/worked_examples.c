@@ -13,10 +13,10 @@ static enum pp_status check_protractors(struct pp_known_cases *cases,
         int decimals;
         const char *what;
     } list[] = {
-        {9, 30.0, 6.6987, 4, "no. 9, endless strip to 30 degrees"},
-        {10, 30.0, 4.519, 3, "no. 10, endless strip to 30 degrees"},
-        {9, 60.0, 25.0, 3, "no. 9, endless strip to 60 degrees"},
-        {10, 60.0, 21.886, 3, "no. 10, endless strip to 60 degrees"},
+        {9, 30.0, 6.6987, 4, "protractor 9, endless strip up to 30 degrees"},
+        {10, 30.0, 4.519, 3, "protractor 10, endless strip up to 30 degrees"},
+        {9, 60.0, 25.0, 3, "protractor 9, endless strip up to 60 degrees"},
+        {10, 60.0, 21.886, 3, "protractor 10, endless strip up to 60 degrees"},
     };
     struct pp_protractor protractor;
     for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
@@ -62,8 +62,8 @@ static enum pp_status check_rooms(struct pp_known_cases *cases, struct pp_error 
     if (status != PP_OK)
         return status;
     pp_known_case_add_per_cent(
-        cases, "the same room, with T 0.68, M 0.9, theta 65 degrees", "average-df",
-        pp_known_room_average(&room, PP_DF, "average-df"), 2.5163, 4);
+        cases, "the same room, with T = 0.68, M = 0.9 and theta = 65 degrees",
+        "average-df", pp_known_room_average(&room, PP_DF, "average-df"), 2.5163, 4);
     pp_known_room_clear(&room);
 
     status = pp_known_room_evaluate(&room, PP_KNOWN_HALL "</room>", "brs-table", err);
@@ -80,11 +80,11 @@ static enum pp_status check_rooms(struct pp_known_cases *cases, struct pp_error 
     if (status != PP_OK)
         return status;
     pp_known_case_add_per_cent(
-        cases, "the same, sky component above a skyline of h/d 0.5", "brs-table",
+        cases, "the same window, sky component above a skyline of h/d 0.5", "brs-table",
         pp_known_room_at_point(&room, PP_SC, "brs-table"), 2.08, 2);
     pp_known_case_add_per_cent(
-        cases, "the same, externally reflected component of the skyline", "brs-table",
-        pp_known_room_at_point(&room, PP_ERC, "brs-table"), 0.254, 3);
+        cases, "the same window, externally reflected component of the skyline",
+        "brs-table", pp_known_room_at_point(&room, PP_ERC, "brs-table"), 0.254, 3);
     pp_known_room_clear(&room);
     return PP_OK;
 }
