@@ -86,21 +86,17 @@ void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double asid
 static const struct pp_formula_quantity of_upper[] = {
     {"h", PP_UNIT_NUMBER, "height of the upper edge divided by the distance"},
     {"T_hl", PP_UNIT_DAYLIGHT_FACTOR,
-     "table value for the part from the normal to the "
-     "left jamb"},
+     "table value for the part from the normal to the left jamb"},
     {"T_hr", PP_UNIT_DAYLIGHT_FACTOR,
-     "table value for the part from the normal to the "
-     "right jamb"},
+     "table value for the part from the normal to the right jamb"},
     {0},
 };
 static const struct pp_formula_quantity of_lower[] = {
     {"s", PP_UNIT_NUMBER, "height of the lower edge divided by the distance"},
     {"T_sl", PP_UNIT_DAYLIGHT_FACTOR,
-     "table value for the part from the normal to the "
-     "left jamb"},
+     "table value for the part from the normal to the left jamb"},
     {"T_sr", PP_UNIT_DAYLIGHT_FACTOR,
-     "table value for the part from the normal to the "
-     "right jamb"},
+     "table value for the part from the normal to the right jamb"},
     {0},
 };
 
@@ -176,9 +172,7 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
     double left = fabs(at->left), right = fabs(at->right);
     bool both = at->left < 0.0 && at->right > 0.0;
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, up, edge->height,
-                     "%s: height divided by "
-                     "the distance, %s",
-                     edge->what, measure);
+                     "%s: height divided by the distance, %s", edge->what, measure);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR, pp_brs_edges_read(table, up, left),
                      edge->left, "table value at this %s and w/d %.3f", measure, left);
     pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,

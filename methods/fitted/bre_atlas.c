@@ -39,8 +39,7 @@ static const struct pp_formula_quantity quantities[] = {
     {"IRC_av", PP_UNIT_DAYLIGHT_FACTOR,
      "average internally reflected component by the published formula"},
     {"L", PP_UNIT_NUMBER,
-     "ratio of the entering light to that of the published "
-     "formula"},
+     "ratio of the entering light to that of the published formula"},
     {"irc_m", PP_UNIT_DAYLIGHT_FACTOR,
      "mean internally reflected component over the working plane"},
     {0},

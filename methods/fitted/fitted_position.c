@@ -43,8 +43,7 @@ static const struct pp_formula_quantity of_f_s[] = {
     DEPTH,
     RANGE,
     {"q_s", PP_UNIT_NUMBER,
-     "half the width of the wall beside the opening, in decay "
-     "lengths"},
+     "half the width of the wall beside the opening, in decay lengths"},
     {"y", PP_UNIT_METRE, "distance from the centre of the opening along its wall"},
     {0}};
 

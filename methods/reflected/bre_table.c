@@ -109,8 +109,7 @@ static void put_reading(struct pp_worksheet *sheet,
                      "net glass area of all openings");
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, entry->floor_m2, "F", "floor area");
     pp_worksheet_work(sheet, &glass_over_floor,
-                      "ratio of glass area to floor area, "
-                      "per cent");
+                      "ratio of glass area to floor area, per cent");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->floor, "R_f",
                      "reflectance of the floor");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, entry->walls, "R_w",

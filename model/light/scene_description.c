@@ -140,8 +140,7 @@ enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *sce
     for (int i = 0; i < count; i++)
         if (!is_finite(corners[i]))
             return pp_fail(err, PP_BAD_INPUT,
-                           "a coordinate of a polygon corner is not "
-                           "a number");
+                           "a coordinate of a polygon corner is not a number");
     enum pp_status status = GROW(scene, vertices, vertex, count, err);
     if (status != PP_OK)
         return status;
@@ -206,8 +205,7 @@ static enum pp_status check_shape(struct pp_shape *shape, struct pp_error *err)
         if (!(shape->is.distant.half_angle_rad > 0.0)
             || !(shape->is.distant.half_angle_rad <= PP_PI))
             return pp_fail(err, PP_BAD_INPUT,
-                           "a distant source has the invalid angle "
-                           "of %g degrees",
+                           "a distant source has the invalid angle of %g degrees",
                            2.0 * shape->is.distant.half_angle_rad / PP_RAD);
         return make_unit(&shape->is.distant.direction, "a distant source", err);
     default:

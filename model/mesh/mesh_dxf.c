@@ -331,8 +331,7 @@ enum pp_status pp_mesh_dxf_read(struct pp_mesh_triangles *mesh,
         && memcmp(lines->text, binary, sizeof binary - 1) == 0)
         return pp_mesh_lines_fail(
             lines, 1, err,
-            "this is a binary DXF file; expected a text (ASCII) DXF "
-            "file");
+            "this is a binary DXF file; expected a text (ASCII) DXF file");
     enum pp_status status = pp_dxf_tags_read(&dxf.tags, lines, err);
     if (status == PP_OK)
         status = read_file(&dxf, err);

@@ -118,8 +118,7 @@ static struct term number(struct parser *parser)
     double value;
     if (!pp_text_parse_number(digits, &value))
         return fail(parser, start,
-                    "this is not a number; expected a number such as "
-                    "0.85");
+                    "this is not a number; expected a number such as 0.85");
     parser->at += length;
     return number_term(parser, start, value);
 }

@@ -66,8 +66,7 @@ enum pp_status pp_light_columns_init(struct pp_light_columns *light,
                                        .skies = skies};
     if (!pp_sky_patches_init(&light->patches, patch_count, north_rad))
         return pp_fail(err, PP_BAD_INPUT,
-                       "there are %d sky patches; expected 145, 577 "
-                       "or 2305",
+                       "there are %d sky patches; expected 145, 577 or 2305",
                        patch_count);
     light->column_count = patch_count + 1 + environment->skylines->far_count;
     light->columns = calloc((size_t)light->column_count * (size_t)light->tiles + 1,

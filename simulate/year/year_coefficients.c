@@ -69,8 +69,7 @@ enum pp_status pp_year_coefficients_create(
     if (!pp_sky_patches_init(&c->patches, options->patches, scene->world->north_rad)) {
         free(c);
         return pp_fail(err, PP_BAD_INPUT,
-                       "there are %d sky patches; expected 145, 577 "
-                       "or 2305",
+                       "there are %d sky patches; expected 145, 577 or 2305",
                        options->patches);
     }
     pp_sobol_init(&c->sobol);

@@ -56,8 +56,7 @@ static bool window_outline(struct pp_resolver *r, const struct pp_opening_part *
     if (part->sill_m < -PP_ROUNDING_M) {
         pp_mistakes_add(
             r->mistakes, part->line,
-            "window: begins %.4g m below the foot of %s; expected sill to be 0 "
-            "or more",
+            "window: begins %.4g m below the foot of %s; expected sill to be 0 or more",
             -part->sill_m, words);
         fits = false;
     }

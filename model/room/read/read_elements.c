@@ -35,8 +35,7 @@ static void read_site(struct pp_reader *r, struct pp_room *room,
             || strspn(form.country, "ABCDEFGHIJKLMNOPQRSTUVWXYZ") != 2)) {
         pp_mistakes_add(
             r->mistakes, e->line,
-            "site: country is \"%.40s\"; expected two capital letters, such "
-            "as \"GB\"",
+            "site: country is \"%.40s\"; expected two capital letters, such as \"GB\"",
             form.country);
         return;
     }
