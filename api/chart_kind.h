@@ -23,6 +23,7 @@
 #include "studies/section_line.h"
 #include "studies/study_options.h"
 #include "studies/study_room.h"
+#include "studies/year/moment.h"
 
 /* Option of a diagram; PP_UNSAID: option not given. */
 enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
@@ -100,7 +101,9 @@ struct pp_chart_choice {
     enum pp_plan_fill fill;        /* filling between the contours of a plan */
     struct pp_board_options board; /* for diagrams of the drawing board */
     struct pp_model_options model;
-    struct pp_year_options availability; /* for kinds that show light outside */
+    struct pp_year_options availability;   /* for kinds that show light outside */
+    const struct pp_moment_source *moment; /* plan: illuminances at this moment; NULL:
+                                            * daylight factors; not owned */
 };
 
 struct pp_chart_kind {

@@ -1,10 +1,11 @@
 /* draw_plan.c - contours of the daylight factor and the no-sky line on the room's plan,
- * or its lit area at present and before. */
+ * or its lit area at present and before, or its illuminances at one moment. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "api/chart_kind.h"
+#include "api/draw_moment.h"
 #include "charts/room/lit_area_chart.h"
 #include "charts/room/plan_chart.h"
 #include "charts/section/section_cut.h"
@@ -86,6 +87,8 @@ static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
     if (before || choice->line_said)
         return draw_lit_area(canvas, room->world, before ? before->world : NULL,
                              choice->line, err);
+    if (choice->moment)
+        return pp_draw_moment_plan(canvas, room, study, choice, finished, err);
     struct pp_plan_study made;
     struct pp_plan_mark mark;
     bool by_clock = false, marked;

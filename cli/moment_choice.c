@@ -50,13 +50,21 @@ static enum pp_status read_when(const char *text, void *place, struct pp_error *
     return PP_OK;
 }
 
+#define WHEN                                                                           \
+    {                                                                                  \
+        "when", 0, "'YYYY-MM-DD HH:MM'",                                               \
+            "Show illuminances in lux at this standard time, including direct "        \
+            "sunlight, instead of daylight factors. Sky and sun are taken from "       \
+            "--weather or from --sky perez,DNI,DHI. +HH:MM after the time is the "     \
+            "time "                                                                    \
+            "zone, in hours ahead of universal time.",                                 \
+            read_when, 0                                                               \
+    }
+
+const struct pp_option pp_moment_when_option[] = {WHEN, {0}};
+
 const struct pp_option pp_moment_options[] = {
-    {"when", 0, "'YYYY-MM-DD HH:MM'",
-     "Show illuminances in lux at this standard time, including direct sunlight, "
-     "instead of daylight factors. Sky and sun are taken from --weather or from --sky "
-     "perez,DNI,DHI. +HH:MM after the time is the time zone, in hours ahead of "
-     "universal time.",
-     read_when, 0},
+    WHEN,
     {"weather", 'w', "FILE.epw", "Weather file for --when.", pp_options_read_input,
      offsetof(struct pp_moment_choice, weather)},
     {0},
@@ -164,6 +172,17 @@ bool pp_moment_choice_said(const struct pp_moment_choice *choice)
     return choice->perez || choice->when;
 }
 
+enum pp_status pp_moment_choice_check_paths(const struct pp_room_options *room,
+                                            struct pp_error *err)
+{
+    long samples = room->study.samples;
+    if (samples > 0 && (samples > 65536 || (samples & (samples - 1)) != 0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--samples is %ld; expected a power of two up to 65536",
+                       samples);
+    return PP_OK;
+}
+
 /* ---- the moment ---- */
 
 enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice)
@@ -189,14 +208,16 @@ void pp_moment_choice_clear(struct pp_moment_choice *choice)
     pp_availability_options_clear(&choice->light);
 }
 
+struct pp_moment_source pp_moment_choice_source(const struct pp_moment_choice *choice)
+{
+    return (struct pp_moment_source){choice->when, choice->perez ? NULL : &choice->year,
+                                     choice->of};
+}
+
 enum pp_status pp_moment_choice_find(struct pp_moment *moment,
                                      const struct pp_moment_choice *choice,
                                      const struct pp_world *world, struct pp_error *err)
 {
-    struct pp_moment_irradiances of = choice->of;
-    if (!choice->perez)
-        return pp_moment_of_weather(moment, &choice->year, of.date, of.clock_h, err);
-    of.latitude_rad = world->latitude_rad;
-    of.longitude_rad = world->longitude_rad;
-    return pp_moment_of_irradiances(moment, &of, err);
+    const struct pp_moment_source source = pp_moment_choice_source(choice);
+    return pp_moment_at(moment, &source, world, err);
 }

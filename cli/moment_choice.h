@@ -20,6 +20,9 @@ struct pp_moment_choice {
 
 extern const struct pp_option pp_moment_options[]; /* options; values are a struct
                                                     * pp_moment_choice */
+extern const struct pp_option
+    pp_moment_when_option[]; /* --when alone, for commands that
+                                                        * have a --weather */
 
 /* Moves the Perez sky of --sky from the room's options to the choice. PP_BAD_INPUT if
  * parts are missing, or apply to daylight factors only. */
@@ -27,12 +30,19 @@ enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                        struct pp_room_options *room,
                                        struct pp_error *err);
 
+/* Checks the number of paths, which must be a power of two for a moment or a year. */
+enum pp_status pp_moment_choice_check_paths(const struct pp_room_options *room,
+                                            struct pp_error *err);
+
 /* True if the options ask for results at one moment. */
 bool pp_moment_choice_said(const struct pp_moment_choice *choice);
 
 /* Reads the weather file, if there is one. The caller clears the choice in any case. */
 enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice);
 void pp_moment_choice_clear(struct pp_moment_choice *choice);
+
+/* Source of the moment, for a loaded choice, which must outlive it. */
+struct pp_moment_source pp_moment_choice_source(const struct pp_moment_choice *choice);
 
 /* Computes sky and sun of the moment at a room's site. */
 enum pp_status pp_moment_choice_find(struct pp_moment *moment,

@@ -10,6 +10,7 @@
 #include "cli/availability/availability_options.h"
 #include "cli/chart/board_options.h"
 #include "cli/chart/chart_run.h"
+#include "cli/chart/moment_plan_options.h"
 #include "cli/chart/sheet_options.h"
 #include "cli/message.h"
 #include "methods/evaluate.h"
@@ -319,6 +320,8 @@ static enum pp_status check_light(const struct pp_year_options *light,
 struct chart_command {
     struct pp_room_options room;
     struct pp_chart_words chart;
+    struct pp_moment_choice moment;
+    struct pp_moment_source source;
     const struct pp_chart_kind *kind; /* by the first word; NULL: none */
 };
 
@@ -333,6 +336,7 @@ static const struct pp_option_group groups[] = {
     {"Diagrams of the drawing board", board_options, PLACE(chart)},
     {"Overlay", overlay_options, PLACE(chart.choice.board.overlay)},
     {"Scale model", model_options, PLACE(chart.choice.model)},
+    {"Plan of a moment", pp_moment_when_option, PLACE(moment)},
     {"Availability", pp_light_options, PLACE(chart.choice.availability)},
     {"Availability", pp_working_time_options, PLACE(chart.choice.availability)},
     {"Availability", pp_illuminance_options, PLACE(chart.choice.availability)},
@@ -400,7 +404,10 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
     chart->choice.scale = chart->logarithmic ? PP_SCALE_LOG
                           : chart->linear    ? PP_SCALE_LINEAR
                                              : PP_SCALE_AS_FITS;
-    enum pp_status status = pp_room_options_settle(options, err);
+    enum pp_status status =
+        pp_moment_plan_options_settle(&command->moment, chart, options, kind, err);
+    if (status == PP_OK)
+        status = pp_room_options_settle(options, err);
     if (status == PP_OK)
         status = check_light(&chart->choice.availability, options, kind, words + 1,
                              word_count - 1, err);
@@ -428,6 +435,11 @@ static enum pp_exit run_chart(void *values, char **words, int word_count)
     command->room.study.watch = pp_watch_of_terminal(&watch, command->room.quiet);
     enum pp_exit exit_status =
         pp_availability_options_load(&command->chart.choice.availability);
+    if (exit_status == PP_EXIT_DONE && pp_moment_choice_said(&command->moment)) {
+        exit_status = pp_moment_choice_load(&command->moment);
+        command->source = pp_moment_choice_source(&command->moment);
+        command->chart.choice.moment = &command->source;
+    }
     return exit_status == PP_EXIT_DONE
                ? pp_chart_run(command->kind, &command->room, &command->chart, words + 1,
                               word_count - 1)
@@ -437,6 +449,7 @@ static enum pp_exit run_chart(void *values, char **words, int word_count)
 static void clear_chart_options(void *values)
 {
     struct chart_command *command = values;
+    pp_moment_choice_clear(&command->moment);
     pp_availability_options_clear(&command->chart.choice.availability);
     pp_sky_picture_release(command->chart.choice.board.picture);
     pp_room_options_clear(&command->room);

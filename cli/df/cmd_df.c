@@ -211,7 +211,7 @@ static enum pp_status check_df_options(void *values, char **files, int file_coun
         pp_moment_choice_settle(&options->moment, &options->room, err);
     if (status == PP_OK && pp_moment_choice_said(&options->moment)) {
         study->simulate = true;
-        status = pp_moment_run_check(&options->room, err);
+        status = pp_moment_choice_check_paths(&options->room, err);
     }
     if (status == PP_OK)
         status = pp_room_options_settle(&options->room, err);

@@ -16,17 +16,6 @@ struct moment_run {
     struct pp_annual_results results;
 };
 
-enum pp_status pp_moment_run_check(const struct pp_room_options *room,
-                                   struct pp_error *err)
-{
-    long samples = room->study.samples;
-    if (samples > 0 && (samples > 65536 || (samples & (samples - 1)) != 0))
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--samples is %ld; expected a power of two up to 65536",
-                       samples);
-    return PP_OK;
-}
-
 static enum pp_status compute_moment(void *data, struct pp_error *err)
 {
     struct moment_run *run = data;

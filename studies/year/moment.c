@@ -105,6 +105,18 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
 
 /* ---- a room ---- */
 
+enum pp_status pp_moment_at(struct pp_moment *moment,
+                            const struct pp_moment_source *source,
+                            const struct pp_world *world, struct pp_error *err)
+{
+    struct pp_moment_irradiances of = source->of;
+    if (source->year)
+        return pp_moment_of_weather(moment, source->year, of.date, of.clock_h, err);
+    of.latitude_rad = world->latitude_rad;
+    of.longitude_rad = world->longitude_rad;
+    return pp_moment_of_irradiances(moment, &of, err);
+}
+
 enum pp_status pp_moment_light(struct pp_outside_light *light,
                                const struct pp_moment *moment, double north_rad,
                                struct pp_error *err)

@@ -41,6 +41,20 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
                                         const struct pp_moment_irradiances *of,
                                         struct pp_error *err);
 
+/* Where the moment of any room comes from: a record of a weather file, or
+ * irradiances. */
+struct pp_moment_source {
+    const char *when;                   /* as typed; NULL: no time is given */
+    const struct pp_weather_year *year; /* not owned; NULL: irradiances */
+    struct pp_moment_irradiances of;    /* with the time, in either case; its place is
+                                         * not used */
+};
+
+/* The moment at the place of a room. */
+enum pp_status pp_moment_at(struct pp_moment *moment,
+                            const struct pp_moment_source *source,
+                            const struct pp_world *world, struct pp_error *err);
+
 /* Sky and sun in the axes of a room whose y axis has that bearing, as pictures and other
  * programs take them; the ground's reflectance stays. PP_BAD_INPUT for a black sky. */
 enum pp_status pp_moment_light(struct pp_outside_light *light,

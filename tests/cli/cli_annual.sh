@@ -72,6 +72,29 @@ check "their size" grep -q "NCOLS=578" "$scratch/c.mtx"
 check "a chart" quietly chart year -w "$scratch/year.epw" -o "$scratch/year.svg" "$room"
 check "a chart without weather" refuses 2 "--weather" chart year -o "$scratch/x.svg" "$room"
 
+check "paths of a chart of the year" quietly chart year -w "$scratch/year.epw" --samples 16 \
+    -o "$scratch/year.svg" "$room"
+check "as many as a power of two" refuses 2 "power of two" chart year -w "$scratch/year.epw" \
+    --samples 17 -o "$scratch/x.svg" "$room"
+
+# A plan of one moment has lux.
+plan="chart plan --samples 16 -q -o $scratch/moment.pdf"
+check "a plan of a sky with a sun" quietly $plan --sky perez,600,120,35,170 "$room"
+check_words "it names sun and parts" "$scratch/moment.pdf" "35.0° high" "from sunlit surfaces" \
+    "direct sunlight" "calculation points, with values in lx"
+run df --samples 16 --sky perez,600,120,35,170 -f csv "$room"
+noon=$(awk -F, 'NR == 3 { printf "%.0f", $13 }' "$scratch/out")
+check_words "its values are those of df" "$scratch/moment.pdf" "$noon"
+check "a plan of an hour" quietly $plan -w "$scratch/year.epw" --when "2023-03-21 12:00" "$room"
+check_words "it names the hour" "$scratch/moment.pdf" "2023-03-21 12:00"
+check "a dark hour has no plan" refuses 1 "no light" $plan -w "$scratch/year.epw" \
+    --when "2023-03-21 02:00" "$room"
+check "weather of a plan has a time" refuses 2 "--when" $plan -w "$scratch/year.epw" "$room"
+check "a section has no moment" refuses 2 "--when is for a plan" chart section \
+    --when "2023-03-21 12:00" -o "$scratch/x.pdf" "$room"
+check "no comparison of a moment" refuses 2 "--line is for a plan of daylight factors" $plan \
+    --sky perez,600,120,35,170 --line no-sky "$room"
+
 # One hour: lux with sunlight, and no daylight factor. At noon the sun has 400 W/m2.
 hour="df -w $scratch/year.epw --samples 16"
 check "an hour" shows "sun-reflected" $hour --when "2023-03-21 12:00" "$room"

@@ -1,0 +1,15 @@
+/* draw_moment.h - the plan of a room at one moment: illuminances instead of daylight
+ * factors. */
+#ifndef PP_API_DRAW_MOMENT_H
+#define PP_API_DRAW_MOMENT_H
+
+#include "api/chart_kind.h"
+
+/* Draws the plan at the moment of choice->moment, which is not NULL. */
+enum pp_status pp_draw_moment_plan(struct pp_canvas *canvas,
+                                   const struct pp_study_room *room,
+                                   const struct pp_study_options *study,
+                                   const struct pp_chart_choice *choice, bool *finished,
+                                   struct pp_error *err);
+
+#endif

@@ -1,0 +1,21 @@
+/* moment_plan_study.h - computes the illuminances on a room's working plane at one
+ * moment. */
+#ifndef PP_STUDIES_YEAR_MOMENT_PLAN_STUDY_H
+#define PP_STUDIES_YEAR_MOMENT_PLAN_STUDY_H
+
+#include "model/results/sheets/moment_plan.h"
+#include "studies/study_room.h"
+#include "studies/year/moment.h"
+
+/* Fills a plan with cells of 0.25 m, or larger ones in a plane above 37 m2. options:
+ * paths or the error of the room's own points; cells have four times that error. The
+ * room must outlive *plan, which the caller clears, after a failure too.
+ * PP_BAD_INPUT if the room has no working plane. */
+enum pp_status pp_moment_plan_study_make(struct pp_moment_plan *plan,
+                                         const struct pp_study_room *room,
+                                         const struct pp_moment *moment,
+                                         const struct pp_annual_options *options,
+                                         struct pp_error *err);
+void pp_moment_plan_study_clear(struct pp_moment_plan *plan);
+
+#endif

@@ -1,0 +1,125 @@
+/* The plan of a moment against sunlight by hand, and against the points of df. */
+#include "tests/lib/near.h"
+#include "tests/lib/room_of.h"
+
+#include "studies/year/moment_plan_study.h"
+
+/* A window 2 m wide from 1.05 to 2.25 m, working plane at 0.85 m, sun due south at
+ * 45 degrees: light on a rectangle of 2 m x 1.2 m that begins 0.2 m from the wall. */
+static const char by_hand[] =
+    "<room version='1'><plan width='4' depth='5' height='3'/>"
+    "<window wall='south' left='1' sill='1.05' width='2' height='1.2' glazing='none'/>"
+    "<point x='2' y='0.8'/><point x='2' y='4'/></room>";
+
+static struct pp_moment moment_of(double altitude_deg, double bearing_deg)
+{
+    struct pp_moment moment;
+    const struct pp_moment_irradiances of = {.direct_w_m2 = 700.0,
+                                             .diffuse_w_m2 = 110.0,
+                                             .sun_altitude_rad = altitude_deg * PP_RAD,
+                                             .sun_bearing_rad = bearing_deg * PP_RAD,
+                                             .zone_h = NAN,
+                                             .latitude_rad = NAN,
+                                             .longitude_rad = NAN};
+    assert_int_equal(pp_moment_of_irradiances(&moment, &of, NULL), PP_OK);
+    return moment;
+}
+
+static void make(struct pp_moment_plan *plan, struct pp_study_room *room,
+                 const struct pp_moment *moment)
+{
+    static const struct pp_annual_options options = {
+        .samples = 16, .seed = 1, .threads = 2};
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, by_hand);
+    *room = (struct pp_study_room){.file = "by-hand.xml",
+                                   .world = world,
+                                   .light = light,
+                                   .receivers = world->receivers,
+                                   .receiver_count = world->receiver_count};
+    assert_int_equal(pp_moment_plan_study_make(plan, room, moment, &options, NULL),
+                     PP_OK);
+}
+
+static void clear(struct pp_moment_plan *plan, struct pp_study_room *room)
+{
+    pp_moment_plan_study_clear(plan);
+    pp_world_destroy(room->world);
+}
+
+static float sun_at(const struct pp_moment_plan *plan, double x, double y)
+{
+    int column = (int)(x / plan->cell_m[0] * PP_MOMENT_PLAN_SUB);
+    int row = (int)(y / plan->cell_m[1] * PP_MOMENT_PLAN_SUB);
+    return plan->sun[row * plan->columns * PP_MOMENT_PLAN_SUB + column];
+}
+
+static void sunlit_area_is_the_window_projected_along_the_sun(void **state)
+{
+    (void)state;
+    struct pp_moment_plan plan;
+    struct pp_study_room room;
+    struct pp_moment moment = moment_of(45.0, 180.0);
+    make(&plan, &room, &moment);
+    /* Each of four edges is known to half a part, 16 mm. */
+    assert_near(plan.sun_share, 2.0 * 1.2 / 20.0, 0.016 * (2.0 + 1.2) / 20.0);
+    double level = moment.sky.direct_lx * sqrt(0.5);
+    assert_near(sun_at(&plan, 1.1, 0.3), level, 1.0);
+    assert_near(sun_at(&plan, 2.9, 1.3), level, 1.0);
+    assert_near(sun_at(&plan, 0.9, 0.3), 0.0, 0.0);
+    assert_near(sun_at(&plan, 2.0, 0.1), 0.0, 0.0);
+    assert_near(sun_at(&plan, 2.0, 1.5), 0.0, 0.0);
+    assert_true(plan.highest_lx > level && plan.lowest_lx < 0.1 * level);
+    clear(&plan, &room);
+}
+
+/* From the south-west, 45 degrees off the window's normal: a parallelogram, moved east by
+ * as much as it is moved north, and 1/sqrt 2 as deep at the same altitude. */
+static void sun_from_the_side_shears_the_area(void **state)
+{
+    (void)state;
+    struct pp_moment_plan plan;
+    struct pp_study_room room;
+    struct pp_moment moment = moment_of(45.0, 225.0);
+    make(&plan, &room, &moment);
+    double deep = 1.2 * sqrt(0.5);
+    assert_near(plan.sun_share, 2.0 * deep / 20.0, 0.016 * (2.0 + deep) / 20.0);
+    double level = moment.sky.direct_lx * sqrt(0.5);
+    assert_near(sun_at(&plan, 1.0 + 0.5 + 0.1, 0.5), level, 1.0);
+    assert_near(sun_at(&plan, 1.0 + 0.5 - 0.1, 0.5), 0.0, 0.0);
+    assert_near(sun_at(&plan, 3.0 + 0.5 - 0.1, 0.5), level, 1.0);
+    clear(&plan, &room);
+}
+
+/* The plan's light without sun, at a point between cells, agrees with that point's own
+ * simulation; a sun below the window's head in the north lights nothing. */
+static void plan_agrees_with_points(void **state)
+{
+    (void)state;
+    struct pp_moment_plan plan;
+    struct pp_study_room room;
+    struct pp_moment moment = moment_of(30.0, 0.0);
+    make(&plan, &room, &moment);
+    assert_near(plan.sun_share, 0.0, 0.0);
+    for (int i = 0; i < 2; i++) {
+        const struct pp_annual_value *own = &plan.points.points[i].year_lxh;
+        int row =
+            (int)(room.receivers[i].position.y / plan.cell_m[1] * PP_MOMENT_PLAN_SUB);
+        int column =
+            (int)(room.receivers[i].position.x / plan.cell_m[0] * PP_MOMENT_PLAN_SUB);
+        double lx = plan.diffuse[row * plan.columns * PP_MOMENT_PLAN_SUB + column];
+        /* 16 paths: about 3 % at the back; curvature within a cell: below 1 %. */
+        assert_near(lx, own->value, 4.0 * own->std_error + 0.02 * own->value);
+    }
+    clear(&plan, &room);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sunlit_area_is_the_window_projected_along_the_sun),
+        cmocka_unit_test(sun_from_the_side_shears_the_area),
+        cmocka_unit_test(plan_agrees_with_points),
+    };
+    add_tests(tests, NULL, NULL);
+}
