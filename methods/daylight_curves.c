@@ -271,7 +271,8 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
     if (irc_name && !(isfinite(irc) && irc >= 0.0))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "the internally reflected component is %g; expected 0 or more for contours",
+            "the internally reflected component is %g; contours need a value of 0 or "
+            "more",
             irc);
     snprintf(plan->name, sizeof plan->name, "%s%s%s", direct->name, irc_name ? "+" : "",
              irc_name ? irc_name : "");

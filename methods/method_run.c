@@ -348,7 +348,8 @@ enum pp_status pp_method_run_average(const struct pp_method_run *run,
     }
     if (stopped)
         return pp_fail(err, PP_SYSTEM,
-                       "the average of %s over the working plane did not converge",
+                       "the calculation of the average of %s over the working plane "
+                       "did not converge",
                        run->name);
     answer->amounts =
         (struct pp_amounts){.sky = mean[0], .external = mean[1], .value = mean[0]};

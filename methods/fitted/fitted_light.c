@@ -112,6 +112,6 @@ const char *pp_fitted_light_refuses(const struct pp_world *world,
     if (opening->glass.diffusing)
         return "has diffusing glass, but the method is for clear glass only";
     if (!(pp_interior_all(world).reflectance < 1.0))
-        return "is in a room whose mean reflectance is 1";
+        return "is in a room with a mean reflectance of 1";
     return NULL;
 }

@@ -171,7 +171,7 @@ static const char *refuses_window(const struct pp_world *world,
     if (opening->glass.diffusing)
         return "has diffusing glass, but the tables are for clear glass";
     if (opening->reveal_m > reveal_most * opening->height_m + small)
-        return "has a reveal deeper than a fifth of its height";
+        return "has a reveal deeper than one fifth of its height";
     polygon_range(z, &opening->inner, opening->up);
     if (fabs(z[0] - world->working_plane_m) > sill_within_m + small)
         return "has its sill more than 0.30 m above or below the working plane";

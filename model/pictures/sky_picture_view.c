@@ -81,8 +81,8 @@ static enum pp_status set_projection(struct pp_sky_frame *frame,
         frame->projection = wide ? PP_SKY_LATITUDE_LONGITUDE : PP_SKY_EQUIDISTANT;
     if (frame->projection == PP_SKY_LATITUDE_LONGITUDE && !wide)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the latitude-longitude picture has %d x %d pixels; expected a "
-                       "width of twice the height",
+                       "the latitude-longitude picture has %d x %d pixels; expected "
+                       "the width to be twice the height",
                        frame->width, frame->height);
     return PP_OK;
 }

@@ -123,7 +123,7 @@ enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
         status = pp_fail(
             err, PP_BAD_INPUT,
             "%s: diffuse illuminance (field 19) and diffuse irradiance (field 16) are "
-            "0 or missing in all %d records; expected values for one of them",
+            "0 or missing in all %d records; expected values in one of these fields",
             file, epw->record_count);
     if (status != PP_OK)
         pp_diffuse_light_clear(light);

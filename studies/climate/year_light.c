@@ -158,8 +158,8 @@ enum pp_status pp_year_light_of_room(struct pp_year_light *outside,
     if (options->days != PP_ALL_DAYS
         && options->epw->records[0].weekday == PP_WEEKDAY_UNKNOWN)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: DATA PERIODS does not give a day of the week, so --days "
-                       "cannot be used; expected --days all",
+                       "%s: the DATA PERIODS line does not give a day of the week, so "
+                       "--days cannot be used; expected --days all",
                        pp_read_file_title(options->weather));
     return light_of_file(outside, options, err);
 }

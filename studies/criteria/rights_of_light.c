@@ -41,7 +41,7 @@ static enum pp_status add_loss(struct pp_finding_list *findings, struct pp_error
     struct pp_finding lost =
         pp_finding_of(PP_FIGURE_AREA, lit->lost_m2, NAN, true, "area lost");
     if (lit->before_m2 > 0.0)
-        pp_finding_note(&lost, "%.1f %% of the adequately lit area before",
+        pp_finding_note(&lost, "%.1f %% of the area that was adequately lit before",
                         100.0 * lit->lost_m2 / lit->before_m2);
     enum pp_status status = pp_finding_list_add(findings, &former, err);
     if (status == PP_OK)

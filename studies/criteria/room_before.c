@@ -46,7 +46,7 @@ enum pp_status pp_room_before_find(const struct pp_study_room **found, int **pai
     const char *file = before->list[0].file;
     if (!*found)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: has no room named \"%.100s\" to compare with", file,
+                       "%s: there is no room named \"%.100s\" for the comparison", file,
                        room->world->name ? room->world->name : "");
     struct pp_error why;
     enum pp_status status = pp_pair_rooms(pairs, room->world, (*found)->world, &why);

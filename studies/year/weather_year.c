@@ -142,7 +142,7 @@ enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
     pp_weather_year_clear(year);
     return pp_fail(
         err, PP_BAD_INPUT,
-        "%s: the file has neither direct nor diffuse irradiance (fields 15 and 16)",
+        "%s: the file gives neither direct nor diffuse irradiance (fields 15 and 16)",
         file);
 }
 
@@ -209,7 +209,8 @@ const char *pp_weather_year_notes(char *text, size_t room,
                  "above the horizon");
     append_count(
         text, room, year->sunless_beams,
-        "records with direct light while the sun is down (direct light ignored)");
+        "records with direct light while the sun is below the horizon (direct light "
+        "ignored)");
     append_count(text, room, year->no_diffuse,
                  "records with direct light but no diffuse light (black sky)");
     append_count(text, room, year->no_dew_point,
