@@ -134,7 +134,7 @@ enum pp_status pp_exterior_sky_solid_angle(double *solid_angle,
         if (opening->glass.diffusing)
             continue;
         struct pp_visible visible;
-        enum pp_status status = pp_visible_in_parts(&visible, world, opening, eye, err);
+        enum pp_status status = pp_visible_sky(&visible, world, opening, eye, err);
         if (status != PP_OK)
             return status;
         for (int k = 0; k < visible.patch_count && status == PP_OK; k++) {

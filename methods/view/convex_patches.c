@@ -29,26 +29,67 @@ static enum pp_status add_open(struct pp_fragments *open,
     return status;
 }
 
-/* True if a fragment shows the light of `hider`, or the sky if that is NULL. rings:
- * owners of fragments, parts of the pieces. */
-static bool shows(const struct pp_fragment *fragment,
-                  const struct pp_occluder_rings *rings,
-                  const struct pp_occluders *pieces, const struct pp_occluder *hider)
+/* The lights of the pieces: pieces of one light have the same reflectance and
+ * exitance. */
+struct lights {
+    int count;
+    int *first; /* the first piece with each light */
+    int *of;    /* the light of each piece */
+};
+
+/* Lists the lights in the order of the pieces; the caller frees both arrays. */
+static enum pp_status find_lights(struct lights *lights,
+                                  const struct pp_occluders *pieces,
+                                  struct pp_error *err)
 {
-    bool sky = fragment->owner == PP_FRAGMENT_FREE;
-    return sky == !hider
-           && (sky
-               || pp_overlay_same_light(hider,
-                                        &pieces->list[rings->of[fragment->owner]]));
+    size_t room = ((size_t)pieces->count + 1) * sizeof *lights->first;
+    *lights = (struct lights){.first = malloc(room), .of = malloc(room)};
+    if (!lights->first || !lights->of)
+        return pp_fail_memory(err);
+    for (int i = 0; i < pieces->count; i++) {
+        int k = 0;
+        while (k < lights->count
+               && !pp_overlay_same_light(&pieces->list[lights->first[k]],
+                                         &pieces->list[i]))
+            k++;
+        if (k == lights->count)
+            lights->first[lights->count++] = i;
+        lights->of[i] = k;
+    }
+    return PP_OK;
 }
 
-/* Adds a patch of the fragments that show the light of `hider`, or the sky if hider is
- * NULL. Without rings the patch has all fragments. */
-static enum pp_status add_patch(struct pp_visible *visible,
-                                const struct pp_fragments *fragments,
-                                const struct pp_occluder_rings *rings,
-                                const struct pp_occluders *pieces,
-                                const struct pp_occluder *hider, struct pp_error *err)
+/* Replaces the owners of fragments, rings, by the lights of these. */
+static void name_lights(struct pp_fragments *fragments,
+                        const struct pp_occluder_rings *rings,
+                        const struct lights *lights)
+{
+    for (int i = 0; i < fragments->count; i++) {
+        int *owner = &fragments->list[i].owner;
+        if (*owner != PP_FRAGMENT_FREE)
+            *owner = lights->of[rings->of[*owner]];
+    }
+}
+
+/* Copies a fragment to a patch, which has room for it. */
+static enum pp_status add_fragment(struct pp_visible_patch *patch,
+                                   const struct pp_fragment *fragment,
+                                   struct pp_error *err)
+{
+    size_t size = (size_t)fragment->count * sizeof *fragment->xy;
+    double(*xy)[2] = malloc(size);
+    if (!xy)
+        return pp_fail_memory(err);
+    memcpy(xy, fragment->xy, size);
+    struct pp_region *region = &patch->region;
+    region->rings[region->count++] = (struct pp_ring){fragment->count, xy};
+    return PP_OK;
+}
+
+/* Adds a patch with room for `count` fragments. hider: a piece with the patch's light,
+ * or NULL for the sky. */
+static enum pp_status begin_patch(struct pp_visible *visible, int count,
+                                  const struct pp_occluder *hider, struct pp_error *err)
 {
     struct pp_visible_patch *patch = &visible->patches[visible->patch_count];
     *patch = (struct pp_visible_patch){.hidden = hider != NULL};
@@ -56,48 +97,46 @@ static enum pp_status add_patch(struct pp_visible *visible,
         patch->reflectance = hider->reflectance;
         patch->exitance = hider->exitance;
     }
-    struct pp_region *region = &patch->region;
-    region->rings = calloc((size_t)fragments->count + 1, sizeof *region->rings);
-    if (!region->rings)
+    patch->region.rings = calloc((size_t)count, sizeof *patch->region.rings);
+    if (!patch->region.rings)
         return pp_fail_memory(err);
     visible->patch_count++;
-    for (int i = 0; i < fragments->count; i++) {
-        const struct pp_fragment *fragment = &fragments->list[i];
-        if (rings && !shows(fragment, rings, pieces, hider))
-            continue;
-        size_t size = (size_t)fragment->count * sizeof *fragment->xy;
-        double(*xy)[2] = malloc(size);
-        if (!xy)
-            return pp_fail_memory(err);
-        memcpy(xy, fragment->xy, size);
-        region->rings[region->count++] = (struct pp_ring){fragment->count, xy};
-    }
-    if (region->count == 0) {
-        pp_region_clear(region);
-        visible->patch_count--;
-    }
     return PP_OK;
 }
 
-/* Finds, for each different light, the first piece with that light, in order; the
- * caller frees *first. */
-static enum pp_status find_lights(int **first, int *count,
+/* Adds a patch for the sky and one for each light, of the fragments that show it. The
+ * owner of a fragment is its light. */
+static enum pp_status add_patches(struct pp_visible *visible,
+                                  const struct pp_fragments *fragments,
+                                  const struct lights *lights,
                                   const struct pp_occluders *pieces,
                                   struct pp_error *err)
 {
-    *count = 0;
-    *first = malloc(((size_t)pieces->count + 1) * sizeof **first);
-    if (!*first)
-        return pp_fail_memory(err);
-    for (int i = 0; i < pieces->count; i++) {
-        int k = 0;
-        while (k < *count
-               && !pp_overlay_same_light(&pieces->list[(*first)[k]], &pieces->list[i]))
-            k++;
-        if (k == *count)
-            (*first)[(*count)++] = i;
+    enum { SKY = PP_FRAGMENT_FREE };
+    size_t groups = (size_t)lights->count + 1;
+    int *counts = calloc(groups, sizeof *counts),
+        *patch = calloc(groups, sizeof *patch);
+    visible->patches = calloc(groups, sizeof *visible->patches);
+    visible->allocated = true;
+    enum pp_status status =
+        counts && patch && visible->patches ? PP_OK : pp_fail_memory(err);
+    for (int i = 0; i < fragments->count && status == PP_OK; i++)
+        counts[fragments->list[i].owner - SKY]++;
+    for (int k = SKY; k < lights->count && status == PP_OK; k++) {
+        patch[k - SKY] = visible->patch_count;
+        if (counts[k - SKY] > 0)
+            status =
+                begin_patch(visible, counts[k - SKY],
+                            k == SKY ? NULL : &pieces->list[lights->first[k]], err);
     }
-    return PP_OK;
+    for (int i = 0; i < fragments->count && status == PP_OK; i++) {
+        const struct pp_fragment *fragment = &fragments->list[i];
+        status = add_fragment(&visible->patches[patch[fragment->owner - SKY]], fragment,
+                              err);
+    }
+    free(counts);
+    free(patch);
+    return status;
 }
 
 struct hiding {
@@ -117,40 +156,45 @@ static enum pp_status hide_cell(void *data, struct pp_fragments *open, const int
     return status;
 }
 
-/* Divides the open part if all pieces have the same light, so that any may hide
- * another. */
-static enum pp_status divide_by_one_light(struct pp_visible *visible,
-                                          struct pp_fragments *open,
-                                          struct pp_occluder_rings *rings,
-                                          const struct pp_occluders *pieces,
-                                          struct pp_error *err)
+/* Removes the parts that pieces hide, and adds them to `hidden` unless it is NULL. The
+ * order of the pieces does not matter. */
+static enum pp_status hide_parts(struct pp_fragments *open, struct pp_fragments *hidden,
+                                 struct pp_occluder_rings *rings, struct pp_error *err)
 {
-    struct pp_fragments hidden = {0};
     enum pp_status status = pp_occluder_rings_sort(rings, err);
     if (status == PP_OK)
         status = pp_ring_cells(open, rings->rings, rings->count, hide_cell,
-                               &(struct hiding){rings, &hidden}, err);
+                               &(struct hiding){rings, hidden}, err);
+    return status;
+}
+
+/* Divides the open part if all pieces have the same light, so that any may hide
+ * another. */
+static enum pp_status divide_by_one_light(struct pp_fragments *open,
+                                          struct pp_occluder_rings *rings,
+                                          struct pp_error *err)
+{
+    struct pp_fragments hidden = {0};
+    enum pp_status status = hide_parts(open, &hidden, rings, err);
+    for (int i = 0; i < hidden.count; i++)
+        hidden.list[i].owner = 0;
     if (status == PP_OK)
-        status = add_patch(visible, open, NULL, pieces, NULL, err);
-    if (status == PP_OK && hidden.count > 0)
-        status = add_patch(visible, &hidden, NULL, pieces, &pieces->list[0], err);
+        status = pp_fragments_append(open, &hidden, err);
     pp_fragments_clear(&hidden);
     return status;
 }
 
-/* Divides the open part among the lights, given the first piece of each. */
-static enum pp_status divide_by_lights(struct pp_visible *visible,
-                                       struct pp_fragments *open,
-                                       const struct pp_occluder_rings *rings,
-                                       const struct pp_occluders *pieces,
-                                       const int *first, int lights,
+/* Divides the open part among the lights of the pieces, which become the owners. */
+static enum pp_status divide_by_lights(struct pp_fragments *open,
+                                       struct pp_occluder_rings *rings,
+                                       const struct lights *lights,
                                        struct pp_error *err)
 {
+    if (lights->count == 1)
+        return divide_by_one_light(open, rings, err);
     enum pp_status status = pp_occluder_rings_cover(open, rings, err);
     if (status == PP_OK)
-        status = add_patch(visible, open, rings, pieces, NULL, err);
-    for (int k = 0; k < lights && status == PP_OK; k++)
-        status = add_patch(visible, open, rings, pieces, &pieces->list[first[k]], err);
+        name_lights(open, rings, lights);
     return status;
 }
 
@@ -162,7 +206,7 @@ enum pp_status pp_convex_patches_fill(struct pp_visible *visible,
     double distance_m = visible->view.distance_m;
     struct pp_occluder_rings hiding = {0}, rings = {0};
     struct pp_fragments open = {0};
-    int *first = NULL, lights = 0;
+    struct lights lights = {0};
     enum pp_status status = pp_occluder_rings_find(&hiding, inside, distance_m, err);
     if (status == PP_OK)
         status = pp_occluder_rings_find(&rings, outside, distance_m, err);
@@ -170,18 +214,17 @@ enum pp_status pp_convex_patches_fill(struct pp_visible *visible,
         status = add_open(&open, visible, builder, err);
     for (int i = 0; i < hiding.count && open.count > 0 && status == PP_OK; i++)
         status = pp_fragments_subtract(&open, &hiding.rings[i], err);
+    if (status == PP_OK && builder->sky_only)
+        status = hide_parts(&open, NULL, &rings, err);
+    else if (status == PP_OK && outside->count > 0) {
+        status = find_lights(&lights, outside, err);
+        if (status == PP_OK)
+            status = divide_by_lights(&open, &rings, &lights, err);
+    }
     if (status == PP_OK)
-        status = find_lights(&first, &lights, outside, err);
-
-    visible->patches = calloc((size_t)lights + 1, sizeof *visible->patches);
-    visible->allocated = true;
-    if (!visible->patches)
-        status = pp_fail_memory(err);
-    if (status == PP_OK)
-        status = lights < 2 ? divide_by_one_light(visible, &open, &rings, outside, err)
-                            : divide_by_lights(visible, &open, &rings, outside, first,
-                                               lights, err);
-    free(first);
+        status = add_patches(visible, &open, &lights, outside, err);
+    free(lights.first);
+    free(lights.of);
     pp_occluder_rings_clear(&hiding);
     pp_occluder_rings_clear(&rings);
     pp_fragments_clear(&open);

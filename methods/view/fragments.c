@@ -260,6 +260,19 @@ static struct cut_line nearer_than(const struct pp_fragment_ring *ring,
                              owner->depth[0] - ring->depth[0]};
 }
 
+/* True if the ring is behind the owner of the fragment, over the whole fragment. */
+static bool is_behind(const struct pp_fragment *fragment,
+                      const struct pp_fragment_ring *rings, int index)
+{
+    if (fragment->owner == PP_FRAGMENT_FREE)
+        return false;
+    struct cut_line line = nearer_than(&rings[index], &rings[fragment->owner]);
+    for (int i = 0; i < fragment->count; i++)
+        if (line.a * fragment->xy[i][0] + line.b * fragment->xy[i][1] + line.c > 0.0)
+            return false;
+    return true;
+}
+
 /* Assigns to the ring the part of a fragment that it hides. */
 static enum pp_status cover_one(struct pp_fragments *fragments, int at,
                                 const struct pp_fragment_ring *rings, int index,
@@ -267,7 +280,9 @@ static enum pp_status cover_one(struct pp_fragments *fragments, int at,
 {
     const struct pp_fragment_ring *ring = &rings[index];
     struct cut_parts parts;
-    if (!divide_by_ring(&parts, &fragments->list[at], ring))
+    if (apart(&fragments->list[at], ring)
+        || is_behind(&fragments->list[at], rings, index)
+        || !divide_by_ring(&parts, &fragments->list[at], ring))
         return PP_OK;
     int owner = fragments->list[at].owner;
     const struct cut_ring *front = parts.within;

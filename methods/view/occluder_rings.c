@@ -1,10 +1,12 @@
 /* occluder_rings.c - see occluder_rings.h. */
 #include "methods/view/occluder_rings.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "methods/view/ring_cells.h"
+#include "model/geometry/min_max.h"
 
 enum { MOST = PP_FRAGMENT_CORNERS };
 
@@ -56,47 +58,70 @@ void pp_occluder_rings_clear(struct pp_occluder_rings *rings)
     *rings = (struct pp_occluder_rings){0};
 }
 
-/* ---- The largest first ---- */
+/* ---- Sorting ---- */
 
-struct sized_ring {
-    double size;
+/* A ring with the value by which it is sorted, greatest first. */
+struct sorted_ring {
+    double value;
     int place, of;
     struct pp_fragment_ring ring;
 };
 
-static int by_size(const void *a, const void *b)
+static int by_value(const void *a, const void *b)
 {
-    const struct sized_ring *x = a, *y = b;
-    if (x->size != y->size)
-        return x->size > y->size ? -1 : 1;
+    const struct sorted_ring *x = a, *y = b;
+    if (x->value != y->value)
+        return x->value > y->value ? -1 : 1;
     return (x->place > y->place) - (x->place < y->place);
+}
+
+/* Area of the ring's extent. */
+static double ring_size(const struct pp_fragment_ring *ring)
+{
+    return (ring->high[0] - ring->low[0]) * (ring->high[1] - ring->low[1]);
+}
+
+/* Greater for a ring whose nearest corner is nearer: minus its depth. */
+static double ring_nearness(const struct pp_fragment_ring *ring)
+{
+    double depth = INFINITY;
+    for (int i = 0; i < ring->count; i++)
+        depth = pp_min(ring->depth[0] + ring->depth[1] * ring->xy[i][0]
+                           + ring->depth[2] * ring->xy[i][1],
+                       depth);
+    return -depth;
+}
+
+/* Sorts the rings by a value, greatest first. */
+static enum pp_status sort_rings(struct pp_occluder_rings *rings,
+                                 double value(const struct pp_fragment_ring *),
+                                 struct pp_error *err)
+{
+    enum { FEW = 24 };
+    struct sorted_ring few[FEW], *sorted = few;
+    if (rings->count < 2)
+        return PP_OK;
+    if (rings->count > FEW)
+        sorted = malloc((size_t)rings->count * sizeof *sorted);
+    if (!sorted)
+        return pp_fail_memory(err);
+    for (int i = 0; i < rings->count; i++)
+        sorted[i] = (struct sorted_ring){value(&rings->rings[i]), i, rings->of[i],
+                                         rings->rings[i]};
+    qsort(sorted, (size_t)rings->count, sizeof *sorted, by_value);
+    for (int i = 0; i < rings->count; i++) {
+        rings->rings[i] = sorted[i].ring;
+        rings->of[i] = sorted[i].of;
+    }
+    if (sorted != few)
+        free(sorted);
+    return PP_OK;
 }
 
 enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
                                       struct pp_error *err)
 {
-    enum { FEW = 24 };
-    struct sized_ring few[FEW], *sized = few;
-    if (rings->count < 2)
-        return PP_OK;
-    if (rings->count > FEW)
-        sized = malloc((size_t)rings->count * sizeof *sized);
-    if (!sized)
-        return pp_fail_memory(err);
-    for (int i = 0; i < rings->count; i++) {
-        const struct pp_fragment_ring *ring = &rings->rings[i];
-        sized[i] = (struct sized_ring){(ring->high[0] - ring->low[0])
-                                           * (ring->high[1] - ring->low[1]),
-                                       i, rings->of[i], *ring};
-    }
-    qsort(sized, (size_t)rings->count, sizeof *sized, by_size);
-    for (int i = 0; i < rings->count; i++) {
-        rings->rings[i] = sized[i].ring;
-        rings->of[i] = sized[i].of;
-    }
-    if (sized != few)
-        free(sized);
-    return PP_OK;
+    return sort_rings(rings, ring_size, err);
 }
 
 /* ---- Which pieces are seen? ---- */
@@ -147,16 +172,18 @@ static enum pp_status cover_cell(void *data, struct pp_fragments *open,
 }
 
 enum pp_status pp_occluder_rings_cover(struct pp_fragments *open,
-                                       const struct pp_occluder_rings *rings,
+                                       struct pp_occluder_rings *rings,
                                        struct pp_error *err)
 {
-    return pp_ring_cells(open, rings->rings, rings->count, cover_cell, (void *)rings,
-                         err);
+    enum pp_status status = sort_rings(rings, ring_nearness, err);
+    return status == PP_OK
+               ? pp_ring_cells(open, rings->rings, rings->count, cover_cell, rings, err)
+               : status;
 }
 
 /* Marks the pieces that are in front of all others in a part of the open fragments. */
 static enum pp_status mark_in_front(bool *is_seen, struct pp_fragments *open,
-                                    const struct pp_occluder_rings *rings,
+                                    struct pp_occluder_rings *rings,
                                     struct pp_error *err)
 {
     enum pp_status status = pp_occluder_rings_cover(open, rings, err);

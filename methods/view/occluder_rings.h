@@ -25,9 +25,10 @@ void pp_occluder_rings_clear(struct pp_occluder_rings *rings);
 enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
                                       struct pp_error *err);
 
-/* Assigns each part of the open fragments to the nearest ring. */
+/* Assigns each part of the open fragments to the nearest ring. Sorts the rings, nearest
+ * first: later ones then divide few fragments. */
 enum pp_status pp_occluder_rings_cover(struct pp_fragments *open,
-                                       const struct pp_occluder_rings *rings,
+                                       struct pp_occluder_rings *rings,
                                        struct pp_error *err);
 
 /* Removes pieces that other pieces hide entirely, within the extent of the scene.

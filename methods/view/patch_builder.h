@@ -8,7 +8,7 @@
 #include "methods/view/visible.h"
 #include "model/geometry/clipper.h"
 
-/* The caller sets scene, in_parts and, for an outline that is no rectangle, clipper and
+/* The caller sets scene, in_parts, sky_only and, for an outline that is no rectangle, clipper and
  * open; all other members are zero. */
 struct pp_patch_builder {
     struct pp_occluders_scene scene;
@@ -19,6 +19,7 @@ struct pp_patch_builder {
                                  * to high */
     double grid;                /* grid for overlays of regions */
     bool in_parts;              /* patches may be convex rings that meet */
+    bool sky_only;              /* patches of obstructions may be left out */
 };
 
 /* Fills `visible`. The outline is builder->open or, if that is empty, the rectangle

@@ -87,9 +87,14 @@ static enum pp_status open_by_overlay(struct pp_patch_builder *builder,
     return status;
 }
 
+/* The parts of a view that are wanted. */
+struct wanted {
+    bool outside, in_parts, sky_only;
+};
+
 static enum pp_status through(struct pp_visible *visible, const struct pp_world *world,
                               const struct pp_opening *opening, struct pp_vec3 eye,
-                              bool with_outside, bool in_parts, struct pp_error *err)
+                              struct wanted wanted, struct pp_error *err)
 {
     visible->patch_count = 0;
     visible->patches = NULL;
@@ -106,7 +111,8 @@ static enum pp_status through(struct pp_visible *visible, const struct pp_world 
                                                  .view = view,
                                                  .face = opening->face,
                                                  .from_inside = true},
-                                       .in_parts = in_parts};
+                                       .in_parts = wanted.in_parts,
+                                       .sky_only = wanted.sky_only};
     enum pp_status status = PP_OK;
     const double(*outline)[2] = (const double(*)[2])visible->corners;
     if (opening->rectangle) {
@@ -151,7 +157,7 @@ static enum pp_status through(struct pp_visible *visible, const struct pp_world 
         builder.scene.outline_count = 4;
     }
     find_scene_extent(&builder.scene);
-    status = pp_patch_builder_fill(visible, &builder, with_outside, err);
+    status = pp_patch_builder_fill(visible, &builder, wanted.outside, err);
     pp_patch_builder_clear(&builder);
     if (status != PP_OK)
         pp_visible_clear(visible);
@@ -163,7 +169,7 @@ enum pp_status pp_visible_through(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err)
 {
-    return through(visible, world, opening, eye, true, false, err);
+    return through(visible, world, opening, eye, (struct wanted){.outside = true}, err);
 }
 
 enum pp_status pp_visible_in_parts(struct pp_visible *visible,
@@ -171,7 +177,17 @@ enum pp_status pp_visible_in_parts(struct pp_visible *visible,
                                    const struct pp_opening *opening, struct pp_vec3 eye,
                                    struct pp_error *err)
 {
-    return through(visible, world, opening, eye, true, true, err);
+    return through(visible, world, opening, eye,
+                   (struct wanted){.outside = true, .in_parts = true}, err);
+}
+
+enum pp_status pp_visible_sky(struct pp_visible *visible, const struct pp_world *world,
+                              const struct pp_opening *opening, struct pp_vec3 eye,
+                              struct pp_error *err)
+{
+    return through(visible, world, opening, eye,
+                   (struct wanted){.outside = true, .in_parts = true, .sky_only = true},
+                   err);
 }
 
 enum pp_status pp_visible_opening(struct pp_visible *visible,
@@ -179,7 +195,7 @@ enum pp_status pp_visible_opening(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err)
 {
-    return through(visible, world, opening, eye, false, false, err);
+    return through(visible, world, opening, eye, (struct wanted){0}, err);
 }
 
 enum pp_status pp_visible_open_part(struct pp_region *region,
@@ -189,8 +205,8 @@ enum pp_status pp_visible_open_part(struct pp_region *region,
 {
     struct pp_visible visible;
     *region = (struct pp_region){0};
-    enum pp_status status =
-        through(&visible, world, opening, position, false, true, err);
+    enum pp_status status = through(&visible, world, opening, position,
+                                    (struct wanted){.in_parts = true}, err);
     if (status != PP_OK)
         return status;
     if (visible.patch_count == 0) {

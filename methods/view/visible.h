@@ -59,6 +59,12 @@ enum pp_status pp_visible_in_parts(struct pp_visible *visible,
                                    const struct pp_opening *opening, struct pp_vec3 eye,
                                    struct pp_error *err);
 
+/* Works like pp_visible_in_parts, but may leave out the patches that show
+ * obstructions: several times as fast with many of them. */
+enum pp_status pp_visible_sky(struct pp_visible *visible, const struct pp_world *world,
+                              const struct pp_opening *opening, struct pp_vec3 eye,
+                              struct pp_error *err);
+
 /* Works like pp_visible_through, without obstructions outside. Gives one patch, the
  * part of the opening that no occluder inside hides, or none. */
 enum pp_status pp_visible_opening(struct pp_visible *visible,
