@@ -87,7 +87,7 @@ noon=$(awk -F, 'NR == 3 { printf "%.0f", $13 }' "$scratch/out")
 check_words "its values are those of df" "$scratch/moment.pdf" "$noon"
 check "a plan of an hour" quietly $plan -w "$scratch/year.epw" --when "2023-03-21 12:00" "$room"
 check_words "it names the hour" "$scratch/moment.pdf" "2023-03-21 12:00"
-check "a dark hour has no plan" refuses 1 "no light" $plan -w "$scratch/year.epw" \
+check "a dark hour has no plan" refuses 1 "no daylight" $plan -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 check "weather of a plan has a time" refuses 2 "--when" $plan -w "$scratch/year.epw" "$room"
 check "a section has no moment" refuses 2 "--when is for a plan" chart section \
@@ -101,7 +101,7 @@ check "an hour" shows "sun-reflected" $hour --when "2023-03-21 12:00" "$room"
 check "an hour has no daylight factor" shows '"df": { "value": null, "why"' $hour \
     --when "2023-03-21 12:00" -f json "$room"
 check "an hour as CSV" shows "illuminance_se_lx" $hour --when "2023-03-21 12:00" -f csv "$room"
-check "a dark hour" refuses 1 "no light" $hour --when "2023-03-21 02:00" "$room"
+check "a dark hour" refuses 1 "no daylight" $hour --when "2023-03-21 02:00" "$room"
 check "no such time" refuses 2 "YYYY-MM-DD" $hour --when "noon" "$room"
 check "a time without weather" refuses 2 "--weather" df --when "2023-03-21 12:00" "$room"
 check "weather without a time" refuses 2 "--when" $hour "$room"
@@ -139,7 +139,7 @@ check "no factor with a sun" refuses 2 "has no daylight factor" $render --sky pe
     --quantity df "$room"
 check "no sun by chance" refuses 2 "never hit the sun" $render --sky perez,600,120,35,150 --plain "$room"
 check "a black sky has no picture" refuses 1 "gives a black sky" $render --sky perez,100,0,10,180 "$room"
-check "a dark hour has no picture" refuses 1 "no light" $render -w "$scratch/year.epw" \
+check "a dark hour has no picture" refuses 1 "no daylight" $render -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 
 # Radiance's scenes have the sun, too; read back, its light is a source.
@@ -153,7 +153,7 @@ head -1 "$scratch/scene/points.pts" >"$scratch/one.pts"
 check "it is read back" shows "0.85" import --samples 16 --points-file "$scratch/one.pts" \
     "$scratch/scene/materials.rad" "$scratch/scene/room.rad" "$scratch/scene/glazing.rad" \
     "$scratch/scene/outside.rad" "$scratch/scene/sky.rad"
-check "a dark hour has no scene" refuses 1 "no light" $export -w "$scratch/year.epw" \
+check "a dark hour has no scene" refuses 1 "no daylight" $export -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 check "a moment has its own light" refuses 2 "--external" $export --sky perez,600,120,35,150 \
     --external 5000 "$room"
