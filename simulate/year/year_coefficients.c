@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
+#include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/year/sun_on_surface.h"
 #include "simulate/year/year_product.h"
@@ -192,41 +193,138 @@ enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *c,
     return for_batches(c, light_batch, err);
 }
 
-/* ---- a point ---- */
+/* ---- points ---- */
 
-static void add_suns(const struct pp_year_coefficients *c, int receiver, int b,
-                     size_t step, float *sun)
+typedef float float_lanes __attribute__((vector_size(32)));
+
+enum { LANES = PP_INT_LANES, HALVES = PP_YEAR_BLOCK / LANES };
+
+/* Weights of a block of receivers for one cell. */
+struct block_weights {
+    float of[PP_YEAR_BLOCK];
+};
+
+/* Sums for one group while entries of the group follow each other. */
+struct block_sums {
+    float_lanes of[HALVES];
+};
+
+PP_LANES_BODY void add_entry(struct block_sums *sums,
+                             const struct block_weights *weights, float lx)
 {
-    const struct pp_year_batch *batch = &c->batches[b];
-    const struct sun_list *list = &c->suns[b];
-    int groups = c->task.group_count;
-    const float *inside = batch->inside + (size_t)receiver * (size_t)c->cells.count;
-    const float *outdoor =
-        batch->outdoor + (size_t)(receiver * groups) * PP_YEAR_OUTDOOR_CELLS;
-    for (int t = 0; t < c->light->count; t++) {
-        float sums[PP_YEAR_GROUPS_MOST] = {0.0f};
-        for (int k = list->first[t]; k < list->first[t + 1]; k++) {
-            const struct sun_entry *entry = &list->entries[k];
-            if (entry->group >= 0) {
-                sums[entry->group] += inside[entry->cell] * entry->lx;
-                continue;
-            }
-            for (int g = 0; g < groups; g++)
-                sums[g] += outdoor[g * PP_YEAR_OUTDOOR_CELLS + entry->cell] * entry->lx;
-        }
-        for (int g = 0; g < groups; g++)
-            sun[(size_t)(g * PP_YEAR_BATCHES + b) * step + (size_t)t] = sums[g];
+    for (int i = 0; i < HALVES; i++) {
+        float_lanes w;
+        __builtin_memcpy(&w, weights->of + i * LANES, sizeof w);
+        sums->of[i] += w * lx;
     }
 }
 
-enum pp_status pp_year_coefficients_point(const struct pp_year_coefficients *c,
-                                          int receiver, const float *direct,
-                                          struct pp_year_point *point,
-                                          struct pp_error *err)
+/* The sunlit cells of a batch, and the weights of a block of receivers for each. */
+struct block_of_suns {
+    const struct sun_list *list;
+    const struct block_weights *inside;  /* [cell] */
+    const struct block_weights *outdoor; /* [group][outdoor cell] */
+    int hours, groups;
+};
+
+/* Sums of each hour: out[hour][group]. */
+PP_LANES_BODY void sum_suns(struct block_weights *out,
+                            const struct block_of_suns *block)
+{
+    for (int t = 0; t < block->hours; t++) {
+        struct block_sums sums[PP_YEAR_GROUPS_MOST] = {{{{0.0f}}}};
+        int end = block->list->first[t + 1], k = block->list->first[t];
+        while (k < end && block->list->entries[k].group >= 0) {
+            int group = block->list->entries[k].group;
+            struct block_sums own = sums[group];
+            for (; k < end && block->list->entries[k].group == group; k++)
+                add_entry(&own, &block->inside[block->list->entries[k].cell],
+                          block->list->entries[k].lx);
+            sums[group] = own;
+        }
+        for (int g = 0; g < block->groups; g++) {
+            struct block_sums own = sums[g];
+            for (int i = k; i < end; i++)
+                add_entry(&own,
+                          &block->outdoor[g * PP_YEAR_OUTDOOR_CELLS
+                                          + block->list->entries[i].cell],
+                          block->list->entries[i].lx);
+            __builtin_memcpy(out[t * block->groups + g].of, &own, sizeof own);
+        }
+    }
+}
+
+static void narrow_suns(struct block_weights *out, const struct block_of_suns *block)
+{
+    sum_suns(out, block);
+}
+
+PP_LANES_WIDE static void wide_suns(struct block_weights *out,
+                                    const struct block_of_suns *block)
+{
+    sum_suns(out, block);
+}
+
+/* Space for the weights and sums of one batch. */
+struct block_space {
+    struct block_weights *inside, *outdoor, *sums;
+};
+
+static void add_suns(const struct pp_year_coefficients *c, int first, int count, int b,
+                     const struct block_space *space, float *sun)
+{
+    const struct pp_year_batch *batch = &c->batches[b];
+    int groups = c->task.group_count, cells = c->cells.count;
+    int outdoor = groups * PP_YEAR_OUTDOOR_CELLS;
+    size_t step = (size_t)c->light->tiles * PP_LIGHT_LANES;
+    for (int p = 0; p < count; p++) {
+        const float *in = batch->inside + (size_t)(first + p) * (size_t)cells;
+        const float *out = batch->outdoor + (size_t)(first + p) * (size_t)outdoor;
+        for (int i = 0; i < cells; i++)
+            space->inside[i].of[p] = in[i];
+        for (int i = 0; i < outdoor; i++)
+            space->outdoor[i].of[p] = out[i];
+    }
+    const struct block_of_suns block = {&c->suns[b], space->inside, space->outdoor,
+                                        c->light->count, groups};
+    if (pp_lanes_are_wide())
+        wide_suns(space->sums, &block);
+    else
+        narrow_suns(space->sums, &block);
+    for (int p = 0; p < count; p++)
+        for (int g = 0; g < groups; g++) {
+            float *row = sun
+                         + ((size_t)p * (size_t)(groups * PP_YEAR_BATCHES)
+                            + (size_t)(g * PP_YEAR_BATCHES + b))
+                               * step;
+            for (int t = 0; t < c->light->count; t++)
+                row[t] = space->sums[t * groups + g].of[p];
+        }
+}
+
+enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *c, int first,
+                                        int count, float *sun, struct pp_error *err)
+{
+    size_t groups = (size_t)c->task.group_count;
+    size_t inside = (size_t)c->cells.count + 1,
+           outdoor = groups * PP_YEAR_OUTDOOR_CELLS;
+    size_t sums = groups * (size_t)c->light->count;
+    struct block_weights *all = calloc(inside + outdoor + sums, sizeof *all);
+    if (!all)
+        return pp_fail_memory(err);
+    const struct block_space space = {all, all + inside, all + inside + outdoor};
+    for (int b = 0; b < PP_YEAR_BATCHES; b++)
+        add_suns(c, first, count, b, &space, sun);
+    free(all);
+    return PP_OK;
+}
+
+enum pp_status pp_year_coefficients_sky(const struct pp_year_coefficients *c,
+                                        int receiver, const float *direct, float *sky,
+                                        struct pp_error *err)
 {
     int groups = c->task.group_count, columns = c->task.column_count;
     int row_count = groups * PP_YEAR_BATCHES;
-    size_t step = (size_t)c->light->tiles * PP_LIGHT_LANES;
     float *rows = malloc((size_t)row_count * (size_t)columns * sizeof *rows);
     if (!rows)
         return pp_fail_memory(err);
@@ -238,10 +336,8 @@ enum pp_status pp_year_coefficients_point(const struct pp_year_coefficients *c,
             for (int k = 0; k < columns; k++)
                 row[k] = light[k] + (direct ? direct[g * columns + k] : 0.0f);
         }
-    pp_year_product(point->sky, rows, row_count, c->light);
+    pp_year_product(sky, rows, row_count, c->light);
     free(rows);
-    for (int b = 0; b < PP_YEAR_BATCHES; b++)
-        add_suns(c, receiver, b, step, point->sun);
     return PP_OK;
 }
 

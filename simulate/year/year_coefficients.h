@@ -13,7 +13,12 @@
 #include "simulate/year/light_columns.h"
 #include "simulate/year/year_batch.h"
 
-enum { PP_YEAR_BATCHES = 16, PP_YEAR_GROUPS_MOST = 16, PP_YEAR_CELLS_MOST = 65535 };
+enum {
+    PP_YEAR_BATCHES = 16,
+    PP_YEAR_GROUPS_MOST = 16,
+    PP_YEAR_CELLS_MOST = 65535,
+    PP_YEAR_BLOCK = 16 /* receivers whose reflected sunlight is summed together */
+};
 
 struct pp_year_coefficient_options {
     int paths;   /* paths of a point in each randomisation; a power of two */
@@ -58,11 +63,17 @@ struct pp_year_point {
     float *sun; /* sunlight reflected by surfaces: same order */
 };
 
-/* Fills both parts of `point`. direct: [group][column], added to the coefficients of
- * all batches; NULL: nothing is added. */
-enum pp_status pp_year_coefficients_point(
-    const struct pp_year_coefficients *coefficients, int receiver, const float *direct,
-    struct pp_year_point *point, struct pp_error *err);
+/* Fills `sky` of a point. direct: [group][column], added to the coefficients of all
+ * batches; NULL: nothing is added. */
+enum pp_status pp_year_coefficients_sky(const struct pp_year_coefficients *coefficients,
+                                        int receiver, const float *direct, float *sky,
+                                        struct pp_error *err);
+
+/* Fills `sun` of receivers first to first + count - 1, one after the other; count: at
+ * most PP_YEAR_BLOCK. */
+enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *coefficients,
+                                        int first, int count, float *sun,
+                                        struct pp_error *err);
 
 /* Standard error of a point's simulated light over that light, under a uniform sky and
  * with equal sunlight on all cells: an estimate that needs no hours. 0 without

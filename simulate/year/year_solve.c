@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "simulate/sampling/lanes.h"
+
 int pp_year_solve_columns(const struct pp_year_task *task)
 {
     return task->column_count + PP_YEAR_OUTDOOR_CELLS + 1;
@@ -15,16 +17,43 @@ static const double LAST_TERM = 1e-5; /* terms below this share of the sum are
                                        * dropped */
 
 typedef float block_row[BLOCK];
+typedef float block_lanes __attribute__((vector_size(sizeof(block_row))));
 
+PP_LANES_BODY void add_products(block_row *sum, const block_row *factor, int count,
+                                const struct pp_sparse_rows *rows)
+{
+    for (int c = 0; c < count; c++) {
+        block_lanes of_row, to;
+        __builtin_memcpy(&of_row, factor[c], sizeof of_row);
+        for (int k = rows->first[c]; k < rows->first[c + 1]; k++) {
+            float *at = sum[rows->entries[k].column];
+            __builtin_memcpy(&to, at, sizeof to);
+            to += of_row * rows->entries[k].value;
+            __builtin_memcpy(at, &to, sizeof to);
+        }
+    }
+}
+
+static void narrow_products(block_row *sum, const block_row *factor, int count,
+                            const struct pp_sparse_rows *rows)
+{
+    add_products(sum, factor, count, rows);
+}
+
+PP_LANES_WIDE static void wide_products(block_row *sum, const block_row *factor,
+                                        int count, const struct pp_sparse_rows *rows)
+{
+    add_products(sum, factor, count, rows);
+}
+
+/* sum[column] += factor[row] x entry, for all entries of the first `count` rows. */
 static void add_times(block_row *sum, const block_row *factor, int count,
                       const struct pp_sparse_rows *rows)
 {
-    for (int c = 0; c < count; c++)
-        for (int k = rows->first[c]; k < rows->first[c + 1]; k++) {
-            float *to = sum[rows->entries[k].column], value = rows->entries[k].value;
-            for (int p = 0; p < BLOCK; p++)
-                to[p] += factor[c][p] * value;
-        }
+    if (pp_lanes_are_wide())
+        wide_products(sum, factor, count, rows);
+    else
+        narrow_products(sum, factor, count, rows);
 }
 
 static double sum_of_block(const block_row *rows, int count)

@@ -11,11 +11,12 @@
 
 enum { CELLS = 600, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
-/* Calls a function for every point; it fails only if out of memory. */
-static enum pp_status for_points(struct pp_annual_work *work,
+/* Calls a function for every block of points. */
+static enum pp_status for_points(struct pp_annual_work *work, int block,
                                  pp_thread_pool_work *function, struct pp_error *err)
 {
-    pp_thread_pool_run(work->pool, 0, work->receiver_count, function, work);
+    pp_thread_pool_run(work->pool, 0, (work->receiver_count + block - 1) / block,
+                       function, work);
     for (int x = 0; x < work->receiver_count; x++)
         if (work->status[x] == PP_BAD_INPUT)
             return pp_fail(
@@ -31,6 +32,8 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     size_t points = (size_t)work->receiver_count, groups = (size_t)work->groups.count;
     size_t skies = (size_t)work->year->sky_count;
     struct pp_annual_sheet *sheet = work->sheet;
+    int share = (work->receiver_count - 1) / pp_thread_pool_size(work->pool) + 1;
+    work->block = share < PP_YEAR_BLOCK ? share : PP_YEAR_BLOCK;
     work->step = (size_t)work->columns.tiles * PP_LIGHT_LANES;
     work->direct =
         calloc(points * groups * (size_t)work->columns.column_count + 1, sizeof(float));
@@ -214,7 +217,7 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
         work->coefficients ? pp_year_coefficients_cells(work->coefficients) : 0);
     if (!goes_on(work, 0.6))
         return PP_OK;
-    status = for_points(work, pp_annual_direct_see, err);
+    status = for_points(work, 1, pp_annual_direct_see, err);
     if (status != PP_OK || !goes_on(work, 0.7))
         return status;
     if (work->options->blinds)
@@ -222,7 +225,7 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
     if (work->options->coefficients && work->coefficients)
         status = keep_coefficients(work, err);
     if (status == PP_OK)
-        status = for_points(work, pp_annual_point_work, err);
+        status = for_points(work, work->block, pp_annual_point_block, err);
     if (status == PP_OK && work->options->measure && work->coefficients
         && goes_on(work, 0.9))
         status = pp_annual_discretisation_measure(work, err);

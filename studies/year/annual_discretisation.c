@@ -79,8 +79,11 @@ static enum pp_status sample_year(struct discretisation_work *d, int p,
     int groups = work->groups.count;
     size_t row =
         (size_t)d->points[p] * (size_t)groups * (size_t)work->columns.column_count;
-    enum pp_status status = pp_year_coefficients_point(work->coefficients, d->points[p],
-                                                       work->direct + row, point, NULL);
+    enum pp_status status = pp_year_coefficients_sky(
+        work->coefficients, d->points[p], work->direct + row, point->sky, NULL);
+    if (status == PP_OK)
+        status = pp_year_coefficients_sun(work->coefficients, d->points[p], 1,
+                                          point->sun, NULL);
     for (int t = 0; t < d->hour_count && status == PP_OK; t++)
         for (int b = 0; b < PP_YEAR_BATCHES; b++)
             d->light[p][t].of_year[b] =

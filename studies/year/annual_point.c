@@ -7,7 +7,9 @@
 
 /* Working memory of one thread. */
 struct pp_annual_space {
-    float *sky, *sun;     /* [group][batch][step] */
+    float *sky;           /* [group][batch][step] */
+    float *suns;          /* [point of the block][group][batch][step] */
+    float *sun;           /* the part of suns of the current point */
     float *open, *blinds; /* [batch][step]: all light */
     float *sums[5];       /* by hour: means over all batches, or over all but one */
     float *rank;
@@ -22,7 +24,7 @@ void pp_annual_point_clear_spaces(struct pp_annual_work *work)
     for (int i = 0; work->spaces && i < pp_thread_pool_size(work->pool); i++) {
         struct pp_annual_space *space = &work->spaces[i];
         free(space->sky);
-        free(space->sun);
+        free(space->suns);
         free(space->open);
         free(space->blinds);
         for (int k = 0; k < 5; k++)
@@ -46,12 +48,12 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
     for (int i = 0; i < pp_thread_pool_size(work->pool); i++) {
         struct pp_annual_space *space = &work->spaces[i];
         space->sky = calloc(all, sizeof(float));
-        space->sun = calloc(all, sizeof(float));
+        space->suns = calloc(all * (size_t)work->block, sizeof(float));
         space->open = calloc(batches, sizeof(float));
         space->blinds = calloc(batches, sizeof(float));
         space->rank = calloc(work->step, sizeof(float));
         enough &=
-            space->sky && space->sun && space->open && space->blinds && space->rank;
+            space->sky && space->suns && space->open && space->blinds && space->rank;
         for (int k = 0; k < 5; k++)
             enough &= (space->sums[k] = calloc(work->step, sizeof(float))) != NULL;
     }
@@ -170,21 +172,39 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
     }
 }
 
-bool pp_annual_point_work(void *data, int worker, int x)
+static enum pp_status compute_point(struct pp_annual_work *work,
+                                    struct pp_annual_space *space, int x)
 {
-    struct pp_annual_work *work = data;
-    struct pp_annual_space *space = &work->spaces[worker];
     struct pp_year_point point = {space->sky, space->sun};
     size_t row =
         (size_t)x * (size_t)work->groups.count * (size_t)work->columns.column_count;
-    work->status[x] =
+    enum pp_status status =
         work->plain
             ? pp_plain_year_point(work->plain, x, &work->columns, false, &point, NULL)
-            : pp_year_coefficients_point(work->coefficients, x, work->direct + row,
-                                         &point, NULL);
-    if (work->status[x] != PP_OK)
-        return false;
-    add_up(work, space, x);
-    judge(work, space, x);
-    return true;
+            : pp_year_coefficients_sky(work->coefficients, x, work->direct + row,
+                                       space->sky, NULL);
+    if (status == PP_OK) {
+        add_up(work, space, x);
+        judge(work, space, x);
+    }
+    return status;
+}
+
+bool pp_annual_point_block(void *data, int worker, int block)
+{
+    struct pp_annual_work *work = data;
+    struct pp_annual_space *space = &work->spaces[worker];
+    size_t numbers = (size_t)work->groups.count * PP_YEAR_BATCHES * work->step;
+    int first = block * work->block, end = first + work->block;
+    end = end < work->receiver_count ? end : work->receiver_count;
+    enum pp_status status = PP_OK;
+    if (work->coefficients)
+        status = pp_year_coefficients_sun(work->coefficients, first, end - first,
+                                          space->suns, NULL);
+    for (int x = first; x < end && status == PP_OK; x++) {
+        space->sun = space->suns + (size_t)(x - first) * numbers;
+        status = compute_point(work, space, x);
+    }
+    work->status[first] = status;
+    return status == PP_OK;
 }

@@ -28,6 +28,7 @@ struct pp_annual_work {
     struct pp_plain_year *plain;
     int samples;
 
+    int block;         /* points that a worker computes together */
     size_t step;       /* numbers from one row of hours to the next */
     float *direct;     /* [receiver][group][column]: direct light of sky and ground */
     float *direct_sun; /* [receiver][group][sky], lx */
@@ -47,12 +48,12 @@ bool pp_annual_direct_see(void *work, int worker, int x);
  * on the panes. */
 void pp_annual_direct_close_blinds(struct pp_annual_work *work);
 
-/* Allocates space for the hours of one point, for each worker; computes hours and
- * figures of point x. (annual_point.c) */
+/* Allocates space for the hours of a block of points, for each worker; computes hours
+ * and figures of the points of a block. (annual_point.c) */
 enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
                                            struct pp_error *err);
 void pp_annual_point_clear_spaces(struct pp_annual_work *work);
-bool pp_annual_point_work(void *work, int worker, int x);
+bool pp_annual_point_block(void *work, int worker, int block);
 
 /* Measures the error of patches and cells on a sample of points and hours.
  * (annual_discretisation.c) */
