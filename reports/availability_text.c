@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "model/results/reading.h"
 #include "reports/parts/format.h"
 #include "reports/parts/print.h"
 #include "reports/parts/print_places.h"
@@ -132,8 +133,7 @@ static void put_df(char cell[PP_CELL_BYTES], const struct pp_reading *df, bool u
         snprintf(cell, PP_CELL_BYTES, "-");
     else if (isfinite(df->std_error))
         snprintf(cell, PP_CELL_BYTES, "%.2f %s%.2f", 100.0 * df->value,
-                 utf8 ? "\xc2\xb1" : "+-",
-                 ceil(1e4 * df->std_error - 1e-9) / 100.0 + 0.0);
+                 utf8 ? "\xc2\xb1" : "+-", pp_reading_printed_error(df));
     else
         snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * df->value);
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/results/reading.h"
 #include "reports/parts/print.h"
 #include "reports/parts/print_band.h"
 
@@ -118,7 +119,7 @@ static void put_reading(char cell[WORDS], const struct pp_reading *reading, bool
     snprintf(cell, WORDS, "%.2f", 100.0 * reading->value + 0.0);
     if (isfinite(reading->std_error))
         pp_text_append(cell, WORDS, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
-                       ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0);
+                       pp_reading_printed_error(reading));
 }
 
 static void put_line(const struct pp_column *column, int name, int wide, bool utf8,

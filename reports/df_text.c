@@ -18,6 +18,7 @@
 #include "reports/parts/table.h"
 #include "reports/parts/format.h"
 #include "model/base/text.h"
+#include "model/results/reading.h"
 #include "studies/engines/engine.h"
 
 struct titles {
@@ -53,8 +54,8 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
     put_value(cell, reading);
     if (!isfinite(reading->value) || !isfinite(reading->std_error))
         return;
-    double shown = ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0; /* no -0 */
-    pp_text_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-", shown);
+    pp_text_append(cell, PP_CELL_BYTES, " %s%.2f", utf8 ? "\xc2\xb1" : "+-",
+                   pp_reading_printed_error(reading));
 }
 
 /* Writes the deviation of a value from the simulated value, as a percentage of the

@@ -333,7 +333,8 @@ static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
     place_plan(drawing, chosen);
     struct pp_key *points = &drawing->keys[drawing->key_count - 1];
     snprintf(points->words, sizeof points->words, "calculation points%s",
-             isfinite(best) ? "; values in the table" : "");
+             isfinite(best) ? "; values in the table"
+                            : ", too many to print their values on this sheet");
     if (!isfinite(best))
         return;
     table.x = field.x;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "charts/sheet/page.h"
+#include "model/results/reading.h"
 
 /* ---- at the points ---- */
 
@@ -131,8 +132,7 @@ static void say_reading(char *text, size_t room, const char *what,
 {
     if (isfinite(reading->std_error))
         pp_page_say(text, room, "%s %.2f\u00a0\u00b1\u00a0%.2f\u00a0%%%s", what,
-                    100.0 * reading->value,
-                    ceil(1e4 * reading->std_error - 1e-9) / 100.0, end);
+                    100.0 * reading->value, pp_reading_printed_error(reading), end);
     else
         pp_page_say(text, room, "%s %.2f\u00a0%%%s", what, 100.0 * reading->value, end);
 }

@@ -11,6 +11,7 @@
 #include "charts/document/document_sheets.h"
 #include "cli/assess/assess_run.h"
 #include "cli/command.h"
+#include "cli/message.h"
 #include "cli/output.h"
 #include "cli/report/report_pictures.h"
 #include "model/base/text.h"
@@ -267,6 +268,10 @@ static enum pp_status print_site_report(const void *data, FILE *out,
     struct pp_document document = {0};
     if (!made_by)
         return pp_fail_memory(err);
+    if (!is_full(run) && run->words->cut.kind != PP_SECTION_OF_ROOM)
+        pp_message("--cut has no effect: a report of more than %d rooms has sections "
+                   "only with --full",
+                   SHORT_ROOMS);
     enum pp_status status =
         pp_report_pictures_draw(&pictures, run, is_full(run), pdf, err);
     struct pp_project project = *pp_building_project(run->rooms->list[0].building);

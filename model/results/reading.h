@@ -16,6 +16,13 @@ static inline struct pp_reading pp_reading_none(const char *why)
     return (struct pp_reading){NAN, NAN, why, 0};
 }
 
+/* Standard error in per cent as it is printed: rounded up to two decimals, so that no
+ * error is printed as 0. */
+static inline double pp_reading_printed_error(const struct pp_reading *reading)
+{
+    return ceil(1e4 * reading->std_error - 1e-9) / 100.0 + 0.0; /* no -0 */
+}
+
 /* Difference of two sampled values over its standard error; 0 if they are equal without
  * error, NAN if an error is not known. */
 static inline double pp_reading_apart(const struct pp_reading *reading,

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "model/results/reading.h"
 #include "reports/assess/finding_cells.h"
 #include "reports/parts/print.h"
 
@@ -88,7 +89,7 @@ static void put_average(struct pp_document *document, const struct pp_column *co
     pp_document_cell(document, PP_TONE_PLAIN, "%s", column->name);
     pp_room_chapter_number(document, 100.0 * column->average.value, 2);
     if (sampled)
-        pp_room_chapter_number(document, 100.0 * column->average.std_error, 3);
+        pp_room_chapter_number(document, pp_reading_printed_error(&column->average), 2);
     if (bands && pp_band_is_known(column->average_band))
         pp_document_cell(document, PP_TONE_PLAIN, "%.2f–%.2f",
                          100.0 * column->average_band.low,
