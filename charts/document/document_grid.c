@@ -280,11 +280,13 @@ double pp_document_grid_row(const struct pp_document_grid *grid, int row, double
 
 double pp_document_grid_unit(const struct pp_document_grid *grid, int row)
 {
+    const struct pp_document_table *table = grid->table;
     double height = 0.0;
-    for (int i = row; i < grid->table->row_count; i++) {
-        height += pp_document_grid_row(grid, i, 0.0, false);
-        if (grid->table->rows[i].kind == PP_ROW_CELLS)
-            break;
-    }
+    int i = row;
+    while (i + 1 < table->row_count && table->rows[i].kind != PP_ROW_CELLS)
+        height += pp_document_grid_row(grid, i++, 0.0, false);
+    height += pp_document_grid_row(grid, i, 0.0, false);
+    if (i + 2 == table->row_count)
+        height += pp_document_grid_row(grid, i + 1, 0.0, false);
     return height;
 }

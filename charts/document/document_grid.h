@@ -31,7 +31,8 @@ double pp_document_grid_row(const struct pp_document_grid *grid, int row, double
                             bool drawn);
 
 /* Height that must be free on a sheet for a row to be placed there: a group's title and
- * its remarks stay with the first row of the group. */
+ * its remarks stay with the first row of the group, and the last row of a table with the
+ * one before it. */
 double pp_document_grid_unit(const struct pp_document_grid *grid, int row);
 
 #endif

@@ -116,6 +116,34 @@ static void a_table_over_sheets_repeats_its_head_and_has_every_row_once(void **s
 
 /* Whatever stands above it, a heading has on its sheet what it heads: a paragraph, or the
  * head of a table and its first row. */
+/* Some of these tables would be one row too long for a sheet. */
+static void the_last_row_of_a_table_is_not_alone_on_a_sheet(void **state)
+{
+    (void)state;
+    int broken = 0;
+    for (int rows = 44; rows < 64; rows++) {
+        struct pp_document document = {0};
+        char last[32], before[32];
+        pp_document_table(&document);
+        pp_document_column(&document, PP_COLUMN_WORDS, "window");
+        for (int i = 0; i < rows; i++) {
+            pp_document_row(&document, PP_ROW_CELLS);
+            pp_document_cell(&document, PP_TONE_PLAIN, "row-%03d.", i);
+        }
+        struct sheets sheets = sheets_of(&document);
+        pp_document_clear(&document);
+        if (!sheets.text)
+            skip();
+        snprintf(last, sizeof last, "row-%03d.", rows - 1);
+        snprintf(before, sizeof before, "row-%03d.", rows - 2);
+        assert_true(has(&sheets, sheets.count - 1, last));
+        assert_true(has(&sheets, sheets.count - 1, before));
+        broken += sheets.count > 1;
+        free(sheets.text);
+    }
+    assert_in_range(broken, 1, 19);
+}
+
 static void no_heading_is_the_last_of_a_sheet(void **state)
 {
     (void)state;
@@ -252,6 +280,7 @@ TEST_FILE
 {
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_table_over_sheets_repeats_its_head_and_has_every_row_once),
+        cmocka_unit_test(the_last_row_of_a_table_is_not_alone_on_a_sheet),
         cmocka_unit_test(no_heading_is_the_last_of_a_sheet),
         cmocka_unit_test(a_chapter_begins_a_sheet_unless_most_of_one_is_left),
         cmocka_unit_test(
