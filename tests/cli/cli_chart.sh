@@ -338,7 +338,7 @@ run chart brs-table -p 5,2 -o "$scratch/behind.pdf" "$scratch/bed.xml"
 if command -v pdftotext >/dev/null; then
     check "but not what is below the plane" lacks "furniture and" "$scratch/bed.pdf"
     check "a window of another wing is not in the section" \
-        lacks "outside the section" "$scratch/wing.pdf"
+        lacks "not cut by the section" "$scratch/wing.pdf"
     check "a window behind the point is not minus so far away" lacks "^W2, .*away" "$scratch/behind.pdf"
     check "but said to be behind it" has_words "$scratch/behind.pdf" "W2: the point is"
 fi
