@@ -432,7 +432,7 @@ static void what_is_not_understood_is_refused_by_its_line(void **state)
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1\n",
          "the file ends inside a primitive"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0\n0 1 x\n",
-         "3: there is \"x\"; expected a number"},
+         "3: found \"x\"; expected a number"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 nan 0\n",
          "found \"nan\"; expected a number"},
         {WHITE "white polygon p 0 0 9 0 0 0 1 0 0 0 1e999 0\n", "expected a number"},
