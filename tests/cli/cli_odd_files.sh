@@ -40,7 +40,7 @@ box='<plan width="4" depth="6" height="2.8"/><window wall="south" left="1" sill=
 echo "<building version=\"1\">
 <room name=\"A\" x=\"0\" y=\"0\">$box</room>
 <room name=\"B\" x=\"2\" y=\"1\" rotate=\"20\">$box</room></building>" >"$scratch/overlap.xml"
-check "two rooms that overlap" refuses 1 '"A" and the room "B" of line 3 overlap' df "$scratch/overlap.xml"
+check "two rooms that overlap" refuses 1 '"A" and the room "B" on line 3 overlap' df "$scratch/overlap.xml"
 check "are told so once" test "$(grep -c overlap, "$scratch/err")" -eq 1
 echo "<building version=\"1\"><room name=\"=1+1\" x=\"0\" y=\"0\">$box<point x=\"2\" y=\"2\"/></room></building>" \
     >"$scratch/formula.xml"

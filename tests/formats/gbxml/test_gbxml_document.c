@@ -122,7 +122,8 @@ static void bulk_is_read_or_refused_with_its_line(void **state)
     static const struct {
         const char *head, *unit, *tail, *words; /* no words: it is read */
     } bulk[] = {
-        {"<gbXML>\n", "<a>", "", "a.xml:2: elements are nested more than 64 deep"},
+        {"<gbXML>\n", "<a>", "",
+         "a.xml:2: elements are nested more than 64 levels deep"},
         {"<gbXML>\n<a ", "b='c' ", "/></gbXML>", "a.xml:2: a tag of more than 65536"},
         {"<gbXML>\n<a b='", "c", "'/></gbXML>", "a.xml:2: a tag of more than 65536"},
         {"<gbXML>\n<!-- ", "c", " --></gbXML>", NULL},
