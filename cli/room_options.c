@@ -160,10 +160,10 @@ static enum pp_status read_spacing(const char *text, void *place, struct pp_erro
 
 const struct pp_option pp_room_spacing_option[] = {
     {"spacing", 0, "S[,MARGIN]",
-     "Assess the working plane on a grid of this spacing and distance from the walls "
-     "(default 0.5 m). Without the option: the spacing of the file's grid, or 0.3 m, "
-     "halved until the verdicts no longer depend on it. \"largest\" is the coarsest "
-     "grid that EN 17037 permits.",
+     "Assess the working plane on a grid with spacing S, at a distance MARGIN from the "
+     "walls (default 0.5 m). Without the option, the spacing is that of the grid in "
+     "the file, or else 0.3 m, halved until the verdicts no longer depend on it. "
+     "\"largest\" is the coarsest grid that EN 17037 permits.",
      read_spacing, 0},
     {0},
 };

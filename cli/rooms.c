@@ -90,8 +90,8 @@ static enum pp_status choose_state(struct pp_building *building, const char *fil
 {
     if (state != PP_STATE_BOTH && !pp_building_has_states(building))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: --state: nothing in the file has a state; expected a file "
-                       "with existing and proposed states",
+                       "%s: --state: no element in the file has a state; expected a "
+                       "file with existing and proposed states",
                        file);
     if (state != PP_STATE_BOTH && pp_building_set_state(building, state, err) != PP_OK)
         return PP_SYSTEM;
@@ -376,8 +376,8 @@ enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
         if (pp_building_has_states(proposed->list[i].building))
             continue;
         pp_fail(&err, PP_BAD_INPUT,
-                "%s: --mirror-image: nothing in the file has a state; expected a file "
-                "with existing and proposed states",
+                "%s: --mirror-image: no element in the file has a state; expected a "
+                "file with existing and proposed states",
                 proposed->list[i].file);
         return pp_message_error(&err);
     }

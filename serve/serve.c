@@ -80,8 +80,8 @@ static enum pp_status start_daemon(struct pp_server *server, struct pp_error *er
         MHD_OPTION_END);
     if (!server->daemon) {
         snprintf(sentence, sizeof sentence,
-                 "cannot listen on %.80s, port %d; another program may use it", address,
-                 options->port);
+                 "cannot listen on %.80s, port %d; another program may be using it",
+                 address, options->port);
         return fail_serve(err, sentence);
     }
     const union MHD_DaemonInfo *info =

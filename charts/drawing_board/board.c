@@ -153,8 +153,8 @@ static void say_window(struct pp_board_sums *sums, const struct pp_board_window 
             snprintf(factor, sizeof factor, " \u00d7 %.3g", piece->factor);
         pp_page_say(text, room, "%s%s %s on %s%s \u00d7 %.4g\u00a0%% = %.2f\u00a0%%,",
                     any ? "and " : "", number, sums->unit,
-                    piece->hidden ? "obstruction" : "sky", factor, 100.0 * sums->worth,
-                    100.0 * sum * piece->factor * sums->worth);
+                    piece->hidden ? "an obstruction" : "the sky", factor,
+                    100.0 * sums->worth, 100.0 * sum * piece->factor * sums->worth);
         any = true;
     }
     if (!any)

@@ -110,7 +110,7 @@ static enum pp_exit load_former(struct chart_task *task)
         return exit_status;
     if (options->before && task->former.count == 0) {
         pp_fail(&err, PP_BAD_INPUT,
-                "--before existing: nothing in %s has a state; expected a file with "
+                "--before existing: no element in %s has a state; expected a file with "
                 "existing and proposed states, or --before FILE",
                 task->rooms.list[0].file);
         return pp_message_usage("chart", &err);

@@ -25,11 +25,11 @@
 static const char about[] =
     "Reads a Radiance scene and simulates sensor points in it by path tracing: "
     "irradiance, illuminance, and the daylight factor relative to the open ground. "
-    "SCENE files are read in order as one file; - is standard input. Lines that begin "
-    "with \"!\" (gensky, genbox, xform) are interpreted; no other program is run. "
-    "Without --points-file, the command prints a summary of the scene. A gbXML file, "
-    "recognised by its first character, is converted to a room file. Missing data, and "
-    "the defaults used instead, are listed on standard error.";
+    "SCENE files are read in order, as if they were one file; - is standard input. "
+    "Lines that begin with \"!\" (gensky, genbox, xform) are interpreted; no other "
+    "program is run. Without --points-file, the command prints a summary of the scene. "
+    "A gbXML file, recognised by its first character, is converted to a room file. "
+    "Missing data, and the defaults used instead, are listed on standard error.";
 
 /* Most paths of a point in each randomisation. */
 static const long MOST_SAMPLES = 1 << 26;
@@ -325,9 +325,9 @@ static enum pp_status check_building(const struct import_options *options,
             "%s is for Radiance scenes, but a gbXML file is converted to a room file",
             stray);
     if (file_count > 1)
-        return pp_fail(
-            err, PP_BAD_INPUT,
-            "a gbXML file cannot be combined with other files; expected it alone");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "a gbXML file cannot be combined with other files; expected "
+                       "only the gbXML file");
     return PP_OK;
 }
 
@@ -345,9 +345,9 @@ static enum pp_status check_import_options(void *values, char **files, int file_
     for (int i = 0; i < file_count; i++)
         if (strcmp(files[i], "-") == 0) {
             if (from_input)
-                return pp_fail(
-                    err, PP_BAD_INPUT,
-                    "standard input can be read only once; expected - for one file");
+                return pp_fail(err, PP_BAD_INPUT,
+                               "standard input can be read only once; expected - for "
+                               "only one file");
             from_input = true;
         }
     if (room_options->study.samples > MOST_SAMPLES)

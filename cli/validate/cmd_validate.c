@@ -29,12 +29,12 @@ static const char about[] =
     "solutions for windows, light in a closed room, worked examples). With the name of "
     "a suite (analytic, published or cie171): lists each case with its expected value, "
     "difference, limit and verdict. rooms FILE compares each method with the "
-    "simulation, within the bands of the atlas. engines FILE compares the simulation "
-    "engines. radiance FILE compares the simulation with Radiance. Room files without "
-    "a suite: compares each method with the simulation at the reference points and for "
-    "the average. It shows bias, spread and the worst point, and the parts of the "
-    "difference caused by the method's assumptions and by its formula. FILE is a room "
-    "file; - is standard input.";
+    "simulation; the bands of the atlas are the limits. engines FILE compares the "
+    "simulation engines. radiance FILE compares the simulation with Radiance. Room "
+    "files without a suite: compares each method with the simulation at the reference "
+    "points and for the average. It shows bias, spread and the worst point, and the "
+    "parts of the difference caused by the method's assumptions and by its formula. "
+    "FILE is a room file; - is standard input.";
 
 /* ---- another program ---- */
 

@@ -83,7 +83,7 @@ check "from UTF-8 that is declared as UTF-16, too" same "$scratch/room.xml" "$sc
 
 check "options of scenes are refused" refuses 2 "--points-file is for Radiance" \
     import --points-file "$scratch/room.xml" "$scratch/office.gbxml"
-check "it is imported by itself" refuses 2 "expected it alone" \
+check "it is imported by itself" refuses 2 "expected only the gbXML file" \
     import "$scratch/office.gbxml" "$scratch/office.gbxml"
 check "a room file is none" refuses 1 "expected <gbXML>" import "$scratch/room.xml"
 sed 's/Meters/Ells/' "$scratch/office.gbxml" >"$scratch/bad.gbxml"

@@ -67,7 +67,7 @@ check "rooms on both sides" refuses 1 "are on opposite sides of the line" \
 sed "s/ x='0' y='0'//; s/ z='2.7'//" "$scratch/terrace.xml" >"$scratch/loose.xml"
 check "rooms without a place" refuses 1 "no building to mirror" \
     assess --by-hand --mirror-image=$line "$scratch/loose.xml"
-check "a site without states" refuses 1 "nothing in the file has a state" \
+check "a site without states" refuses 1 "no element in the file has a state" \
     assess --by-hand --mirror-image=$line "$scratch/image.xml"
 check "not beside another file" refuses 2 "cannot be combined with --before" \
     assess --mirror-image=$line --before "$scratch/image.xml" "$scratch/terrace.xml"

@@ -218,7 +218,7 @@ check "--for or --criteria" refuses 2 "expected only one of them" assess --for e
 check "--before or --state" refuses 2 "expected only one of them" \
     assess --before "$site" --state existing "$site"
 check "two states" refuses 2 "existing, proposed or cumulative" df --state planned "$site"
-check "none in a file without" refuses 1 "nothing in the file has a state" df --state existing "$deep"
+check "none in a file without" refuses 1 "no element in the file has a state" df --state existing "$deep"
 sed 's/<room name/<room state="existing" name/' "$site" >"$scratch/gone.xml"
 check "rooms that all go" refuses 1 "no room in the file is proposed" df "$scratch/gone.xml"
 check "are there before" gives df --state existing -m exact "$scratch/gone.xml"
