@@ -241,8 +241,10 @@ static enum pp_status by_quadrature(double *value, const struct task *task,
     double grain_rad =
         luminance == pp_pane_luminance_unity ? 0.0 : pp_sky_grain(task->lights.sky);
     struct pp_integrand integrand = {luminance, &task->lights, cusp, grain_rad};
+    double unglazed = task->sum->unglazed_error > 0.0 ? task->sum->unglazed_error
+                                                      : PP_QUADRATURE_UNGLAZED;
     double relative_error = task->sum->rough    ? PP_QUADRATURE_ROUGH
-                            : is_unglazed(task) ? PP_QUADRATURE_UNGLAZED
+                            : is_unglazed(task) ? unglazed
                                                 : PP_QUADRATURE_GLAZED;
     struct pp_quadrature result;
     enum pp_status status =

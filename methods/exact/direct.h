@@ -32,6 +32,7 @@ struct pp_direct {
     /* Set by the caller: */
     bool rough; /* fast, to 1e-6 of the open sky by tables, to about PP_QUADRATURE_ROUGH
                  * by quadrature */
+    double unglazed_error; /* error bound without glass; 0: PP_QUADRATURE_UNGLAZED */
     const struct pp_pane_light *tables; /* tables of the opening; not owned; NULL:
                                          * none */
     double error; /* error of both components, estimated by the quadrature; 0 for
