@@ -13,6 +13,7 @@
 #include <pango/pangocairo.h>
 
 #include "charts/sheet/bytes.h"
+#include "charts/sheet/lettering.h"
 #include "charts/sheet/png_file.h"
 
 #define MM_PER_INCH 25.4
@@ -81,14 +82,15 @@ static void paper_size(const struct pp_sheet *sheet, double *width_mm,
     *height_mm = upright[sheet->paper][sheet->landscape ? 0 : 1];
 }
 
-/* True if there are fonts: without any, Pango would end the process. */
+/* True if there are fonts: without any, Pango draws boxes or ends the process. */
 static bool has_fonts(void)
 {
     PangoFontFamily **families;
     int count;
+    char name[64];
     pango_font_map_list_families(pango_cairo_font_map_get_default(), &families, &count);
     g_free(families);
-    return count > 0;
+    return count > 0 && pp_lettering_font("A", name, sizeof name) == 0;
 }
 
 static void describe_pdf(struct pp_canvas *canvas)

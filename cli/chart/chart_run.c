@@ -210,14 +210,22 @@ static enum pp_status draw_charts(struct chart_task *task, int first, int end,
     return status;
 }
 
-/* Draws the sheets that begin with rooms [first, end) into one file. */
-static enum pp_status draw_to_file(struct chart_task *task, int first, int end,
-                                   const char *path, struct pp_error *err)
+/* Draws the sheets that begin with rooms [first, end) into one output. */
+static enum pp_status draw_to_output(struct chart_task *task, int first, int end,
+                                     const char *path, struct pp_output *output,
+                                     struct pp_error *err)
+{
+    enum pp_status status = pp_output_open(output, path, err);
+    return status == PP_OK ? draw_charts(task, first, end, output->stream, err)
+                           : status;
+}
+
+/* Draws all sheets into one file. */
+static enum pp_status draw_to_file(struct chart_task *task, struct pp_error *err)
 {
     struct pp_output output;
-    enum pp_status status = pp_output_open(&output, path, err);
-    if (status == PP_OK)
-        status = draw_charts(task, first, end, output.stream, err);
+    enum pp_status status = draw_to_output(task, 0, task->rooms.count,
+                                           task->room_options->output, &output, err);
     return pp_output_close(&output, status, err);
 }
 
@@ -234,18 +242,25 @@ static char *numbered(const char *path, int number)
     return length < 0 ? NULL : made;
 }
 
-/* Draws a file for each sheet, in a format that has no pages. */
-static enum pp_status draw_numbered(struct chart_task *task, struct pp_error *err)
+/* Draws a file for each of several sheets, in a format that has no pages. The files are
+ * written when all are drawn, so that a chart that fails leaves no file. */
+static enum pp_status draw_numbered(struct chart_task *task, int sheets,
+                                    struct pp_error *err)
 {
-    enum pp_status status = PP_OK;
-    for (int first = 0, number = 1; first < task->rooms.count && status == PP_OK;
-         number++) {
+    struct pp_output *outputs = calloc((size_t)sheets, sizeof *outputs);
+    enum pp_status status = outputs ? PP_OK : pp_fail_memory(err);
+    int opened = 0;
+    for (int first = 0; first < task->rooms.count && status == PP_OK; opened++) {
         int end = first + rooms_on_sheet(task, first);
-        char *path = numbered(task->room_options->output, number);
-        status = path ? draw_to_file(task, first, end, path, err) : pp_fail_memory(err);
+        char *path = numbered(task->room_options->output, opened + 1);
+        status = path ? draw_to_output(task, first, end, path, &outputs[opened], err)
+                      : pp_fail_memory(err);
         free(path);
         first = end;
     }
+    for (int i = 0; i < opened; i++)
+        status = pp_output_close(&outputs[i], status, err);
+    free(outputs);
     return status;
 }
 
@@ -263,9 +278,8 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
     }
     if (task->room_options->study.simulate)
         pp_interrupt_watch();
-    enum pp_status status = pages ? draw_to_file(task, 0, task->rooms.count,
-                                                 task->room_options->output, &err)
-                                  : draw_numbered(task, &err);
+    enum pp_status status =
+        pages ? draw_to_file(task, &err) : draw_numbered(task, sheets, &err);
     if (status != PP_OK)
         return pp_message_error(&err);
     if (task->finished)

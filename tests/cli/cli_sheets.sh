@@ -110,4 +110,28 @@ check "a box has two numbers" refuses 2 "0.85,0.5" chart model-net --mirror-box 
 check "only models have a scale" refuses 2 "--scale" chart plan --scale 20 -o "$scratch/x.pdf" "$deep"
 check "a net is of a room" refuses 2 "room file" chart model-net -o "$scratch/x.pdf"
 
+
+# Several sheets are written when all are drawn: the second room has no window.
+cat >"$scratch/two.xml" <<END
+<building version="1"><room name="A"><plan width="3" depth="4" height="2.7"/>
+<window wall="south" left="0.5" sill="0.9" width="2" height="1.4"/></room>
+<room name="B" x="9"><plan width="3" depth="4" height="2.7"/>
+<rooflight x="1" y="1" width="1" depth="1"/></room></building>
+END
+echo before >"$scratch/two-1.svg"
+check "a chart of which one sheet fails is refused" refuses 1 "vertical" \
+    chart vertical-sky "$scratch/two.xml" -o "$scratch/two.svg"
+check "and leaves the older files" sh -c "grep -q before '$scratch/two-1.svg' &&
+    ! test -e '$scratch/two-2.svg'"
+check "a chart of both rooms" quietly chart plan "$scratch/two.xml" -o "$scratch/two.svg"
+check "is two files" sh -c "grep -q '<svg' '$scratch/two-1.svg' '$scratch/two-2.svg'"
+
+cat >"$scratch/fonts.conf" <<END
+<?xml version="1.0"?><!DOCTYPE fontconfig SYSTEM "fonts.dtd"><fontconfig/>
+END
+FONTCONFIG_FILE=$scratch/fonts.conf
+export FONTCONFIG_FILE
+check "without any font no sheet is drawn" refuses 3 "no font is installed" \
+    chart plan "$deep" -o "$scratch/boxes.svg"
+unset FONTCONFIG_FILE
 tap_done
