@@ -9,6 +9,8 @@
  * another way. */
 static volatile sig_atomic_t interrupted;
 
+static const int watched[] = {SIGINT, SIGTERM};
+
 static void note(int signal_number)
 {
     (void)signal_number;
@@ -17,7 +19,6 @@ static void note(int signal_number)
 
 void pp_interrupt_watch(void)
 {
-    static const int watched[] = {SIGINT, SIGTERM};
     for (size_t i = 0; i < sizeof watched / sizeof watched[0]; i++) {
         struct sigaction before;
         if (sigaction(watched[i], NULL, &before) != 0 || before.sa_handler == SIG_IGN)
@@ -27,6 +28,14 @@ void pp_interrupt_watch(void)
         sigemptyset(&action.sa_mask);
         sigaction(watched[i], &action, NULL);
     }
+}
+
+void pp_interrupt_end_at_once(void)
+{
+    struct sigaction before;
+    for (size_t i = 0; i < sizeof watched / sizeof watched[0]; i++)
+        if (sigaction(watched[i], NULL, &before) == 0 && before.sa_handler == note)
+            signal(watched[i], SIG_DFL);
 }
 
 bool pp_interrupt_came(void)

@@ -8,6 +8,10 @@
  * program as usual. A signal that was ignored stays ignored. */
 void pp_interrupt_watch(void);
 
+/* A signal ends the program from now on, as before pp_interrupt_watch: for a write that
+ * may wait for its reader without end. */
+void pp_interrupt_end_at_once(void);
+
 bool pp_interrupt_came(void);
 
 #endif

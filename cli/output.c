@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/interrupt.h"
+
 enum { MOST_LINKS = 40 };
 
 /* Makes the path of `name` in the directory of `path`; the caller frees it. */
@@ -111,12 +113,13 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-/* Writes directly to an open file and closes it. The result of closing counts, since
- * some file systems report errors only then. */
+/* Writes directly to an open file, perhaps a pipe that nobody reads, and closes it. The
+ * result of closing counts, since some file systems report errors only then. */
 static int write_through(int file, const struct pp_output *output)
 {
     if (file < 0)
         return -1;
+    pp_interrupt_end_at_once();
     int failed = write_all(file, output->bytes, output->size) != 0 ? errno : 0;
     if (close(file) != 0 && !failed)
         failed = errno;
