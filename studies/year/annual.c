@@ -9,7 +9,8 @@
 #include "studies/year/annual_words.h"
 #include "studies/year/annual_work.h"
 
-enum { CELLS = 600, SAMPLES = 128, SAMPLES_MOST = 8192 };
+/* With an error to reach, a run of PILOT paths first estimates their number. */
+enum { CELLS = 600, PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
 /* Calls a function for every block of points. */
 static enum pp_status for_points(struct pp_annual_work *work, int block,
@@ -71,7 +72,9 @@ static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
 {
     const struct pp_annual_options *options = work->options;
     struct pp_year_coefficient_options year = {
-        .paths = options->samples > 0 ? options->samples : SAMPLES,
+        .paths = options->samples > 0   ? options->samples
+                 : options->error > 0.0 ? PILOT
+                                        : SAMPLES,
         .cells = CELLS,
         .patches = options->patches,
         .seed = options->seed};
@@ -84,9 +87,9 @@ static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
         if (status != PP_OK || options->samples > 0 || !(options->error > 0.0))
             return status;
         double ratio = worst_error(work) / options->error;
-        if (ratio <= 1.0 || year.paths >= SAMPLES_MOST)
+        if ((ratio <= 1.0 && year.paths >= SAMPLES) || year.paths >= SAMPLES_MOST)
             return PP_OK;
-        while (year.paths < SAMPLES_MOST && ratio > 1.0) {
+        while (year.paths < SAMPLES || (year.paths < SAMPLES_MOST && ratio > 1.0)) {
             year.paths *= 2;
             ratio /= sqrt(2.0);
         }
