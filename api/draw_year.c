@@ -4,7 +4,6 @@
 #include "api/chart_kind.h"
 #include "charts/year/year_chart.h"
 #include "model/base/read_file.h"
-#include "model/results/lattice.h"
 #include "studies/year/annual.h"
 
 static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *room,
@@ -20,35 +19,24 @@ static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *
             err, PP_BAD_INPUT,
             "a chart of the year needs a weather file; expected --weather FILE.epw");
     const struct pp_weather_options weather = {.sun_shift_h = NAN};
-    struct pp_annual_options options = {
-        .hours = year_options->hours.list[0],
-        .summer = year_options->summer.of_file
-                      ? (struct pp_summer_time){year_options->epw->summer_from,
-                                                year_options->epw->summer_to}
-                      : year_options->summer.time,
-        .illuminance_count = 1,
-        .illuminances_lx = {300.0},
-        .patches = 577,
-        .samples = (int)study->samples,
-        .error = study->error,
-        .blinds = true,
-        .seed = study->seed,
-        .threads = study->threads,
-        .watch = study->watch};
+    struct pp_annual_options options = pp_annual_options_lm83;
+    options.hours = year_options->hours.list[0];
+    options.summer = year_options->summer.of_file
+                         ? (struct pp_summer_time){year_options->epw->summer_from,
+                                                   year_options->epw->summer_to}
+                         : year_options->summer.time;
+    options.samples = (int)study->samples;
+    options.error = study->error;
+    options.seed = study->seed;
+    options.threads = study->threads;
+    options.watch = study->watch;
     options.hours.days = year_options->days;
     enum pp_status status =
         pp_weather_year_of_epw(&year, year_options->epw, &weather,
                                pp_read_file_title(year_options->weather), err);
     if (status != PP_OK)
         return status;
-    struct pp_lattice lattice;
-    status = pp_lattice_find(&lattice, room->receivers, room->receiver_count, err);
-    if (status == PP_OK) {
-        bool is_grid = lattice.columns > 0;
-        pp_lattice_clear(&lattice);
-        status = pp_annual_of_room(&sheet, room->world, &room->light, room->receivers,
-                                   room->receiver_count, is_grid, &year, &options, err);
-    }
+    status = pp_annual_of_study_room(&sheet, room, &year, &options, err);
     if (status == PP_OK && sheet.finished)
         status = pp_year_chart_draw(canvas, &sheet, err);
     *finished &= sheet.finished;

@@ -16,7 +16,6 @@
 #include "model/base/read_file.h"
 #include "model/base/text.h"
 #include "model/light/sky_patches.h"
-#include "model/results/lattice.h"
 #include "reports/annual/annual_csv.h"
 #include "reports/annual/annual_hourly.h"
 #include "reports/annual/annual_json.h"
@@ -91,17 +90,9 @@ static enum pp_status compute_room(struct annual_run *run,
                                    struct pp_annual_result *result,
                                    struct pp_error *err)
 {
-    struct pp_lattice lattice;
-    enum pp_status status =
-        pp_lattice_find(&lattice, room->receivers, room->receiver_count, err);
-    if (status != PP_OK)
-        return status;
-    bool is_grid = lattice.columns > 0;
-    pp_lattice_clear(&lattice);
     result->file = room->file;
-    return pp_annual_of_room(&result->sheet, room->world, &room->light, room->receivers,
-                             room->receiver_count, is_grid, &run->year,
-                             &run->options->annual, err);
+    return pp_annual_of_study_room(&result->sheet, room, &run->year,
+                                   &run->options->annual, err);
 }
 
 /* True if the room belongs to part K of N: rooms K, K + N, K + 2 N, ... */

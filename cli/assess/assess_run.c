@@ -1,6 +1,7 @@
 /* assess_run.c - see assess_run.h. */
 #include "cli/assess/assess_run.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "cli/availability/availability_options.h"
@@ -9,6 +10,7 @@
 #include "cli/message.h"
 #include "cli/ranks/room_queue.h"
 #include "cli/watch.h"
+#include "model/base/read_file.h"
 #include "studies/criteria/facade_sensitivity.h"
 #include "studies/criteria/grid/plane_trace.h"
 
@@ -58,6 +60,7 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
         .of_averages = run->words->of_averages,
         .mirrored = &mirrored,
         .cumulative = &cumulative,
+        .year = run->words->year.count > 0 ? &run->words->year : NULL,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
         .of_weather = run->words->weather != NULL};
     enum pp_status status = PP_OK;
@@ -187,9 +190,22 @@ void pp_assess_run_unload(struct pp_assess_rooms *all)
 
 enum pp_exit pp_assess_run_weather(struct pp_assess_words *words)
 {
-    return words->weather ? pp_availability_options_median(
-               words->weather, &words->median_lux, &words->sunshine)
-                          : PP_EXIT_DONE;
+    struct pp_error err = {0};
+    if (!words->weather)
+        return PP_EXIT_DONE;
+    words->light.weather = words->weather;
+    enum pp_exit result = pp_availability_options_load(&words->light);
+    if (result == PP_EXIT_DONE)
+        result = pp_availability_options_median(&words->light, &words->median_lux,
+                                                &words->sunshine);
+    if (result != PP_EXIT_DONE
+        || !pp_assessment_needs_year(words->criteria, words->profile))
+        return result;
+    const struct pp_weather_options weather = {.sun_shift_h = NAN};
+    enum pp_status status =
+        pp_weather_year_of_epw(&words->year, words->light.epw, &weather,
+                               pp_read_file_title(words->weather), &err);
+    return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
 enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,

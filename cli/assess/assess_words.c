@@ -142,6 +142,18 @@ static enum pp_status check_place(const struct pp_assess_words *options,
                            options->place);
 }
 
+/* A simulated year needs a weather file and the simulation. */
+static enum pp_status check_year(const struct pp_assess_words *options,
+                                 struct pp_error *err)
+{
+    if (!options->weather)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "LEED needs the hours of a year; expected --weather FILE.epw");
+    if (options->room.by_hand)
+        return pp_fail(err, PP_BAD_INPUT, "LEED is simulated; expected no --by-hand");
+    return PP_OK;
+}
+
 static enum pp_status check_schedule(const struct pp_assess_words *options,
                                      struct pp_error *err)
 {
@@ -179,6 +191,9 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
         options->profile = pp_profile_find(options->profile_name, err);
         status = options->profile ? PP_OK : PP_BAD_INPUT;
     }
+    if (status == PP_OK
+        && pp_assessment_needs_year(options->criteria, options->profile))
+        status = check_year(options, err);
     if (status == PP_OK && options->criteria && options->profile)
         status = pp_fail(
             err, PP_BAD_INPUT,
@@ -204,12 +219,14 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
 
 void pp_assess_words_init(void *values)
 {
-    *(struct pp_assess_words *)values =
-        (struct pp_assess_words){.room = pp_room_options_none};
+    *(struct pp_assess_words *)values = (struct pp_assess_words){
+        .room = pp_room_options_none, .light = pp_year_options_default};
 }
 
 void pp_assess_words_clear(void *values)
 {
     struct pp_assess_words *options = values;
+    pp_weather_year_clear(&options->year);
+    pp_availability_options_clear(&options->light);
     pp_room_options_clear(&options->room);
 }

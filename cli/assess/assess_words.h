@@ -10,9 +10,11 @@
 #include "model/room/project.h"
 #include "pepperpot.h"
 #include "studies/climate/sunshine.h"
+#include "studies/climate/year_light.h"
 #include "studies/criteria/grid/plane_grid.h"
 #include "studies/section_line.h"
 #include "studies/criteria/profile.h"
+#include "studies/year/weather_year.h"
 
 /* Line at which the building is mirrored, if given. */
 struct pp_boundary_words {
@@ -39,7 +41,9 @@ struct pp_assess_words {
     struct pp_section_place cut; /* of the report's sections */
     double french_m;     /* height of the point of French windows, m; 0: the middle */
     const char *weather; /* weather file for the median; NULL: none */
-    struct pp_sunshine sunshine; /* from that file */
+    struct pp_sunshine sunshine;  /* from that file */
+    struct pp_year_options light; /* that file, once loaded */
+    struct pp_weather_year year;  /* its hours, if a criterion needs a simulated year */
     enum pp_format format;
     const char *report_format; /* report: as typed; NULL: by the file's name */
     struct pp_project project; /* report: facts that replace those of the file */

@@ -289,20 +289,17 @@ enum pp_exit pp_availability_options_load(struct pp_year_options *options)
     return result;
 }
 
-enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
+enum pp_exit pp_availability_options_median(const struct pp_year_options *options,
+                                            double *median_lx,
                                             struct pp_sunshine *sunshine)
 {
-    struct pp_year_options options = pp_year_options_default;
+    const char *path = options->weather;
     struct pp_diffuse_light light;
     struct pp_error err = {0};
-    options.weather = path;
-    enum pp_exit result = pp_availability_options_load(&options);
-    if (result != PP_EXIT_DONE)
-        return result;
     enum pp_status status =
-        pp_diffuse_light_of_epw(&light, options.epw, pp_read_file_title(path), &err);
+        pp_diffuse_light_of_epw(&light, options->epw, pp_read_file_title(path), &err);
     *median_lx = NAN;
-    *sunshine = pp_sunshine_of_epw(options.epw);
+    *sunshine = pp_sunshine_of_epw(options->epw);
     if (status == PP_OK)
         status = pp_diffuse_light_median(median_lx, &light, &err);
     if (status == PP_OK && !(*median_lx > 0.0))
@@ -311,7 +308,6 @@ enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
                          "incomplete or too dark",
                          pp_read_file_title(path));
     pp_diffuse_light_clear(&light);
-    pp_availability_options_clear(&options);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 

@@ -22,10 +22,11 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 
 /* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options);
-/* Reads the median of the diffuse illuminance over the brightest 4380 hours and the
- * probability of sunshine from a weather file; reports on standard error why it has no
+/* Finds the median of the diffuse illuminance over the brightest 4380 hours and the
+ * probability of sunshine in a loaded weather file; reports on standard error why it has no
  * median. */
-enum pp_exit pp_availability_options_median(const char *path, double *median_lx,
+enum pp_exit pp_availability_options_median(const struct pp_year_options *options,
+                                            double *median_lx,
                                             struct pp_sunshine *sunshine);
 
 void pp_availability_options_clear(struct pp_year_options *options);

@@ -266,12 +266,12 @@ PP_LANES_WIDE static void wide_suns(struct block_weights *out,
 }
 
 /* Space for the weights and sums of one batch. */
-struct block_space {
+struct sun_space {
     struct block_weights *inside, *outdoor, *sums;
 };
 
 static void add_suns(const struct pp_year_coefficients *c, int first, int count, int b,
-                     const struct block_space *space, float *sun)
+                     const struct sun_space *space, float *sun)
 {
     const struct pp_year_batch *batch = &c->batches[b];
     int groups = c->task.group_count, cells = c->cells.count;
@@ -312,7 +312,7 @@ enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *c, in
     struct block_weights *all = calloc(inside + outdoor + sums, sizeof *all);
     if (!all)
         return pp_fail_memory(err);
-    const struct block_space space = {all, all + inside, all + inside + outdoor};
+    const struct sun_space space = {all, all + inside, all + inside + outdoor};
     for (int b = 0; b < PP_YEAR_BATCHES; b++)
         add_suns(c, first, count, b, &space, sun);
     free(all);

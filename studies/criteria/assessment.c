@@ -74,6 +74,7 @@ static struct pp_inquiry inquiry_of(const struct pp_assessment *assessment,
         .grid = assessment->has_factors ? &assessment->grid : NULL,
         .median = assessment->median,
         .sunshine = options->sunshine,
+        .year = assessment->has_year ? &assessment->year : NULL,
         .french_m = options->french_m,
         .least_altitude_rad = options->least_altitude_rad,
         .country = options->profile && !own[0] ? options->profile->country : own,
@@ -274,7 +275,8 @@ static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
     const struct pp_criterion *criterion;
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         chosen[i] &= pp_bearing_bears(criterion, world, !profile)
-                     && (profile || options->withdrawn || !criterion->withdrawn);
+                     && (profile || options->withdrawn || !criterion->withdrawn)
+                     && (profile || !criterion->of_year);
     return PP_OK;
 }
 
@@ -294,6 +296,36 @@ static bool is_chosen(const bool chosen[PP_CRITERIA_MOST],
         if (pp_criteria_at(i) == criterion)
             return chosen[i];
     return false;
+}
+
+bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *profile)
+{
+    bool chosen[PP_CRITERIA_MOST];
+    const char *list = criteria ? criteria : profile ? profile->criteria : NULL;
+    if (!list || pp_assessment_choose(chosen, list, NULL) != PP_OK)
+        return false;
+    for (int i = 0; pp_criteria_at(i); i++)
+        if (chosen[i] && pp_criteria_at(i)->of_year)
+            return true;
+    return false;
+}
+
+/* Simulates the room's year if a chosen criterion needs it and there is a weather
+ * file. */
+static enum pp_status simulate_year(struct pp_assessment *assessment,
+                                    const struct pp_assess_options *options,
+                                    struct pp_error *err)
+{
+    if (!options->year || !options->study->simulate
+        || !pp_assessment_needs_year(options->criteria, options->profile))
+        return PP_OK;
+    struct pp_annual_options annual = pp_annual_options_lm83;
+    annual.seed = options->study->seed;
+    annual.threads = options->study->threads;
+    annual.watch = options->study->watch;
+    assessment->has_year = true;
+    return pp_annual_of_study_room(&assessment->year, assessment->room, options->year,
+                                   &annual, err);
 }
 
 /* Finds the room in the other states of its site. */
@@ -355,6 +387,8 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     bool chosen[PP_CRITERIA_MOST];
     enum pp_status status = choose_criteria(chosen, assessment, options, err);
     if (status == PP_OK)
+        status = simulate_year(assessment, options, err);
+    if (status == PP_OK)
         status = judge_room(assessment, chosen, any_criterion, options, err);
     while (status == PP_OK && options->trace_again && assessment->report.finished
            && pp_report_find(&assessment->report, PP_DF, "traced")
@@ -388,6 +422,7 @@ void pp_assessment_clear(struct pp_assessment *assessment)
     clear_answer_list(&assessment->cumulative_answers);
     pp_report_clear(&assessment->report);
     pp_plane_grid_clear(&assessment->grid);
+    pp_annual_sheet_clear(&assessment->year);
     free(assessment->pairs);
     free(assessment->mirrored_pairs);
     free(assessment->cumulative_pairs);

@@ -11,6 +11,7 @@
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/profile.h"
 #include "studies/sizing/gains.h"
+#include "studies/year/annual.h"
 
 struct pp_assess_options {
     const struct pp_study_options *study; /* not owned */
@@ -27,6 +28,8 @@ struct pp_assess_options {
     bool of_weather;                    /* true if median_lux comes from a weather
                                          * file */
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
+    const struct pp_weather_year *year; /* for criteria of_year; not owned; NULL: no
+                                         * weather file */
     const struct pp_rooms_before
         *mirrored; /* the rooms of the same files with the mirror
                                  * image outside; not owned; NULL: none */
@@ -73,6 +76,8 @@ struct pp_assessment {
     bool has_gains; /* true if all criteria were selected, and improvements were
                      * searched */
     struct pp_gains gains;
+    struct pp_annual_sheet year; /* for criteria of_year; owned */
+    bool has_year;
     bool by_clock; /* the simulation was stopped by the clock */
 };
 
@@ -93,6 +98,9 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_rooms_before *before,
                                    const struct pp_assess_options *options,
                                    struct pp_error *err);
+
+/* True if the options select a criterion that needs a simulated year. */
+bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *profile);
 
 /* Assesses the room by the available data, and finds the gains if all criteria are
  * selected. */

@@ -16,6 +16,7 @@
 #include "studies/criteria/finding.h"
 #include "studies/criteria/grid/plane_grid.h"
 #include "model/results/report.h"
+#include "model/results/sheets/annual_sheet.h"
 #include "model/room/world.h"
 
 /* The room to be assessed, and the data for it. Nothing is owned. */
@@ -43,7 +44,8 @@ struct pp_inquiry {
                       * full-height window is calculated; 0: at its centre */
     double least_altitude_rad; /* altitude above which the sun counts for EN 17037; 0:
                                 * the country's, if known */
-    const char *country;       /* ISO 3166 code of the country whose rules apply; "":
+    const struct pp_annual_sheet *year; /* the room's simulated year; NULL: none */
+    const char *country; /* ISO 3166 code of the country whose rules apply; "":
                                 * unknown */
 };
 
@@ -61,6 +63,7 @@ struct pp_criterion {
     bool needs_mirror_image; /* needs a result with the mirror image */
     bool of_states;          /* sky and sun that change with the state of the site */
     bool of_gardens;         /* is evaluated only with a room that has gardens */
+    bool of_year;    /* judges by the inquiry's year; it is assessed only if named */
     bool of_factors; /* judges by the inquiry's factors; else they may be NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
     const char *countries;                      /* codes of the countries it applies in,

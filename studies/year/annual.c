@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "model/results/lattice.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "studies/year/annual_plane.h"
 #include "studies/year/annual_words.h"
@@ -258,6 +259,14 @@ static void clear_work(struct pp_annual_work *work)
     free(work->status);
 }
 
+const struct pp_annual_options pp_annual_options_lm83 = {
+    .hours = {8.0, 18.0, PP_ALL_DAYS},
+    .illuminance_count = 1,
+    .illuminances_lx = {300.0},
+    .patches = 577,
+    .blinds = true,
+    .seed = 1};
+
 enum pp_status pp_annual_of_room(
     struct pp_annual_sheet *sheet, const struct pp_world *world,
     const struct pp_outside_light *light, const struct pp_receiver *receivers,
@@ -287,4 +296,22 @@ enum pp_status pp_annual_of_room(
         watch->end(watch->data);
     clear_work(&work);
     return status;
+}
+
+enum pp_status pp_annual_of_study_room(struct pp_annual_sheet *sheet,
+                                       const struct pp_study_room *room,
+                                       const struct pp_weather_year *year,
+                                       const struct pp_annual_options *options,
+                                       struct pp_error *err)
+{
+    struct pp_lattice lattice;
+    *sheet = (struct pp_annual_sheet){.points = NULL};
+    enum pp_status status =
+        pp_lattice_find(&lattice, room->receivers, room->receiver_count, err);
+    if (status != PP_OK)
+        return status;
+    bool is_grid = lattice.columns > 0;
+    pp_lattice_clear(&lattice);
+    return pp_annual_of_room(sheet, room->world, &room->light, room->receivers,
+                             room->receiver_count, is_grid, year, options, err);
 }

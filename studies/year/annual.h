@@ -16,6 +16,7 @@
 #include "model/results/sheets/annual_sheet.h"
 #include "studies/climate/working_hours.h"
 #include "studies/study_options.h"
+#include "studies/study_room.h"
 #include "studies/year/weather_year.h"
 
 struct pp_annual_options {
@@ -35,6 +36,10 @@ struct pp_annual_options {
     struct pp_watch watch;
 };
 
+/* Options for the figures of LM-83-12 and LEED: 8 to 18 h in standard time, 300 lx,
+ * blinds, 577 patches, seed 1. */
+extern const struct pp_annual_options pp_annual_options_lm83;
+
 /* Evaluates the room's points: a grid over its plane (is_grid), or others. *sheet
  * refers to world and receivers; the caller clears it, after a failure too. */
 enum pp_status pp_annual_of_room(
@@ -42,5 +47,12 @@ enum pp_status pp_annual_of_room(
     const struct pp_outside_light *light, const struct pp_receiver *receivers,
     int receiver_count, bool is_grid, const struct pp_weather_year *year,
     const struct pp_annual_options *options, struct pp_error *err);
+
+/* The same for the points of a study room, which are a grid if they form a lattice. */
+enum pp_status pp_annual_of_study_room(struct pp_annual_sheet *sheet,
+                                       const struct pp_study_room *room,
+                                       const struct pp_weather_year *year,
+                                       const struct pp_annual_options *options,
+                                       struct pp_error *err);
 
 #endif

@@ -77,6 +77,17 @@ check "paths of a chart of the year" quietly chart year -w "$scratch/year.epw" -
 check "as many as a power of two" refuses 2 "power of two" chart year -w "$scratch/year.epw" \
     --samples 17 -o "$scratch/x.svg" "$room"
 
+# LEED's verdicts have the figures of annual.
+sed '/<line/d; s|</room>|<grid spacing="1" margin="0"/></room>|' "$deep" >"$scratch/grid.xml"
+run annual -w "$scratch/year.epw" -f json "$scratch/grid.xml"
+sda=$(sed -n 's|.*"sda300/50": { "value": \([0-9]*\.[0-9]\).*|\1|p' "$scratch/out")
+leed="assess --for leed-v4.1 -w $scratch/year.epw"
+check "LEED's area is that of annual" shows "sDA300/50, 1 point  *$sda" $leed "$scratch/grid.xml"
+check "points that are no grid have no verdict" shows "not applicable" $leed "$room"
+check "LEED needs weather" refuses 2 "--weather" assess --for leed-v4.1 "$room"
+check "LEED by its name" refuses 2 "--weather" assess -c leed-v4.1 "$room"
+check "LEED is not by hand" refuses 2 "--by-hand" $leed --by-hand "$room"
+
 # A plan of one moment has lux.
 plan="chart plan --samples 16 -q -o $scratch/moment.pdf"
 check "a plan of a sky with a sun" quietly $plan --sky perez,600,120,35,170 "$room"

@@ -1,0 +1,78 @@
+/* test_leed.c - LEED's points from a year whose areas are known. */
+#include "studies/criteria/criteria.h"
+#include <string.h>
+
+#include "tests/lib/room_of.h"
+
+/* A finished year of a grid with blinds and LM-83's hours. */
+static struct pp_annual_sheet year_of(double sda, double sda_error, double ase)
+{
+    return (struct pp_annual_sheet){
+        .receiver_count = 100,
+        .is_grid = true,
+        .has_blinds = true,
+        .standard_hours = true,
+        .finished = true,
+        .plane = {.sda = {sda, sda_error}, .ase = {ase, 0.0}}};
+}
+
+static struct pp_finding_list judged(const struct pp_annual_sheet *year)
+{
+    const struct pp_inquiry inquiry = {.year = year};
+    struct pp_finding_list findings = {0};
+    assert_int_equal(pp_criterion_leed.evaluate(&inquiry, &findings, NULL), PP_OK);
+    return findings;
+}
+
+/* 60 % is over 40 and 55, and below 75. */
+static void each_threshold_that_is_reached_is_a_point(void **state)
+{
+    (void)state;
+    const struct pp_annual_sheet year = year_of(0.6, 0.0, 0.1);
+    struct pp_finding_list findings = judged(&year);
+    assert_int_equal(findings.count, 4);
+    assert_int_equal(findings.list[0].verdict, PP_MET);
+    assert_int_equal(findings.list[1].verdict, PP_MET);
+    assert_int_equal(findings.list[2].verdict, PP_NOT_MET);
+    assert_int_equal(findings.list[3].verdict, PP_MET); /* 10 % is not above 10 % */
+    assert_false(findings.list[0].is_optional);
+    assert_true(findings.list[1].is_optional && findings.list[3].is_optional);
+    pp_finding_list_clear(&findings);
+}
+
+/* One standard error from the threshold: 84 % likely, which is not sure. */
+static void area_near_a_threshold_is_undecided(void **state)
+{
+    (void)state;
+    const struct pp_annual_sheet year = year_of(0.41, 0.01, 0.3);
+    struct pp_finding_list findings = judged(&year);
+    assert_int_equal(findings.list[0].verdict, PP_UNDECIDED);
+    assert_near(findings.list[0].confidence, 0.8413, 1e-4);
+    assert_int_equal(findings.list[3].verdict, PP_NOT_MET);
+    pp_finding_list_clear(&findings);
+}
+
+static void no_points_without_grid_blinds_or_year(void **state)
+{
+    (void)state;
+    struct pp_annual_sheet year = year_of(0.9, 0.0, 0.0);
+    year.is_grid = false;
+    struct pp_finding_list findings = judged(&year);
+    assert_int_equal(findings.count, 1);
+    assert_int_equal(findings.list[0].verdict, PP_NOT_JUDGED);
+    pp_finding_list_clear(&findings);
+    findings = judged(NULL);
+    assert_int_equal(findings.list[0].verdict, PP_NOT_JUDGED);
+    assert_non_null(strstr(findings.list[0].note, "--weather"));
+    pp_finding_list_clear(&findings);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_threshold_that_is_reached_is_a_point),
+        cmocka_unit_test(area_near_a_threshold_is_undecided),
+        cmocka_unit_test(no_points_without_grid_blinds_or_year),
+    };
+    add_tests(tests, NULL, NULL);
+}
