@@ -62,7 +62,9 @@ const struct pp_column *pp_factors_of_grid(const struct pp_inquiry *inquiry,
     const struct pp_report *report = inquiry->factors;
     *why = pp_factors_refuse(inquiry);
     if (!*why && report->receiver_count == 0)
-        *why = "no point of the grid is 0.5 m or more from the walls";
+        *why = inquiry->grid && inquiry->grid->is_too_fine
+                   ? "the grid has more than 20000 points; expected a wider spacing"
+                   : "no point of the grid is 0.5 m or more from the walls";
     if (*why)
         return NULL;
     const struct pp_column *column = pp_report_find(report, PP_DF, traced);

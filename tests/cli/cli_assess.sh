@@ -19,6 +19,9 @@ check "a verdict has its probability" grep -q "met: certain" "$scratch/out"
 check "illuminances stand beside" grep -qE "% +[0-9]+ lx +>=" "$scratch/out"
 check "the median outside is named" grep -q "13900 lx: Berlin" "$scratch/out"
 
+check "a grid of too many points is refused in words" shows "more than 20000 points" \
+    assess --by-hand -c en17037 --median-diffuse 14000 --spacing 0.02 "$examples/office.xml"
+
 check "in UTF-8 it fits too" sh -c "
     LC_ALL=C.UTF-8 '$pepperpot' assess -s --error 4% --spacing largest --external 5000 '$deep' |
         grep -vF '$examples/' | LC_ALL=C.UTF-8 sed -n '/^.\{81\}/p' |

@@ -16,10 +16,16 @@ trap 'rm -rf "$scratch"' EXIT
 [ $# -gt 0 ] || set -- 1 16 31 46 61 76 91 106 121 136 151 166 181 196 211 226 241 256 271 286
 ${AWK:-awk} -v folder="$scratch" -f "$here/../lib/ordinary_rooms.awk"
 
+# Spacing of the fine grid: 0.1 m, or more where a grid would have more than 20,000 points.
+fine_spacing() { # ROOM
+    sed -n 's/.*<plan width="\([0-9.]*\)" depth="\([0-9.]*\)".*/\1 \2/p' "$scratch/$1.xml" |
+        ${AWK:-awk} '{ print ($1 * $2 > 190 ? 0.2 : 0.1) }'
+}
+
 for room; do
     for grid in default 0.1; do
         spacing=
-        [ $grid = default ] || spacing="--spacing $grid"
+        [ $grid = default ] || spacing="--spacing $(fine_spacing "$room")"
         # $spacing is two words, or none.
         "$pepperpot" assess -q -c en17037 --median-diffuse 14100 $spacing --format csv \
             -o "$scratch/$room.$grid.csv" "$scratch/$room.xml"

@@ -104,7 +104,8 @@ enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,
         cells[k] = fmax(ceil(extent[k] / grid->spacing_m - 1e-6), 1.0);
         grid->cell_m[k] = extent[k] / cells[k];
     }
-    if (cells[0] * cells[1] > PP_PLANE_GRID_MOST)
+    grid->is_too_fine = cells[0] * cells[1] > PP_PLANE_GRID_MOST;
+    if (grid->is_too_fine)
         return PP_OK;
     grid->columns = (int)cells[0];
     grid->rows = (int)cells[1];

@@ -38,14 +38,15 @@ struct pp_plane_grid {
     double spacing_m; /* largest side of a cell */
     double margin_m;
     enum pp_grid_origin origin;
-    int halvings; /* halvings of the origin's spacing */
+    int halvings;     /* halvings of the origin's spacing */
+    bool is_too_fine; /* there are no points, because there would be too many */
 };
 
 /* Points of the working plane, facing up. The plane's bounding rectangle, less the
  * margin, is divided into equal cells no larger than the spacing. Points are the
  * centres of cells that lie within the plane, at least the margin from its edge, where
  * a receiver can stand (pp_position_receiver_fault). The count is 0 in a room too small
- * for the margin, and if there would be more than PP_PLANE_GRID_MOST cells. The spacing
+ * for the margin, and if there would be more than PP_PLANE_GRID_MOST cells (is_too_fine). The spacing
  * comes from `choice` (NULL: none), from the file, or is the default one, and is halved
  * `halvings` times. room: may be NULL (no file's grid). To be cleared in any case. */
 enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,

@@ -2,6 +2,7 @@
 #include "tests/lib/near.h"
 
 #include "studies/criteria/grid/plane_grid.h"
+#include "tests/lib/room_of.h"
 
 /* 5^log10(10) is 5, 5^log10(100) is 25 and half of that above the most. */
 static void the_spacing_grows_slower_than_the_room(void **state)
@@ -22,11 +23,33 @@ static void the_shorter_side_counts_in_long_rooms(void **state)
     assert_true(pp_plane_grid_largest_spacing(3.7, 7.3) > 0.5 * 2.495491 + 0.5);
 }
 
+/* 14.1 x 14.1 m at 0.1 m are 19,881 cells, 14.2 x 14.2 m 20,164. */
+static void a_grid_of_too_many_cells_has_no_points_and_says_so(void **state)
+{
+    (void)state;
+    const struct pp_grid_choice choice = {.spacing_m = 0.1};
+    for (int is_too_fine = 0; is_too_fine < 2; is_too_fine++) {
+        struct pp_world *world = pp_test_world(
+            is_too_fine ? "<room version='1'><plan width='14.2' depth='14.2' "
+                          "height='3'/></room>"
+                        : "<room version='1'><plan width='14.1' depth='14.1' "
+                          "height='3'/></room>");
+        struct pp_plane_grid grid;
+        assert_int_equal(pp_plane_grid_make(&grid, world, NULL, &choice, 0, NULL),
+                         PP_OK);
+        assert_int_equal(grid.is_too_fine, is_too_fine);
+        assert_int_equal(grid.count, is_too_fine ? 0 : 19881);
+        pp_plane_grid_clear(&grid);
+        pp_world_destroy(world);
+    }
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_spacing_grows_slower_than_the_room),
         cmocka_unit_test(the_shorter_side_counts_in_long_rooms),
+        cmocka_unit_test(a_grid_of_too_many_cells_has_no_points_and_says_so),
     };
     add_tests(tests, NULL, NULL);
 }
