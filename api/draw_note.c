@@ -146,7 +146,7 @@ static enum pp_status draw_note(struct pp_canvas *canvas, struct pp_study_room *
             room->world->name, POINTS_MOST, room->receiver_count);
     if (room->receiver_count > 1 && !pp_canvas_has_sheets(canvas))
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: there are %d points, but only a PDF holds a sheet for "
+                       "%s: there are %d points, but only a PDF can hold a sheet for "
                        "each; expected -o FILE.pdf, or one point",
                        room->world->name, room->receiver_count);
     enum pp_status status = PP_OK;
