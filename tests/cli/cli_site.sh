@@ -138,7 +138,7 @@ sed "s/depth=\"5\" height=\"19\"/depth=\"5\" height=\"$height\"/" "$site" >"$scr
 check "at that height it has it" gives assess --by-hand -c former-sky --room Study -f csv "$scratch/lower.xml"
 check "to 1e-4" is "$(sed -n '2s/.*",29,[0-9.]*,[0-9.]*,\([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-4
 check "of one window alone" shows "W5" size --obstruction Tower --window-name W5 --keep 90% "$site"
-check "a block over a footprint too" shows "up to 14.65 m, every window keeps 0.6" \
+check "a block over a footprint too" shows "up to a height of 14.65 m, every window keeps 0.6" \
     size --obstruction Corner --keep 60% "$site"
 check "its rooms' lit area" shows '"verdict": "found"' \
     size --obstruction Tower --of lit-area -f json "$site"
