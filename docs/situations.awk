@@ -46,7 +46,7 @@ END {
     heads["direct"] = "direct light"
     heads["irc"] = "internally reflected light"
     heads["df"] = "daylight factor"
-    line = "| |"
+    line = "| method |"
     rule = "| --- |"
     for (p = 1; p <= place_count; p++) {
         split(place_of[p], at, " ")
