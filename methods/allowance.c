@@ -1,4 +1,5 @@
-/* allowance.c - the corrections of an opening as factors, as steps and in words. */
+/* allowance.c - the corrections for glass, dirt, frame and curtains: as factors, as
+ * steps and as text. */
 #include "methods/allowance.h"
 
 #include <assert.h>
@@ -8,7 +9,7 @@
 #include "methods/method.h"
 #include "model/base/text.h"
 
-/* Factor G: diffuse transmittance over that of clear single glass. */
+/* Factor G: diffuse transmittance divided by that of clear single glass. */
 static double glass_type(const struct pp_glass *glass)
 {
     return glass->diffuse / pp_glass_clear_single().diffuse;
@@ -65,7 +66,8 @@ struct correction {
 
 enum { CORRECTIONS_MOST = 8 };
 
-/* The correction for glass; false if the figure needs none. */
+/* Sets *correction to the correction for glass. Returns false if the figure needs
+ * none. */
 static bool correct_glass(struct correction *correction, unsigned allowances,
                           const struct pp_opening *opening)
 {

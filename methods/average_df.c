@@ -1,20 +1,22 @@
-/* average_df.c - the average daylight factor in one formula, in its two forms, and the
- * two practices for low glass.
+/* average_df.c - the average daylight factor by a single formula: its two forms, and
+ * the two practices for glass below the working plane.
  *
- * `average-df` is over the working plane [CL84]; `average-df-lynes`, the older form it
- * grew out of, over all surfaces of the room [LYNES79]. theta is the angle of visible sky
- * in section (reflected/sky_angle.h). In the newer form glass below the working plane
- * counts with the floor's reflectance rho_f: its light reaches the plane by way of the
- * floor. The other practice, `average-df-above`, leaves it out [BS8206]. A rooflight with
- * a well counts by the well's efficiency (reflected/well.h).
+ * `average-df` is the average over the working plane [CL84]; `average-df-lynes`, the
+ * older form from which it was developed, is the average over all surfaces of the room
+ * [LYNES79]. theta is the angle of visible sky in section (reflected/sky_angle.h). In
+ * the newer form, glass below the working plane is weighted by the floor's reflectance
+ * rho_f, since its light reaches the plane by way of the floor. The other practice,
+ * `average-df-above`, leaves it out [BS8206]. A rooflight with a well is weighted by
+ * the well's efficiency (reflected/well.h).
  *
- * The two forms are averages over different surfaces and not to be compared: before dirt
- * and without glass below the working plane, the older one is (1 + R)/2 of the other. Under
- * the CIE overcast sky; the newer form for glass of any slope, the older for vertical
- * one. Several openings add up, with the common A and R. Both contain the opening's
- * glass and, through W, the frame; `average-df` contains dirt too. Neither is meant for
- * obstructions that one section angle does not describe; reflected/obstruction.h says
- * how blocks become such an angle.
+ * The two forms are averages over different surfaces and should not be compared: before
+ * dirt and without glass below the working plane, the older one is (1 + R)/2 times the
+ * other. Both are for the CIE overcast sky; the newer form is for glass of any slope,
+ * the older one for vertical glass. The results of several openings are added, with the
+ * same A and R. Both contain the opening's glass and, through W, the frame;
+ * `average-df` contains dirt too. Neither is meant for obstructions that one section
+ * angle does not describe; reflected/obstruction.h says how blocks become such an
+ * angle.
  */
 #include <stddef.h>
 
@@ -115,7 +117,7 @@ static const struct pp_formula *const formulae_of_lynes[] = {
 /* Treatment of glass below the working plane. */
 enum low_glass { COUNTS_BY_FLOOR, LEFT_OUT, COUNTS_IN_FULL };
 
-/* Puts W on the worksheet, for an opening that is partly below the working plane. */
+/* Puts W on the worksheet for an opening that is partly below the working plane. */
 static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *world,
                           const struct pp_opening *opening, double low_m2,
                           enum low_glass practice)
@@ -135,7 +137,7 @@ static void put_low_glass(struct pp_worksheet *sheet, const struct pp_world *wor
                       "effective net glass area");
 }
 
-/* Puts W on the worksheet, for glass with a well. */
+/* Puts W on the worksheet for glass above a well. */
 static void put_well(struct pp_worksheet *sheet, const struct pp_world *world,
                      const struct pp_outside_light *light,
                      const struct pp_opening *opening)
@@ -229,7 +231,7 @@ const struct pp_method pp_method_average_df = {
     .source = "CL84",
     .formulae = formulae,
     .gives = PP_GIVES_WHOLE,
-    .own_ground = 0.1, /* theta/2 per cent is 45 % for an open sky: 39.6 % from the
+    .own_ground = 0.1, /* under an open sky, theta/2 per cent is 45 %: 39.6 % from the
                         * sky, the rest from the ground */
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME | PP_ALLOWS_DIRT,

@@ -1,4 +1,4 @@
-/* component_steps.c - symbols and words of the components, and the steps that all
+/* component_steps.c - symbols and names of the components, and the steps that all
  * methods share. */
 #include "methods/component_steps.h"
 
@@ -12,8 +12,8 @@ const char *const pp_component_steps_names[PP_COMPONENT_COUNT] = {
     [PP_DF] = "daylight factor",
 };
 
-/* Symbols in formulae: for one opening as the method gives them, and with all
- * corrections. */
+/* Symbols in formulae: lower case for one opening as the method gives it, upper case
+ * with all corrections. */
 static const char *const own_symbols[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT] = {"SC", "ERC", "IRC",
                                                                     "DF"};
@@ -37,7 +37,7 @@ double pp_component_steps_figure(const struct pp_amounts *amounts,
 }
 
 /* The components that the steps list, at most two: the externally reflected component
- * is left out where it is 0 and the method has recorded none. */
+ * is omitted if it is 0 and the method has recorded none. */
 static int components_of(enum pp_component list[2], const struct pp_method *method,
                          const struct pp_amounts *amounts, const struct pp_steps *steps,
                          int first)

@@ -13,15 +13,15 @@
 #include "methods/method.h"
 #include "model/geometry/bounds.h"
 
-/* Least solid angle (sr) at which sky counts as visible: that of a slit of a metre by a
- * micrometre at 30 m. */
+/* Least solid angle (sr) at which sky counts as visible: about that of a slit 1 m long
+ * and 0.001 mm wide at 30 m. */
 #define NO_SKY_SR 1e-9
 
 /* Least distance (m) from the plane's edge at which the view of the sky is evaluated;
  * nearer points use the value there, so that contours reach the walls. */
 #define SKY_INSET_M 0.001
 
-/* A direct component, and a constant added to it everywhere. */
+/* A direct component, and a constant to add to it everywhere. */
 struct added_to {
     const struct pp_direct_plane *direct;
     double irc;
@@ -57,8 +57,9 @@ enum { LEVELS_USUAL = 9, LEVELS_MOST = 14 };
  * divide it. */
 static const double largest_gap = 0.2;
 
-/* Chooses the usual levels within the range, the highest LEVELS_USUAL of them; if fewer
- * than three are within, multiples of a round step. */
+/* Chooses the usual levels within the range, at most the highest LEVELS_USUAL of them;
+ * if there are fewer than three, multiples of a round step. Returns the number of
+ * levels. */
 static int choose_levels(double levels[LEVELS_MOST], double low, double high)
 {
     static const double percent[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05,
@@ -83,8 +84,8 @@ static int choose_levels(double levels[LEVELS_MOST], double low, double high)
     return count;
 }
 
-/* The round level between two levels that divides the area between them most evenly; 0:
- * there is none. */
+/* The round level between two levels that divides the area between them most evenly.
+ * Returns 0 if that area is small or no round level divides it well. */
 static double level_between(const struct pp_field *field, double low, double high)
 {
     static const double steps[] = {1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6,
@@ -115,8 +116,8 @@ static double level_between(const struct pp_field *field, double low, double hig
     return best > 0.25 * (to - from) ? found : 0.0;
 }
 
-/* Inserts levels between the usual ones while a share of the plane above largest_gap
- * has no contour. */
+/* Inserts levels between the usual ones while more than largest_gap of the plane lies
+ * between two contours. */
 static int divide_gaps(double levels[LEVELS_MOST], int count,
                        const struct pp_field *field, double low, double high)
 {
@@ -245,7 +246,7 @@ double pp_daylight_curves_tolerance(const struct pp_region *plane)
     return fmax(1e-3, diagonal / 5000.0);
 }
 
-/* The contours of any function, and the no-sky line. */
+/* Adds the contours of a function and the no-sky line. Clears the plan on failure. */
 static enum pp_status add_all(struct pp_daylight_plan *plan,
                               const struct pp_world *world,
                               const struct contours_wanted *wanted,

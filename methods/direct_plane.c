@@ -1,4 +1,5 @@
-/* direct_plane.c - the method's own evaluation, moved off walls and openings. */
+/* direct_plane.c - evaluates a method at points of the plane, moved off walls and
+ * openings. */
 #include "methods/direct_plane.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@
  * opening; the distance is less than the thickness of a wall on the drawing. */
 static const double opening_inset = 1.0 / 500.0, opening_inset_most_m = 0.02;
 
-/* Least distance from a wall (m): contours reach the wall. */
+/* Least distance from a wall (m); so small that contours appear to reach the wall. */
 static const double wall_inset_m = 0.001;
 
 struct pp_direct_plane {
@@ -45,7 +46,7 @@ struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double 
     return moved;
 }
 
-/* The place, moved away from nearby vertical openings to that distance. */
+/* Returns the place, moved away from nearby vertical openings to that distance. */
 static struct pp_vec3 off_openings(const struct pp_world *world, double inset_m,
                                    struct pp_vec3 place)
 {
@@ -90,8 +91,8 @@ static enum pp_status check_method(const struct pp_method *method,
     return PP_OK;
 }
 
-/* Most triangles times openings. Contours over the plane take 1.0 s with 200 triangles
- * and 3.4 s with 500. */
+/* Largest product of the number of triangles outside and the number of openings.
+ * Contours over the plane take 1.0 s with 200 triangles and 3.4 s with 500. */
 static const double mesh_triangles_most = 700.0;
 
 static enum pp_status check_meshes(const struct pp_world *world, struct pp_error *err)

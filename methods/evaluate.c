@@ -73,8 +73,8 @@ static enum pp_status answer_points(const struct pp_method_run *run,
     int count = report->receiver_count;
     if (count > SERIAL_MAX)
         pp_thread_pool_run(run->shared.pool, 0, count, answer_one, &answering);
-    /* Few receivers are evaluated in order; many again in order after a failure, so
-     * that the message is that of the first one. */
+    /* Few receivers are evaluated in order. Many are evaluated again, in order, after a
+     * failure, so that the message is that of the first receiver that fails. */
     bool ordered = count <= SERIAL_MAX || answering.failed;
     enum pp_status status = PP_OK;
     for (int i = 0; ordered && i < count && status == PP_OK; i++)
@@ -130,8 +130,8 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
-/* Replaces a figure for the whole room by a null value if it needs more light than
- * enters the room. */
+/* Withdraws a figure for the whole room, and gives the reason, if it needs more light
+ * than enters the room. */
 static enum pp_status check_light(struct pp_method_answer *answer,
                                   const struct pp_light_bound *bound,
                                   const struct pp_method *method,
@@ -166,7 +166,8 @@ static enum pp_status check_room(struct pp_method_answer *answers,
     return status;
 }
 
-/* Adds the column of one component from the answers of a method. */
+/* Adds the column of one component, unless the report already has it, from the answers
+ * of a method. */
 static enum pp_status add_component_column(struct pp_report *report,
                                            const struct pp_method *method,
                                            const char *name,
@@ -192,7 +193,7 @@ static enum pp_status add_component_column(struct pp_report *report,
 }
 
 /* If steps are requested, creates their lists: one for each receiver or one for the
- * room. */
+ * room. Returns false if memory runs out. */
 static bool create_steps(struct pp_method_answer *answers, struct pp_report *report,
                          const struct pp_method *method)
 {
@@ -241,7 +242,8 @@ static enum pp_status add_method(struct pp_report *report,
 
 /* ---- pairs: direct component by one method, reflected by another ---- */
 
-/* sc + erc + irc, or why there is no sum: the reason of the direct part comes first. */
+/* sc + erc + irc, or the reason why there is no sum; a reason of the direct part comes
+ * first. */
 static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
                                  struct pp_reading irc)
 {
@@ -259,8 +261,8 @@ static void add_column_step(struct pp_steps *steps, const struct pp_column *colu
                        pp_component_steps_names[column->component], column->name);
 }
 
-/* Adds the column "direct+internal" from the columns of the two methods, which must
- * exist, unless the report has it already. */
+/* Adds the column "direct+internal", unless the report already has it, from the columns
+ * of the two methods, which must exist. */
 static enum pp_status add_pair(struct pp_report *report, const char *direct,
                                const char *internal, struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* interpolate.c - Lagrange's cubic, Gauss's rule and bisection for tables with equal
+/* interpolate.c - Lagrange cubics, Gauss quadrature and inversion for tables with equal
  * steps, and linear interpolation between the rows of published tables. */
 #include "methods/interpolate.h"
 
@@ -65,7 +65,7 @@ double pp_interpolate_inverse(const double *values, int count, double low, doubl
     if (off_left >= 0.0 || off_right <= 0.0)
         return low + (off_left >= 0.0 ? below : above) * step;
     /* Regula falsi; the value at the end that is kept is halved (Illinois method).
-     * Needs some six evaluations of the cubic. */
+     * Needs about six evaluations of the cubic. */
     double t = left, last;
     do {
         last = t;

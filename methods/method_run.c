@@ -1,5 +1,6 @@
-/* method_run.c - calls the method for each opening, applies the corrections (symbol by
- * symbol for the steps) and adds up; at a point, for the room, or as an average. */
+/* method_run.c - calls the method for each opening, applies the corrections (with a
+ * symbol for each in the steps) and adds up the results: at a point, for the room, or
+ * as an average. */
 #include "methods/method_run.h"
 
 #include <stddef.h>
@@ -74,8 +75,8 @@ static struct pp_amounts add_part(struct pp_amounts *sum, const struct pp_part *
     return own;
 }
 
-/* Adds the components of one opening; *used: a formula of the variant was evaluated. If
- * answer->why is set, the opening has no figures. */
+/* Adds the components of one opening; sets *used if a formula of the variant was
+ * evaluated. If answer->why is set, the opening has no figures. */
 static enum pp_status add_opening_components(const struct pp_method_run *run, int i,
                                              const struct pp_receiver *receiver,
                                              struct pp_method_answer *answer,
@@ -85,8 +86,8 @@ static enum pp_status add_opening_components(const struct pp_method_run *run, in
     const struct pp_world *world = run->world;
     bool roughly = run->roughly && method->evaluate_roughly;
     struct pp_part part;
-    memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* there are no figures
-                                                             * yet */
+    memset(&part, 0, offsetof(struct pp_part, sheet.list)); /* leaves out the list,
+                                                             * which is still empty */
     part.sheet.steps = answer->steps;
     part.sheet.formulary = run->formulary;
     int first = 0;
@@ -174,7 +175,7 @@ enum pp_status pp_method_run_answer(const struct pp_method_run *run,
 struct plane_sum {
     const struct pp_method_run *run;
     struct pp_method_answer
-        refusal; /* the reason of the first opening, and column, that has one */
+        refusal; /* reason from the first opening, and its first column, that has one */
     bool failed;
 };
 
@@ -209,7 +210,7 @@ static bool plane_sum_at(void *data, int opening, const struct pp_receiver *rece
     return true;
 }
 
-/* Average of each opening by the method itself; openings are shared among threads. */
+/* Averages of the openings by the method itself; the threads share the openings. */
 struct opening_averages {
     struct pp_part *parts;
     const struct pp_method *method;
@@ -246,10 +247,10 @@ static bool average_one_opening(void *data, int worker, int i)
 }
 
 /* The averages over the working plane that a method calculates itself
- * (pp_method.average). parts[i], zero before, is that of opening i of the beams' world,
- * before the corrections for glass, frame and dirt. *known is false where the method
- * has none for one of them; the parts are then not valid. The pool's workers share the
- * openings. */
+ * (pp_method.average). parts[i], which must be zero on entry, is set to that of opening
+ * i of the beams' world, before the corrections for glass, frame and dirt. *known is
+ * false if the method has no average for one of the openings; the parts are then not
+ * valid. The pool's workers share the openings. */
 static enum pp_status average_openings(struct pp_part *parts, bool *known,
                                        const struct pp_method *method,
                                        struct pp_beams *beams,
@@ -267,8 +268,8 @@ static enum pp_status average_openings(struct pp_part *parts, bool *known,
                : pp_fail(err, averages.status, "%s", averages.err.message);
 }
 
-/* The sum over the openings of their averages by the method itself; *known is false
- * where there is none for one of them. */
+/* The sum over the openings of their averages by the method itself; *known is false if
+ * the method has no average for one of them. */
 static enum pp_status sum_averages(const struct pp_method_run *run,
                                    struct pp_method_answer *answer, bool *known,
                                    struct pp_error *err)

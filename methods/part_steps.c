@@ -1,4 +1,5 @@
-/* part_steps.c - symbols with the numbers of parts, and the sums over the parts. */
+/* part_steps.c - numbers the symbols of the parts, and records the sums over the
+ * parts. */
 #include "methods/part_steps.h"
 #include "model/base/text.h"
 
@@ -70,7 +71,7 @@ void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
                         "%s", what);
 }
 
-/* Counts a component for the sums. */
+/* Includes a component in the sums. */
 static void count(struct pp_part_steps *terms, bool hidden, double share)
 {
     *(hidden ? &terms->hidden_count : &terms->sky_count) += 1;

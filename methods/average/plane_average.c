@@ -1,5 +1,5 @@
-/* plane_average.c - integrates the light of each opening over its wedges of the plane by
- * hcubature. */
+/* plane_average.c - integrates the light from each opening over its wedges of the plane
+ * by hcubature. */
 #include "methods/average/plane_average.h"
 
 #include <cubature.h>
@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Points of one evaluation of the cubature rule, the fewest that a piece needs. */
+/* Points in one evaluation of the cubature rule: the minimum for a piece. */
 enum { FIRST_POINTS = 17 };
 
 /* Integral over one piece. The function's values at the points of the first evaluation
  * of the rule are kept, since every cubature of the piece begins with them. */
 struct piece_integral {
     double values[PP_PLANE_VALUES];
-    double error; /* error of all values together; INFINITY: not yet estimated */
+    double error; /* error of all values together; INFINITY until it is estimated */
     double first[FIRST_POINTS][PP_PLANE_VALUES];
     bool stopped;
 };
@@ -27,13 +27,14 @@ struct integral {
     void *data;
     struct piece_integral *of;
     int points; /* evaluated so far */
-    int known;  /* values kept from the first estimate, 0 if none */
+    int known;  /* number of points whose values are known from the first estimate; 0 if
+                 * none */
     bool stopped;
 };
 
 /* The values at a point of the unit square times the area element. Once the function
- * has stopped they are set to zero, which ends the integration at once (hcubature leaks
- * memory when its integrand fails). */
+ * has stopped, they are set to zero, which ends the integration at once (hcubature
+ * leaks memory when its integrand fails). */
 static int integrand_at(unsigned dim, const double *square, void *data, unsigned fdim,
                         double *values)
 {
@@ -61,14 +62,14 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
 struct piece_integrals {
     const struct pp_plane_wedges *pieces;
     const struct integral *like;
-    double absolute; /* error bound of a piece, all its values together */
+    double absolute; /* error bound for one piece, for all its values together */
     int points;      /* most evaluations in a piece */
     struct piece_integral *of;
 };
 
-/* Integrates a piece again if it is not accurate enough. All pieces are processed even
- * after a failure, so that the side effects of the function do not depend on
- * threads. */
+/* Integrates a piece, unless its estimate is accurate enough already. All pieces are
+ * processed even after a failure, so that the side effects of the function do not
+ * depend on the number of threads. */
 static bool integrate_piece(void *data, int worker, int i)
 {
     (void)worker;
@@ -93,7 +94,8 @@ static bool integrate_piece(void *data, int worker, int i)
     return true;
 }
 
-/* The integrals summed in the order of the pieces. False: stopped. */
+/* Integrates all pieces and adds up their integrals in order. Returns false if the
+ * function stopped. */
 static bool integrate_pieces(double sum[PP_PLANE_VALUES],
                              struct piece_integrals *integrals,
                              struct pp_thread_pool *pool)
@@ -133,9 +135,10 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
         return status == PP_OK ? pp_fail_memory(err) : status;
     }
 
-    /* A first estimate, one rule for each piece, gives the error allowed to each;
-     * errors of the pieces are assumed independent. Only an eighth of the requested
-     * error is allowed, since the two sums of a rule may agree where both are wrong. */
+    /* A first estimate, with one evaluation of the rule for each piece, gives the error
+     * allowed to each; errors of the pieces are assumed independent. Only an eighth of
+     * the requested error is allowed, since the two sums of a rule may agree although
+     * both are wrong. */
     for (int i = 0; i < pieces.count; i++)
         of[i].error = INFINITY;
     struct integral integral = {

@@ -9,8 +9,8 @@
 
 /* ---- plain: an integral over points of the plane ---- */
 
-/* The error of the mean that the cubature over the plane aims at, relative to the sum
- * of both components; at each point the view is integrated to PP_QUADRATURE_GLAZED. */
+/* Target error of the mean from the cubature over the plane, relative to the sum of
+ * both components; at each point the view is integrated to PP_QUADRATURE_GLAZED. */
 static const double POINT_AVERAGE_ERROR = 1e-3;
 
 enum { MOST_POINTS = 2000 };
@@ -22,7 +22,7 @@ struct point_light {
     const struct pp_plane_light *light;
 };
 
-/* Adds a patch's light at a point that faces up. */
+/* Adds the light from a patch at a point that faces up. */
 static enum pp_status add_patch_light(const struct point_light *of,
                                       const struct pp_visible *visible,
                                       const struct pp_visible_patch *patch,
@@ -68,7 +68,8 @@ static bool point_light_at(void *data, int centre, const struct pp_receiver *rec
     return status == PP_OK;
 }
 
-/* As pp_plane_light_average, by the view of each point of a cubature, patch by patch. */
+/* As pp_plane_light_average, but integrates the view, patch by patch, at each point of
+ * a cubature. */
 static enum pp_status average_over_points(double mean[2], const struct pp_world *world,
                                           const struct pp_opening *opening,
                                           const struct pp_plane_light *light,

@@ -1,5 +1,5 @@
-/* plane_wedges.c - cuts convex pieces of the plane at their corners, as seen from each
- * opening. */
+/* plane_wedges.c - cuts convex pieces of the plane into wedges, along the lines from
+ * the apex of each opening through their corners. */
 #include "methods/average/plane_wedges.h"
 
 #include <math.h>
@@ -9,16 +9,16 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Limits of the parts of a wedge, on the coordinate that is the square root of the
- * distance's share of the wedge. */
+/* Limits of the parts of a wedge: square roots of the fraction of the distance from its
+ * near edge to its far edge. */
 static const double cuts[] = {0.0, 0.45, 1.0};
 enum { CUTS = 2 };
 
 /* Corners and angles nearer than this count as equal (m, radians). */
 static const double same = 1e-9;
 
-/* Sine of the slope (0.06 degrees) above which an opening counts as sloping: it lights
- * places on both sides of it in the plan. */
+/* Sine of the slope (0.06 degrees) above which an opening counts as sloping: in plan,
+ * it lights both sides of its own line. */
 static const double upright = 1e-3;
 
 /* ---- where light spreads from ---- */
@@ -53,7 +53,7 @@ struct pp_plane_centre pp_plane_centre_of(const struct pp_opening *opening)
     if (opening->reveal_m > 0.0) {
         extent_along(within, inner, opening->along);
         extent_along(without, &opening->outer, opening->along);
-        /* The reveal of a sloping opening is shorter in the plan. */
+        /* In plan, the reveal of a sloping opening is shorter. */
         centre.tan_aside = fmax(within[1] - without[0], without[1] - within[0])
                            / (opening->reveal_m * across);
         back = half / fmin(centre.tan_aside, 1.0);
@@ -71,8 +71,8 @@ struct convex {
     double (*xy)[2];
 };
 
-/* Cuts a polygon to normal . p >= offset. The output array needs space for one corner
- * more than the input. */
+/* Keeps the part of a convex polygon with normal . p >= offset. Returns its number of
+ * corners: at most one more than the input has, for which `out` needs space. */
 static int keep_side(double (*out)[2], const double (*xy)[2], int count,
                      const double normal[2], double offset)
 {
@@ -223,8 +223,8 @@ static enum pp_status add_wedges(struct pp_plane_wedges *wedges, int centre,
     return status;
 }
 
-/* The part of a piece that an opening lights. buffers: two arrays, each of five corners
- * more than the piece. */
+/* The part of a piece that an opening lights. buffers: two arrays, each with space for
+ * five corners more than the piece has. */
 static struct convex lit_part(const struct convex *piece,
                               const struct pp_plane_centre *centre,
                               double (*buffers[2])[2])

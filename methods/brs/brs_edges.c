@@ -1,4 +1,4 @@
-/* brs_edges.c - readings of tables, and their sums. */
+/* brs_edges.c - reads the tables and adds up the readings. */
 #include "methods/brs/brs_edges.h"
 
 #include <math.h>
@@ -13,8 +13,8 @@ static double interpolation_share(double x, double low, double high)
 }
 
 /* Finds the table column at or above `aside` (counted from 1; the last column if none).
- * *t is the interpolation share between the column before, taken as zero before the
- * first, and that column. */
+ * *t is the interpolation fraction, 0 at the column before it (w/d = 0 before the
+ * first) and 1 at that column. */
 static int brs_column(const struct pp_brs_cells *table, double aside, double *t)
 {
     const double *head = table->cells;
@@ -31,7 +31,7 @@ static double up_of(const struct pp_brs_cells *table, int row)
 }
 
 /* Finds the table row at or above `up` (counted from 1; row 1 if none). *t is the
- * interpolation share between the row below it in height and that row. */
+ * interpolation fraction, 0 at the row of the next lower height and 1 at that row. */
 static int row_of(const struct pp_brs_cells *table, double up, double *t)
 {
     int i = table->rows - 1;
@@ -42,7 +42,7 @@ static int row_of(const struct pp_brs_cells *table, double up, double *t)
     return i;
 }
 
-/* A row, in per cent; zero below the last. */
+/* Value of a row between two columns, in per cent; 0 below the last row. */
 static double read_brs_row(const struct pp_brs_cells *table, int row, int column,
                            double t)
 {
@@ -156,15 +156,16 @@ const struct pp_formula pp_brs_edges_less = BRS(
 
 /* ---- the sum ---- */
 
-/* Edge of a rectangle: its name, and its sums by the side of the jambs. */
+/* An edge of a rectangle: its symbols and name, and the formulae of its sum, which
+ * depends on the sides of the normal on which the jambs lie. */
 static const struct edge {
     const char *height, *left, *right, *what;
     const struct pp_formula *sums; /* added, left less, right less */
 } upper = {"h", "T_hl", "T_hr", "upper edge", pp_brs_edges_upper},
   lower = {"s", "T_sl", "T_sr", "lower edge", pp_brs_edges_lower};
 
-/* Records the readings of an edge and their sum: both sides of the normal added, else
- * the wider less the narrower. */
+/* Records the readings of an edge and their sum. Readings on both sides of the normal
+ * are added; on one side, the narrower is subtracted from the wider. */
 static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
                       const struct pp_brs_cells *table, double up,
                       const struct pp_brs_rectangle *at, const char *measure)
@@ -186,8 +187,8 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
                            : "value of the wider part minus that of the narrower part");
 }
 
-/* Formula for the sum of both edges: depends on whether the rectangle extends across
- * the origin of the table. */
+/* Formula that combines the sums of both edges. It depends on whether the lower edge is
+ * above, at or below the origin of the table. */
 static const struct pp_formula *sum_of(const struct pp_brs_rectangle *at)
 {
     if (at->low < 0.0)

@@ -2,7 +2,7 @@
  * component of rooflights by simplified daylight tables.
  *
  * The tables have the form of the table for vertical windows (brs_table.c). The source
- * [HLG58] also contains tables of rooflights, but they were not available. The tables
+ * [HLG58] also contains tables for rooflights, but they were not available. The tables
  * here were calculated by quadrature under the same conditions: CIE overcast sky, clear
  * single glass, a point that faces up (bench/make_rooflight_tables.c). There is one
  * table for horizontal glass and one each for glass at 30 and 60 degrees. With d the
@@ -12,10 +12,10 @@
  *     sloping     T(s/d, w/d)  s up the slope, from the line where the plane of the glass
  *                              is at the point's height, like h of the vertical table
  *
- * Vertical windows are read from the table of brs_table.c, so that rooms with windows
- * and rooflights have a value. All tables are read in the same way (brs_edges.h).
- * view/slope_rectangles.h describes the rectangles for openings and obstructions. The
- * figures contain clear single glass; no frame, no dirt.
+ * Vertical windows are read from the table in brs_table.c, so that rooms with both
+ * windows and rooflights have a value. All tables are read in the same way
+ * (brs_edges.h). view/slope_rectangles.h describes the rectangles for openings and
+ * obstructions. The figures contain clear single glass; no frame, no dirt.
  */
 #include "methods/brs/brs_rooflight.h"
 
@@ -126,7 +126,7 @@ static enum pp_status read_rooflight(const struct pp_world *world,
     return PP_OK;
 }
 
-/* Without sloping openings this is the table of windows. */
+/* If all openings are vertical, the results are those of the table for windows. */
 static const struct pp_method *same_as(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)

@@ -1,7 +1,7 @@
-/* brs_sheet_fill.c - copies the table, and records the readings of each rectangle of
+/* brs_sheet_fill.c - copies the table, and records the readings for each rectangle of
  * sky or obstruction. The reading of the lower edge is subtracted from that of the
  * upper one. Readings on both sides of the normal are added; for a rectangle on one
- * side the narrower is subtracted from the wider. */
+ * side, the narrower is subtracted from the wider. */
 #include "methods/brs/brs_sheet_fill.h"
 
 #include <math.h>
@@ -37,8 +37,8 @@ void pp_brs_sheet_fill_blank(struct pp_brs_sheet *sheet)
     }
 }
 
-/* An edge lower than this, over its distance, is at the point's height and gives no
- * reading. */
+/* An edge whose height divided by its distance is less than this counts as level with
+ * the point and gives no reading. */
 static const double level = 1e-9;
 
 /* Adds a reading and returns it with its sign; 0 if there is nothing to read. */

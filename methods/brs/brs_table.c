@@ -7,8 +7,8 @@
  * point, the other w to the side; d is the distance. As published:
  *
  *   - a window on both sides of the normal: the two halves added
- *   - a window to one side: the wider less the narrower
- *   - a sill above the point: head less sill
+ *   - a window to one side: the wider part less the narrower
+ *   - a sill above the point: reading of the head less that of the sill
  *   - an obstruction: as if its head were the sill; the difference is the equivalent
  *     sky component of the obstruction, and the externally reflected component is 0.2
  *     (the obstruction's reflectance) times that difference

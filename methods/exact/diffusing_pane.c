@@ -1,5 +1,5 @@
-/* diffusing_pane.c - finds the lines where the illuminance is not smooth, interpolates
- * it between them, and integrates over the visible part. */
+/* diffusing_pane.c - finds the lines where the illuminance on the pane is not smooth,
+ * interpolates it between them, and integrates over the visible part. */
 #include "methods/exact/diffusing_pane.h"
 
 #include <stdlib.h>
@@ -11,24 +11,24 @@
 
 enum { NODES = 7, CELLS_MOST = 96 };
 
-/* Bound of the number of evaluations times the square of the number of surfaces in
- * front of the pane; at the bound a pane takes some seconds. */
+/* Bound on the number of evaluations times the square of the number of surfaces in
+ * front of the pane. A pane at the bound takes a few seconds. */
 static const double WORK_MOST = 2e6;
 
-/* Cells with less error than this are not divided further, relative to the flux on the
- * whole pane. */
+/* Cells whose error, relative to the flux on the whole pane, is less than this are not
+ * divided further. */
 static const double RELATIVE_ERROR = 1e-6;
 
 /* Coordinates are along the opening's own axes (m, from the room's origin). */
 struct pp_pane_cell {
     double low[2], high[2];
     double sky[NODES][NODES], external[NODES][NODES];
-    double total, error; /* integral over the cell, and error */
+    double total, error; /* integral over the cell, and its error */
     int worse;           /* the axis with the larger part of the error */
 };
 
-/* Nodes from -1 to 1, the zeros of Chebyshev's polynomial: -cos((2 i + 1) pi / 14), and
- * their barycentric weights. */
+/* Nodes from -1 to 1, the zeros of the Chebyshev polynomial: -cos((2 i + 1) pi / 14),
+ * and their barycentric weights. */
 static const double nodes[NODES] = {
     -0.9749279121818236, -0.7818314824680298, -0.4338837391175582, 0.0,
     0.43388373911755806, 0.7818314824680295,  0.9749279121818237};
@@ -38,7 +38,8 @@ static const double barycentric[NODES] = {
 
 /* ---- lines where the illuminance is not smooth ---- */
 
-/* Borders parallel to an axis of the pane: their coordinates on the other axis. */
+/* Borders parallel to one axis of the pane, each given by its coordinate on the other
+ * axis. */
 struct borders {
     double *at[2];
     int count[2];
@@ -70,7 +71,7 @@ static void add_border(struct borders *borders, const struct plane *plane,
                 (offset - pp_vec_dot(m, plane->foot)) / slope[axis];
 }
 
-/* True if the polygon reaches in front of the pane's plane. */
+/* True if any corner of the polygon is in front of the pane's plane. */
 static bool is_in_front(const struct pp_polygon *outline, const struct plane *plane)
 {
     for (int i = 0; i < outline->count; i++)
@@ -124,7 +125,7 @@ static double cut_of(const struct borders *borders, const struct pp_pane_cell *c
     return isnan(cut) ? middle : cut;
 }
 
-/* ---- the illuminance of the outside ---- */
+/* ---- the illuminance on the outside of the pane ---- */
 
 /* Adds to tails[axis] the absolute values of the polynomial's last two coefficients
  * along each axis. */
@@ -179,7 +180,8 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
     return PP_OK;
 }
 
-/* Sets the error of the pane; returns the cell with the largest error. */
+/* Sets the relative error of the pane. Returns the index of the cell with the largest
+ * error. */
 static int find_worst(struct pp_diffusing_pane *pane)
 {
     double total = 0.0, error = 0.0;
@@ -269,8 +271,8 @@ struct cell_seen {
     double distance_m;
 };
 
-/* The weights of the nodes' values at t from -1 to 1: Lagrange's polynomials in their
- * barycentric form. */
+/* Weights of the values at the nodes for interpolation at t, from -1 to 1: Lagrange
+ * polynomials in their barycentric form. */
 static void lagrange_weights(double weights[NODES], double t)
 {
     double sum = 0.0;

@@ -1,5 +1,5 @@
-/* direct.c - chooses closed form, table or quadrature for each patch of a view, and adds
- * up. */
+/* direct.c - chooses closed form, table or quadrature for each patch of a view, and
+ * adds up the results. */
 #include "methods/exact/direct.h"
 
 #include <math.h>
@@ -59,28 +59,32 @@ enum pp_status pp_direct_moments(struct pp_moments *moments,
 /* ---- steps of a patch ----
  *
  * For a sky with a closed form, the steps give the moments of the patch, the sky
- * component without glass by these (solid_angle.h), and the mean transmittance of the
- * glass. For any other sky the steps give the value of the integral.
+ * component without glass calculated from them (solid_angle.h), and the mean
+ * transmittance of the glass. For any other sky the steps give the value of the
+ * integral.
  */
 
-/* The results for one patch, over Eh. */
+/* The results for one patch, divided by Eh. */
 struct patch_figures {
     bool hidden;
     struct pp_moments moments; /* moments of the part above the horizon */
-    bool closed_form; /* the sky's luminance has a closed form by the moments */
+    bool closed_form; /* the sky component without glass follows from the moments in
+                       * closed form */
     bool glazed;
-    double above;  /* from visible or hidden sky, through the glass */
-    double below;  /* from ground with a reflectance of 1; for an obstruction, from its
-                    * part below the horizon at the luminance of the horizon */
+    double above;  /* light from visible or hidden sky, through the glass */
+    double below;  /* light from the ground for a reflectance of 1; for an obstruction,
+                    * from its part below the horizon at the luminance of the horizon */
     double own;    /* from the obstruction's own exitance */
-    double factor; /* luminance factor of the obstruction, reflectance of the ground */
+    double factor; /* luminance factor of the obstruction, or reflectance of the
+                    * ground */
 };
 
 struct sum_text {
     char text[80];
 };
 
-/* Formula of the sky component without glass; its factor is pi L(0)/Eh = 3/(3 + 2b). */
+/* Formula for the sky component without glass; its factor is pi L(0)/Eh = 3/(3 +
+ * 2b). */
 static struct sum_text closed_form(const struct pp_sky *sky)
 {
     double b = sky->gradation;
@@ -91,7 +95,7 @@ static struct sum_text closed_form(const struct pp_sky *sky)
     return sum;
 }
 
-/* Records the terms of the sky component; returns its formula, "" for an integral. */
+/* Records the terms of the sky component. Returns its formula; "" for an integral. */
 static struct sum_text add_sky_terms(struct pp_part_steps *terms,
                                      const struct patch_figures *figures,
                                      const struct pp_sky *sky)
@@ -168,7 +172,7 @@ static void add_hidden_steps(struct pp_part_steps *terms,
         "externally reflected component");
 }
 
-/* Records the steps of a patch as the next part; none for a patch of no size. */
+/* Records the steps of a patch as the next part; records nothing for an empty patch. */
 static void add_patch_steps(struct pp_part_steps *terms,
                             const struct patch_figures *figures,
                             const struct pp_sky *sky)
@@ -203,7 +207,8 @@ static bool is_unglazed(const struct task *task)
 /* Side of the horizon. */
 enum side { ABOVE, BELOW, BOTH };
 
-/* The half-spaces of the receiver and of that side. */
+/* Sets `limits` to the half-spaces in front of the receiver and on that side of the
+ * horizon. Returns their number. */
 static int limits_of(struct pp_vec3 limits[2], const struct task *task, enum side side)
 {
     struct pp_vec3 up = {0.0, 0.0, side == ABOVE ? 1.0 : -1.0};
@@ -215,7 +220,8 @@ static int limits_of(struct pp_vec3 limits[2], const struct task *task, enum sid
     return 2;
 }
 
-/* A part of the patch for tables; `limits` has room for PP_HALF_SPACES_MOST. */
+/* The part of the patch on one side of the horizon, for the tables; `limits` has room
+ * for PP_HALF_SPACES_MOST. */
 static struct pp_pane_part pane_part_of(const struct task *task, struct pp_vec3 *limits,
                                         enum side side)
 {

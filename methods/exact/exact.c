@@ -34,7 +34,7 @@
 struct exact_tools {
     struct pp_pane_tables *tables;
     /* The illuminance of non-uniformly lit diffusing panes: one item for each opening,
-     * empty for all others. */
+     * which is empty for all other openings. */
     int count;
     struct pp_diffusing_pane panes[];
 };
@@ -91,8 +91,8 @@ static enum pp_status prepare_for_plane(void **tools, const struct pp_world *wor
 
 /* ---- diffusing panes ---- */
 
-/* Records the sum of a uniformly lit pane: its illuminance outside, its transmittance,
- * and the configuration factor c of its visible part. */
+/* Records the steps for a uniformly lit pane: its illuminance outside, its
+ * transmittance, and the configuration factor c of its visible part. */
 static void add_even_pane_steps(struct pp_steps *steps,
                                 const struct pp_exterior_light *outside, double c,
                                 double tau)
@@ -220,7 +220,7 @@ static enum pp_status evaluate_roughly(const struct pp_world *world,
     return direct_of(world, light, opening, receiver, true, tools, part, err);
 }
 
-/* A uniformly lit diffusing pane has one luminance in all directions. */
+/* A uniformly lit diffusing pane has the same luminance in all directions. */
 static double unity(const void *context, struct pp_vec3 u)
 {
     (void)context, (void)u;

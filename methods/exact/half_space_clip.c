@@ -85,7 +85,7 @@ void pp_half_space_clip(const struct pp_vec3 *vertices, int count,
     clip.sink = sink;
     clip.data = data;
 
-    /* A half-space that the ring lies in wholly needs no stage. */
+    /* A half-space that contains the whole ring needs no stage. */
     for (int h = 0; h < half_space_count; h++) {
         int inside = 0;
         for (int i = 0; i < count; i++)

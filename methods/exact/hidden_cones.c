@@ -38,7 +38,7 @@ static enum pp_status end_cone(struct pp_hidden_cones *cones, struct pp_error *e
     return status;
 }
 
-/* The corner of a convex piece; of: the indices of its vertices (NULL: all in order). */
+/* Corner i of a convex piece; of: the indices of its vertices (NULL: all in order). */
 static struct pp_vec3 corner(const struct pp_polygon *polygon, const int *of, int i)
 {
     return polygon->vertices[of ? of[i] : i];
@@ -76,8 +76,9 @@ static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 e
                                  const struct pp_polygon *polygon, const int *of,
                                  int count, struct pp_error *err)
 {
-    /* Counter-clockwise as seen from the side of the normal: the edges' normals then
-     * point out of the cone. */
+    /* Seen from the side of the normal, the corners run counter-clockwise and the
+     * normals of the planes through the eye and the edges point out of the cone: they
+     * are reversed. */
     double facing = pp_vec_dot(polygon->normal, pp_vec_sub(eye, polygon->vertices[0]));
     double side = facing > 0.0 ? -1.0 : 1.0;
     enum pp_status status = PP_OK;
@@ -94,8 +95,8 @@ static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 e
     return status;
 }
 
-/* True if any part is in front of the view's plane and above the eye, and not seen
- * edge-on. */
+/* True if the polygon reaches in front of the view's plane and above the eye, and is
+ * not seen edge-on. */
 static bool may_hide(const struct pp_polygon *polygon,
                      const struct pp_hidden_view *view)
 {

@@ -1,13 +1,15 @@
-/* hidden_outline.c - at one bearing a half-space n hides the altitudes a with
+/* hidden_outline.c - outlines the sky that cones hide.
+ *
+ * At one bearing, a half-space n contains the altitudes a with
  *
  *     n.h cos a + n_z sin a >= 0
  *
- *   h  unit, level, in the direction of the bearing
+ *   h  horizontal unit vector in the direction of the bearing
  *
- * so that each bounds them from below or from above, and a cone hides one span of
- * altitudes. The spans of all cones are merged at equal steps of bearing, and where a
- * protruding cone ends between two steps. Overlapping spans at neighbouring bearings
- * are then joined.
+ * so that each half-space bounds them from below or from above, and a cone hides one
+ * span of altitudes. The spans of all cones are merged at equal steps of bearing, and
+ * where a protruding cone ends between two steps. Overlapping spans at neighbouring
+ * bearings are then joined.
  */
 #include "methods/exact/hidden_outline.h"
 
@@ -92,7 +94,8 @@ static bool is_within(struct hidden_span span, const struct hidden_spans *merged
 
 /* ---- cones ---- */
 
-/* Finds the altitudes that a cone hides in the direction h; false: none. */
+/* Finds the altitudes that a cone hides in the horizontal direction h. Returns false if
+ * there are none. */
 static bool hidden_towards(struct hidden_span *span,
                            const struct pp_hidden_cones *cones, int cone,
                            struct pp_vec3 h)
@@ -144,7 +147,7 @@ static enum pp_status find_single(struct sky_outline *outline, struct pp_error *
 /* ---- columns ---- */
 
 /* Adds a column at a bearing: the merged spans of all cones that hide something at step
- * `step` or the next. */
+ * `step` or, if the bearing is between steps, at the next step. */
 static enum pp_status add_sky_column(struct sky_outline *outline, double bearing,
                                      int step, struct pp_error *err)
 {
@@ -166,7 +169,7 @@ static enum pp_status add_sky_column(struct sky_outline *outline, double bearing
 }
 
 /* Bisects between a bearing at which a cone hides something and one at which it does
- * not, to END_RAD. */
+ * not, to END_RAD. ends: the last hidden and the last clear bearing. */
 static void end_between(double ends[2], const struct sky_outline *outline, int cone,
                         double hidden, double clear)
 {
@@ -183,7 +186,7 @@ static void end_between(double ends[2], const struct sky_outline *outline, int c
 }
 
 /* Adds columns where a cone begins or ends between a step and the next, unless the
- * other cones hide its end. The spans of a step are ordered by cone. */
+ * other cones hide the sky there. The spans of a step are ordered by cone. */
 static enum pp_status add_ends(struct sky_outline *outline, int step,
                                struct pp_error *err)
 {
@@ -298,7 +301,8 @@ static enum pp_status bridge(struct pp_sky_mask *mask, const struct sky_column *
     return status;
 }
 
-/* From here on a span's `cone` is the index of the piece that it extends. */
+/* Extends the pieces by one column, and begins new ones. From here on, a span's `cone`
+ * is the index of the piece that it extends. */
 static enum pp_status join_mask_columns(struct pp_sky_mask *mask,
                                         const struct sky_column *before,
                                         struct sky_column *column, struct pp_error *err)

@@ -1,4 +1,5 @@
-/* integration_cells.c - cuts rings, sorts their edges across strips, and pairs them. */
+/* integration_cells.c - clips rings, sorts the edges that cross each strip, and pairs
+ * them. */
 #include "methods/exact/integration_cells.h"
 
 #include <math.h>
@@ -21,9 +22,9 @@ void pp_integration_cells_clear(struct integration_cells *cells)
 
 /* ---- from rings to edges ---- */
 
-/* Cuts a ring by a x + b y + c > 0. A ring that is not convex keeps bridges along the
- * cut, which run both ways and cancel. Returns the number of points of the rest; out
- * has room for 2 count. */
+/* Clips a ring to a x + b y + c > 0. A ring that is not convex keeps bridges along the
+ * cut, which run both ways and cancel. Returns the number of points that remain; out
+ * has room for 2 count points. */
 static int cut_ring(double (*out)[2], const double (*in)[2], int count, double a,
                     double b, double c)
 {
@@ -182,8 +183,8 @@ static double on_line(struct cell_bound line, double x)
     return line.level + line.slope * x;
 }
 
-/* Splits a cell that has the cusp on one of its sides, so that the cusp is a corner of
- * both parts. */
+/* Splits a cell that has the cusp inside one of its vertical sides, so that the cusp is
+ * a corner of both parts. */
 static enum pp_status split_at_cusp(struct integration_cells *cells, int index,
                                     const double *cusp, struct pp_error *err)
 {

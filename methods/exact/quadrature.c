@@ -9,8 +9,8 @@
  * rounding errors has no significant digits. */
 #define ABSOLUTE 1e-17
 
-/* Most evaluations in a column, and most columns in a cell. If they do not suffice the
- * error estimate is larger than the bound. */
+/* Most evaluations in a column, and most columns in a cell. If these do not suffice,
+ * the error estimate exceeds the bound. */
 enum { COLUMN_MOST = 3000, COLUMNS_MOST = 3000 };
 
 /* ---- over a cell ---- */
@@ -19,7 +19,7 @@ struct cell_integral {
     const struct pp_projection *view;
     const struct pp_integrand *integrand;
     struct pp_vec3 normal;          /* the receiver's, room's axes */
-    struct cell_bound lower, upper; /* over the distance of the plane */
+    struct cell_bound lower, upper; /* divided by the distance of the plane */
     double alpha[2];
     double cos_alpha, sin_alpha; /* angles of the current column */
     double column_abs,
@@ -27,7 +27,7 @@ struct cell_integral {
     long evaluations;
 };
 
-/* L (n.u) at the sine s of the altitude in a column. */
+/* L (n.u) as a function of the sine of the altitude, in the current column. */
 static int at_sine(unsigned dim, const double *sine, void *data, unsigned fdim,
                    double *value)
 {
@@ -53,7 +53,7 @@ static double sine_of(struct cell_bound line, double t, double h)
     return y / sqrt(y * y + h * h);
 }
 
-/* The integral over the column at alpha. */
+/* The integral over the column at the angle alpha. */
 static int at_alpha(unsigned dim, const double *alpha, void *data, unsigned fdim,
                     double *value)
 {
@@ -69,7 +69,8 @@ static int at_alpha(unsigned dim, const double *alpha, void *data, unsigned fdim
                      value, &error);
 }
 
-/* Nodes and weights of the Gauss-Legendre rule on -1 to 1, the positive half. */
+/* Positive half of the nodes and weights of the four-point Gauss-Legendre rule on -1 to
+ * 1. */
 enum { NODES = 4 };
 static const double gauss[NODES / 2][2] = {{0.33998104358485626, 0.65214515486254614},
                                            {0.86113631159405258, 0.34785484513745386}};
@@ -81,9 +82,9 @@ struct rule {
     double at[STRETCHES_MOST * NODES], weight[STRETCHES_MOST * NODES];
 };
 
-/* Quadrature rule for each of several stretches of at most 0.7. Stretches are shorter
+/* Quadrature rule composed of equal stretches of at most 0.7 rad. Stretches are shorter
  * towards 90 degrees, where the transmittance of glass falls to 0. The worst error over
- * 1,200 random windows, from 2 cm on, is 2e-4; with 0.7 throughout it was 2e-2. */
+ * 1,200 random windows of 2 cm and more is 2e-4; with 0.7 throughout it was 2e-2. */
 static struct rule rule_over(double low, double high)
 {
     static const double border[] = {-PP_PI / 2.0, -1.5, -1.35, -1.1,
@@ -103,9 +104,9 @@ static struct rule rule_over(double low, double high)
     return rule;
 }
 
-/* The integral over a cell by fixed rules, with the altitude itself as variable:
- * towards 90 degrees the angle of incidence is smooth in the altitude, not in its sine.
- */
+/* The integral over a cell by fixed rules, with the altitude itself as the variable:
+ * towards 90 degrees, the angle of incidence is smooth in the altitude, not in its
+ * sine. */
 static double integrate_fixed(struct cell_integral *integral)
 {
     double sum = 0.0;
@@ -159,7 +160,8 @@ static void add_fixed(struct pp_quadrature *result,
 /* Most steps in each direction of a cell. */
 enum { GRAINS_MOST = 4096 };
 
-/* Number of steps of a grain between two angles. */
+/* Number of steps, each at most a grain wide, between two angles; at most
+ * GRAINS_MOST. */
 static int grains_between(double low, double high, double grain_rad)
 {
     return (int)fmax(1.0, fmin(GRAINS_MOST, ceil((high - low) / grain_rad)));
@@ -190,8 +192,8 @@ static double integrate_grains(struct cell_integral *integral, double grain_rad)
     return sum;
 }
 
-/* Adds the integrals over all cells of a luminance with grain. The error is about the
- * difference from steps of double length, over 3. */
+/* Adds the integrals over all cells for a luminance with grain. The error is estimated
+ * as one third of the difference from the sum with steps of twice the length. */
 static void add_grains(struct pp_quadrature *result,
                        const struct integration_cells *cells,
                        const struct pp_projection *view, struct pp_vec3 normal,
@@ -253,8 +255,9 @@ static double integrate_short(struct cell_integral *integral, int nodes)
 }
 
 /* Removes from the list the cells that are small enough for two short rules to agree,
- * with 52 values instead of 240 and more, and adds their integrals. The error of the
- * rule with fewer nodes is about the difference, that of the other far less. */
+ * with 52 values instead of 240 or more, and adds their integrals. The difference is
+ * about the error of the rule with fewer nodes; the error of the other is far
+ * smaller. */
 static void add_small_cells(struct pp_quadrature *result,
                             struct integration_cells *cells,
                             const struct pp_projection *view, struct pp_vec3 normal,
@@ -278,7 +281,7 @@ static void add_small_cells(struct pp_quadrature *result,
     cells->count = left;
 }
 
-/* Adds the integrals over all cells, and their errors, by adaptive rules. */
+/* Adds the integrals over all cells, and their error bounds, by adaptive rules. */
 static enum pp_status add_adaptive(struct pp_quadrature *result,
                                    const struct integration_cells *cells,
                                    const struct pp_projection *view,
@@ -287,7 +290,7 @@ static enum pp_status add_adaptive(struct pp_quadrature *result,
                                    double relative_error, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    /* A first estimate of the sum, for an absolute error bound of each cell. */
+    /* A first estimate of the sum gives an absolute error bound for each cell. */
     double estimate = 0.0;
     for (int i = 0; i < cells->count && status == PP_OK; i++) {
         struct cell_integral integral =

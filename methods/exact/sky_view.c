@@ -1,5 +1,5 @@
-/* sky_view.c - views cut by a grid of equal angles, and a test whether the sun in one
- * direction is visible. */
+/* sky_view.c - cuts views by a grid of equal angles, and tests whether the sun in a
+ * given direction is visible. */
 #include "methods/exact/sky_view.h"
 
 #include <math.h>
@@ -59,7 +59,7 @@ static void take_corner(void *data, struct pp_vec3 corner)
     ring->sum = pp_vec_add(ring->sum, pp_vec_unit(corner));
 }
 
-/* A patch of a view that shows sky, and one side of the horizon. */
+/* A patch of a view that shows sky and ground, and the side of the horizon to add. */
 struct piece_task {
     const struct pp_sky_view *view;
     const struct pp_visible *visible;

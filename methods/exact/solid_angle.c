@@ -9,8 +9,8 @@
  *     E0:  T (n.G) = (T / sin T) n.(r x r')
  *
  * so that no division by the sine of a short arc occurs. The solid angle of a triangle
- * of the fan is the argument of a complex number [VOS83]. The argument of their product
- * is the whole solid angle, so that one arctangent is enough.
+ * of the fan is the argument of a complex number [VOS83]. The argument of the product
+ * of these numbers is the whole solid angle, so that one arctangent is enough.
  */
 #include "methods/exact/solid_angle.h"
 
@@ -40,7 +40,7 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
     double cosine = pp_vec_dot(v, next) * scale;
     double sine = pp_vec_length(across) * scale;
     if (!(sine > 0.0))
-        return; /* no arc, or an arc through the eye, whose side is undefined */
+        return; /* no arc, or an arc through the eye, for which the side is undefined */
 
     double facing = pp_vec_dot(sums->normal, across) * scale;
     double facing_both = pp_vec_dot(sums->normal, v) / length
@@ -51,7 +51,8 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
     sums->thrice_cosine_sine += across.z * scale * facing_both * half;
 }
 
-/* Multiplies in the triangle of the first vertex, the last one and v. */
+/* Multiplies the product by the number of the triangle of the first vertex, the last
+ * one and v. */
 static void add_boundary_triangle(struct boundary_sums *sums, struct pp_vec3 v,
                                   double length)
 {
@@ -93,7 +94,7 @@ static void end_boundary(struct boundary_sums *sums, struct pp_moments *moments)
     if (sums->count < 3)
         return;
     add_arc(sums, sums->last, sums->last_length, sums->first, sums->first_length);
-    /* The formulae run clockwise as seen from the eye. */
+    /* The formulae assume vertices in clockwise order as seen from the eye. */
     double omega = -2.0 * atan2(sums->imaginary, sums->real);
     moments->omega += omega;
     moments->cosine -= sums->twice_cosine / 2.0;

@@ -53,8 +53,8 @@ static bool is_clear_of(const struct path *path, const struct pp_hidden_cone *co
     return cone->cos_radius > 0.0 && (along < even - odd || along > even + odd);
 }
 
-/* The hour angles at which c + a cos h + b sin h > 0, as an arc about `middle`; half 0:
- * none; pi: all. */
+/* The hour angles at which c + a cos h + b sin h > 0, as an arc about `middle`. half: 0
+ * for none, pi for all. */
 struct arc {
     double middle, half;
 };
@@ -247,7 +247,7 @@ void pp_sunlit_hours_clear(struct pp_sunlit_day *day)
     *day = (struct pp_sunlit_day){0};
 }
 
-/* Sum of the times in hours, each hour of solar time weighted with its share. */
+/* Sum of the times in hours, with each hour of solar time weighted by its share. */
 static double weighted_sum(const struct pp_sunlit_day *day, const double share[24])
 {
     double sum = 0.0;

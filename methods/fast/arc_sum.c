@@ -66,10 +66,10 @@ static void add_nodes(struct arc_walk *walk, const struct arc_end *a,
     walk->sum += walk->potential(walk->context, &nodes);
 }
 
-/* Length of an arc over the longest for which eight nodes are sufficient. The bounds
- * were chosen by trial over random windows. Along one arc, |axis.u| of a bend may
- * change by twice the sum of its width and its least value. An arc near the cusp may be
- * as long as its distance from it plus 0.1. */
+/* Length of an arc divided by the greatest length for which eight nodes are sufficient.
+ * The bounds were chosen by trial over random windows. Along one arc, |axis.u| of a
+ * bend may change by twice the sum of its width and its least value. An arc near the
+ * cusp may be as long as its distance from it plus 0.1. */
 static double stretch_of(const struct pp_arc_spacing *spacing, const struct arc_end *a,
                          const struct arc_end *b, double chord)
 {
@@ -118,8 +118,8 @@ static int find_cuts(double cuts[2], const struct pp_arc_spacing *spacing,
                      struct pp_vec3 a, struct pp_vec3 edge)
 {
     const struct pp_vec3 cusp = *spacing->cusp;
-    /* Planes through the eye: one through the cusp and perpendicular to the edge's
-     * plane, one of the meridian. */
+    /* Planes through the eye: one contains the cusp and is perpendicular to the edge's
+     * plane, the other contains the meridian. */
     const struct pp_vec3 planes[2] = {pp_vec_cross(cusp, pp_vec_cross(a, edge)),
                                       pp_vec_cross(spacing->axis, cusp)};
     int count = 0;

@@ -11,12 +11,12 @@
 #define BORDER 0.9375
 enum { COARSE = 32, FINE = 32 };
 
-/* Chebyshev's nodes on -1 to 1: -cos((2 i + 1) pi / 12). */
+/* Chebyshev nodes on -1 to 1: -cos((2 i + 1) pi / 12). */
 static const double chebyshev[PP_AXIAL_POWERS] = {
     -0.96592582628906829, -0.70710678118654752, -0.25881904510252076,
     0.25881904510252076,  0.70710678118654752,  0.96592582628906829};
 
-/* The six functions of (2). If the axis is perpendicular to q, n and g, as that of a
+/* The six functions in (2). If the axis is perpendicular to q, n and g, like that of a
  * vertical pane over a horizontal plane, only the last two are needed. */
 enum { K_1, K_C, K_CC, K_CS, K_S, K_SS };
 

@@ -54,7 +54,7 @@ void pp_beam_space_clear(struct pp_beam_space *space)
 
 /* ---- Along one direction ---- */
 
-/* A piece projected along the direction (a, b, 1) on to the face. */
+/* Projects a piece along the direction (a, b, 1) on to the face. */
 static void project(struct pp_fragment_ring *ring, double (*xy)[2],
                     const struct pp_beam *beam, const struct beam_piece *piece,
                     double a, double b)
@@ -67,7 +67,7 @@ static void project(struct pp_fragment_ring *ring, double (*xy)[2],
     pp_fragments_close_ring(ring, xy, piece->count);
 }
 
-/* Part of the face, from low to high. */
+/* A part of the face, from low to high. */
 struct face_extent {
     double low[2], high[2];
 };
@@ -110,8 +110,8 @@ static void set_depth(struct pp_fragment_ring *ring, struct pp_vec3 normal,
     ring->depth[2] = -normal.y / facing;
 }
 
-/* Part of the opening within both its outlines and the plane's projection, less the
- * parts hidden inside. */
+/* Finds the part of the opening within both its outlines and the plane's projection,
+ * less the parts hidden by surfaces inside. */
 static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space *space,
                                 double a, double b, struct pp_error *err)
 {
@@ -155,8 +155,9 @@ static enum pp_status open_part(const struct pp_beam *beam, struct pp_beam_space
     return status;
 }
 
-/* Makes a skyline without a distance a ring over the whole extent of the opening,
- * behind all other pieces. Returns false if the skyline does not hide the direction. */
+/* Represents a skyline without a distance by a ring over the whole extent of the
+ * opening, behind all other pieces. Returns false if the skyline does not hide the
+ * direction. */
 static bool project_skyline(struct pp_fragment_ring *ring, double (*xy)[2],
                             const struct pp_beam *beam,
                             const struct pp_skyline *skyline, struct pp_vec3 u)
@@ -270,7 +271,7 @@ bool pp_beam_budget_exhausted(const struct pp_beam_space *space)
 }
 
 /* Removes the parts hidden by any obstruction from the open part; stops when nothing is
- * left. */
+ * left or the work budget is exhausted. */
 static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space *space,
                                    struct pp_error *err)
 {
@@ -291,7 +292,7 @@ static enum pp_status subtract_all(struct beam_look *look, struct pp_beam_space 
     } while (true);
 }
 
-/* Assigns each part of the open part to the nearest obstruction. */
+/* Assigns each fragment of the open part to the nearest obstruction that covers it. */
 static enum pp_status cover_all(struct beam_look *look, struct pp_beam_space *space,
                                 struct pp_error *err)
 {

@@ -82,7 +82,7 @@ static const double bearings[FRONT + BACK + 1] = {-1.0, -0.43, 0.09, 0.55,
                                                   1.0,  1.93,  3.0};
 static const double layers[LAYERS + 1] = {0.0, 0.21, 0.53, 1.0};
 
-/* Points of the cubature rule for one part: at first, and at most. */
+/* Points of the cubature for one part: in the first estimate, and at most. */
 enum { FIRST_POINTS = 17, MOST_POINTS = 6000 };
 
 /* Integral over a part: its two values, and the sum of their errors. */

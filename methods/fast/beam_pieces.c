@@ -1,5 +1,5 @@
 /* beam_pieces.c - divides the opening's outlines, the working plane, and the surfaces
- * inside and outside into convex pieces in the opening's axes. */
+ * inside and outside into convex pieces, in the opening's axes. */
 #include "methods/fast/beam_pieces.h"
 
 #include <math.h>
@@ -65,8 +65,8 @@ static enum pp_status add_convex(struct pp_beam *beam, struct beam_pieces *piece
                                  int count, const struct beam_limit *limits,
                                  int limit_count, struct pp_error *err)
 {
-    /* Rounding may clip every other corner of a polygon that lies in the limit's
-     * plane. */
+    /* If a polygon lies in the limit's plane, rounding may clip every other corner.
+     * Each limit may thus add corners, at most as many as there are. */
     size_t most = (size_t)count << LIMITS_MOST;
     struct pp_vec3 *buffer = malloc((2 * most + 1) * sizeof *buffer);
     if (!buffer)
@@ -140,7 +140,8 @@ static enum pp_status add_plane(struct pp_beam *beam, struct pp_error *err)
     const struct beam_piece none = {0};
     double z = world->working_plane_m;
     if (world->plane.count == 1 && world->plane.rings[0].count == 4) {
-        /* A quadrilateral is convex or two triangles. */
+        /* A quadrilateral is either convex or two triangles, so that no clipper is
+         * needed. */
         struct pp_vec3 four[4];
         struct pp_polygon outline;
         for (int i = 0; i < 4; i++)
@@ -258,8 +259,8 @@ static void find_outline_extent(struct pp_beam *beam)
     }
 }
 
-/* True if all pieces and skylines outside have the same reflectance and exitance, which
- * it stores. */
+/* True if all pieces and skylines outside have the same reflectance and exitance;
+ * stores these in the beam. */
 static bool has_one_light(struct pp_beam *beam)
 {
     double reflectance = NAN, exitance = 0.0;

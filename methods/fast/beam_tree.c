@@ -47,7 +47,7 @@ static struct pp_vec3 most(struct pp_vec3 a, struct pp_vec3 b)
     return pp_vec(fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z));
 }
 
-/* The axis along which the pieces' middles reach farthest. */
+/* The axis along which the centres of the pieces are spread most widely. */
 static int longest_axis(const struct beam_piece *pieces, int count)
 {
     int longest = 0;
@@ -66,7 +66,8 @@ static int longest_axis(const struct beam_piece *pieces, int count)
     return longest;
 }
 
-/* Adds the node of some pieces and those within it, the nearer half first. */
+/* Adds the node of `count` pieces from `first` on, then the nodes below it: first the
+ * half with the lower centres. */
 static void add_node(struct pp_beam *beam, int first, int count)
 {
     struct beam_piece *pieces = beam->outside.list + first;
@@ -92,7 +93,7 @@ enum pp_status pp_beam_tree_grow(struct pp_beam *beam, struct pp_error *err)
 {
     if (beam->outside.count == 0)
         return PP_OK;
-    /* A leaf has more than LEAF / 2 pieces, or is the only one. */
+    /* A leaf has at least LEAF / 2 pieces, or is the only node. */
     beam->nodes = malloc((size_t)beam->outside.count * 2 * sizeof *beam->nodes);
     if (!beam->nodes)
         return pp_fail_memory(err);

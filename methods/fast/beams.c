@@ -13,15 +13,15 @@ struct known_areas {
     struct pp_beam_areas areas;
 };
 
-/* Hash table of directions. It grows from FIRST slots to MOST (1.3 MB); when that is
- * half full, new directions are not stored. */
+/* Hash table of directions. It grows from FIRST slots to MOST (1.3 MB); when the
+ * largest table is half full, new directions are not stored. */
 enum { FIRST = 1 << 9, MOST = 1 << 15 };
 
 enum { GLASSES = 4 }; /* number of glasses whose means are kept */
 
-/* Work budget of an opening, one to two seconds of computing. With a terrain of 100,000
- * triangles outside, 12,000 directions use 1/200 of it; with 100,000 leaves, 400
- * directions use all of it. */
+/* Work budget for an opening: one to two seconds of computing time. With a terrain of
+ * 100,000 triangles outside, 12,000 directions use 1/200 of it; with 100,000 leaves,
+ * 400 directions use all of it. */
 static const long long work_budget = 200000000;
 
 struct pp_kept_beam {
@@ -39,7 +39,7 @@ struct pp_kept_beam {
 struct pp_beams {
     const struct pp_world *world;
     bool plain;
-    struct pp_kept_beam *list; /* for each opening, without and with obstructions
+    struct pp_kept_beam *list; /* for each opening: without and with obstructions
                                 * outside */
 };
 
@@ -112,7 +112,7 @@ static struct known_areas *known_areas_slot(struct known_areas *table, int place
     return &table[at];
 }
 
-/* Doubles the table, or creates it; without memory the table stays as it is. */
+/* Doubles the table, or creates it; if memory runs out, the table stays as it is. */
 static void grow_known_areas(struct pp_kept_beam *kept)
 {
     int places = kept->places > 0 ? 2 * kept->places : FIRST;

@@ -62,7 +62,7 @@ static enum pp_status sum_rings(double *sum, const struct ring_light *light,
     return PP_OK;
 }
 
-/* The sum for glass, times a sky of gradation b: L = L0 (1 + b z.u). */
+/* The sum for glass under a sky of gradation b: L = L0 (1 + b z.u). */
 static enum pp_status through_glass(double *value, const struct pp_pane_light *light,
                                     double l0, double b,
                                     const struct pp_pane_part *part,

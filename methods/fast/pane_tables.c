@@ -1,4 +1,5 @@
-/* pane_tables.c - makes the tables; equal openings share one. */
+/* pane_tables.c - makes the tables; openings for which the tables would be equal share
+ * one. */
 #include "methods/fast/pane_tables.h"
 
 #include <stdlib.h>

@@ -15,9 +15,9 @@ enum {
     COLUMNS = COLUMN_STEPS + 2 * BEYOND + 1
 };
 
-/* Bounds of arcs, found by trial: longest chord; width about grazing incidence where
- * the transmittance of glass changes fast; the same for a gradation, over its parameter
- * b. */
+/* Bounds on arcs, found by trial: the longest chord; the width about grazing incidence
+ * within which the transmittance of glass changes fast; the same for a gradation,
+ * divided by -b, its parameter. */
 #define ARC_LONGEST 1.2
 #define PANE_BEND 0.05
 #define GRADATION_BEND 0.35
@@ -26,10 +26,11 @@ struct pp_sky_table {
     struct pp_vec3 room_normal;
     bool has_sun_part;
     struct pp_arc_spacing spacing;
-    struct pp_vec3 sun; /* in the view's axes, like all below */
+    struct pp_vec3 sun; /* in the view's axes, like all members below */
     struct pp_axial_table circumsolar;
     struct pp_axial_light sun_part;
-    double chart[2][ROWS][COLUMNS]; /* values of B, later the coefficients of splines */
+    double chart[2][ROWS][COLUMNS]; /* values of B, later the coefficients of the
+                                     * splines */
 };
 
 /* ---- the integrand ---- */
@@ -180,7 +181,7 @@ static void fill_charts(struct pp_sky_table *table,
 
 /* Converts values along a line, a stride apart, to coefficients of the interpolating
  * cubic B-splines. Approximates the inverse of (4 + 2 cos w) / 6 up to the fourth
- * difference, which is left out at the last two values. */
+ * difference. The first two and the last two values stay as they are. */
 static void to_splines(double *at, int count, int stride)
 {
     double before2 = at[0], before = at[stride], *v = at + 2 * stride;

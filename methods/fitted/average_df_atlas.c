@@ -1,16 +1,16 @@
-/* average_df_atlas.c - `average-df-atlas`: the average daylight factor in one formula
- * (average_df.c) corrected by simulated rooms [ATLAS].
+/* average_df_atlas.c - `average-df-atlas`: the average daylight factor by a single
+ * formula (average_df.c), with corrections fitted to simulated rooms [ATLAS].
  *
  *     df = k T W (1 - n + n rho_f) M / (A (1 - R^2)) 2 E
  *          exp(-e d (1/w + 1/h)) (A / A_f)^c exp(-g E_u)
  *
  * theta is replaced by twice the light on the opening's outside, E = V + E_b + E_g
- * (fitted_light.h): 2 E is 90 % under an open sky with a ground of reflectance 0.1, as
- * theta is 90 degrees in the printed formula. The depth of the reveal enters by an
- * exponential, the floor's share of the room's surfaces by a power. Light of the ground
- * counts less, since it falls on the ceiling first: E_u is its share C_g / (V + C_b +
- * C_g). The share n of the opening below the working plane counts with the floor's
- * reflectance.
+ * (fitted_light.h): 2 E is 90 % under an open sky with a ground of reflectance 0.1,
+ * just as theta is 90 degrees in the printed formula. The depth of the reveal enters as
+ * an exponential, the floor's share of the room's surfaces as a power. Light from the
+ * ground counts less, since it falls on the ceiling first: E_u is its share C_g / (V +
+ * C_b + C_g). The fraction n of the opening below the working plane is weighted by the
+ * floor's reflectance.
  *
  * For vertical openings of clear glass under the CIE overcast sky. The formula contains
  * the opening's glass, the frame and dirt.

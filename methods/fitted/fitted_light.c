@@ -1,5 +1,5 @@
-/* fitted_light.c - V, C_b and C_g by the geometry of `exact`, with and without
- * reflecting ground, and their effective parts. */
+/* fitted_light.c - calculates V, C_b and C_g by the geometry of `exact`, with and
+ * without a reflecting ground, and their effective parts. */
 #include "methods/fitted/fitted_light.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* fitted_opening.c - the opening's extents, and its area below the working plane. */
+/* fitted_opening.c - records the opening's dimensions, and its fraction below the
+ * working plane. */
 #include "methods/fitted/fitted_opening.h"
 
 #include "methods/reflected/interior.h"

@@ -1,4 +1,4 @@
-/* fitted_parts.c - records A_u, rho_u, A_l and rho_l of an opening. */
+/* fitted_parts.c - records A_u, rho_u, A_l and rho_l for an opening. */
 #include "methods/fitted/fitted_parts.h"
 
 #include "methods/fitted/fitted_light.h"

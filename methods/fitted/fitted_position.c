@@ -1,5 +1,5 @@
-/* fitted_position.c - the extents of the room perpendicular to an opening's wall and
- * along it, the place of a receiver in them, and the two factors calculated. */
+/* fitted_position.c - the dimensions of the room perpendicular to an opening's wall and
+ * along it, the position of a receiver in them, and the two factors. */
 #include "methods/fitted/fitted_position.h"
 
 #include "methods/fitted/fitted_constants.h"

@@ -1,22 +1,22 @@
-/* irc_atlas.c - `irc-atlas`: internally reflected component by position, a hand formula
- * of six terms, whose constants were fitted to simulated rooms [ATLAS].
+/* irc_atlas.c - `irc-atlas`: internally reflected component at a point, by a hand
+ * formula of six terms whose constants were fitted to simulated rooms [ATLAS].
  *
  *     L   = ((V + E_b) rho_l + E_g) sqrt(rho_u) ((A_l / A_u)^c exp(-e d (1/w + 1/h)))^(1 - R)
  *     irc = tau Ag L / (A (1 - R)) f_d f_s
  *
- *   E_b, E_g           light of obstructions and of the ground (fitted_light.h)
+ *   E_b, E_g           light from obstructions and from the ground (fitted_light.h)
  *   (A_l / A_u)^c      a low opening lights less of the surfaces above the plane
  *   exp(-e d ...)      light lost in the reveal
- *   f_d, f_s           by the depth of the point, and sideways (fitted_position.h)
+ *   f_d, f_s           factors for the point's depth and sideways position (fitted_position.h)
  *
- * Light of the sky falls on the lower part of the room and is reflected by it and by
- * the upper part before it reaches the working plane; light of the ground by the upper
- * part only. The second line is the formula of `sphere` with the light outside
- * separated by source (fitted_light.h) and the square root of rho_u (fitted exponent
- * 0.51). The six fitted terms have one constant each. In the limit R to 1 under an open
- * sky (a furnace) it is the energy balance tau Ag (V + C_g)/(A (1 - R)) everywhere, for
- * any fitted constants. Without openings, with a black upper part or in an infinitely
- * deep room it is 0.
+ * Light from the sky falls on the lower part of the room and is reflected by it and by
+ * the upper part before it reaches the working plane; light from the ground is
+ * reflected by the upper part only. The second line is the formula of `sphere` with the
+ * light outside separated by source (fitted_light.h) and the square root of rho_u
+ * (fitted exponent 0.51). The six fitted terms have one constant each. In the limit R
+ * to 1 under an open sky (a furnace) it is the energy balance tau Ag (V + C_g)/(A (1 -
+ * R)) everywhere, for any fitted constants. Without openings, with a black upper part
+ * or in an infinitely deep room it is 0.
  *
  * For vertical openings of clear glass under the CIE overcast sky, and points that face
  * up. The formula contains the opening's glass and, through Ag, the frame; no dirt, no

@@ -1,9 +1,9 @@
 /* split_flux_atlas.c - `split-flux-atlas`: the split-flux formula
- * (reflected/split_flux.c) corrected by simulated rooms [ATLAS]: for obstructions and
- * the visible ground, for light lost in openings, for glass below the working plane,
- * and for position.
+ * (reflected/split_flux.c) with corrections fitted to simulated rooms [ATLAS]: for
+ * obstructions and the visible ground, for light lost in openings, for glass below the
+ * working plane, and for position.
  *
- *   1 - R^2   in place of 1 - rho_u rho_l: interreflected light is lost in openings, 
+ *   1 - R^2   in place of 1 - rho_u rho_l: interreflected light is lost in openings,
  *             too, and R includes them; A/2 in place of A_u and A_l
  *   n         share of the opening below the working plane; its light falls on
  *             surfaces that points on the plane do not see

@@ -1,18 +1,17 @@
-/* lumen.c - `lumen` and `lumen-one`: the lumen method, a daylight factor in one step
- * [IES84].
+/* lumen.c - `lumen` and `lumen-one`: the lumen method, which gives a daylight factor in
+ * one step [IES84].
  *
  * Light from the side, at five points and on average: `lumen` calculates sky and ground
  * separately, `lumen-one` with one coefficient, for a ground of reflectance 0.2. Light
- * from above on average only. Coefficients are from tables (lumen_table.h) by the
- * room's reflectances and its depth and width in window heights, or its room cavity
- * ratio.
+ * from above on average only. The coefficients come from tables (lumen_table.h); they
+ * depend on the room's reflectances and on its depth and width in window heights, or on
+ * its room cavity ratio.
  *
  * The table's window fills a wall; windows spread along a wall count as that window
- * times their share of its area. A point's value depends on its depth from the window
- * alone, between the 10 and 90 % of the table. Windows in two opposite walls add up.
- *
- * lumen_scope.h has the rooms and openings that the method covers; there is no
- * extrapolation. tau contains glass, frame and dirt.
+ * times their share of its area. A point's value depends only on its distance from the
+ * window, from 10 to 90 % of the room's depth. The results of windows in two opposite
+ * walls are added. lumen_scope.h defines the rooms and openings that the method covers;
+ * there is no extrapolation. tau contains glass, frame and dirt.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -151,8 +150,8 @@ static const struct pp_formula *const formulae_of_one[] = {&share_of_band,
 struct reading {
     const char *why; /* static, or `text`; NULL: the opening is covered */
     char text[160];
-    double height_m;         /* height of the window; above the plane, of a
-                              * rooflight's room */
+    double height_m;         /* height of the window; for a rooflight, height of the
+                              * room above the plane */
     double width_m, depth_m; /* size of the room */
     double E_s, rho_g;
     double ceiling, walls;
@@ -295,13 +294,13 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_opening *openi
     pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor (dirt)");
 }
 
-/* The coefficient at a share of the depth; the average for NAN. */
+/* The coefficient at a fraction of the depth; NAN: the average. */
 static double coefficient(const double cu[PP_LUMEN_POSITIONS], double share)
 {
     return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_table_at_depth(cu, share);
 }
 
-/* Records the light that enters by a window. */
+/* Records the light that enters through a window. */
 static void put_window(struct pp_worksheet *sheet, const struct reading *r,
                        const struct pp_opening *opening)
 {
@@ -370,8 +369,8 @@ static double rooflight_value(const struct reading *r, const struct pp_opening *
                              "average daylight factor from this rooflight");
 }
 
-/* The point's distance from the opening's wall over the room's depth; NAN for no
- * point. */
+/* The point's distance from the opening's wall, divided by the room's depth; NAN if
+ * there is no point. */
 static double depth_share(const struct reading *r, const struct pp_opening *opening,
                           const struct pp_receiver *receiver)
 {

@@ -16,13 +16,13 @@ double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane)
 {
     if (!(rcr > 0.0))
         return 1.0 / (1.0 - ceiling * plane);
-    /* A square of side 10/RCR, 1 high: its walls have 0.4 RCR times the area of its
-     * plan. */
+    /* A box with a square plan of side 10/RCR and height 1: the area of its walls is
+     * 0.4 RCR times that of its plan. */
     double f = end_to_end(10.0 / rcr, 10.0 / rcr, 1.0);
     double from_walls = (1.0 - f) / (0.4 * rcr); /* form factor to either level */
     double among_walls = 1.0 - 2.0 * from_walls;
 
-    /* Exitances C, P and W of ceiling, plane and walls, when the openings emit 1:
+    /* Exitances C, P and W of ceiling, plane and walls, if the openings emit 1:
      *
      *     C = 1 + ceiling (f P + (1 - f) W),  P = plane (f C + (1 - f) W)
      *     W = walls (from_walls (C + P) + among_walls W)

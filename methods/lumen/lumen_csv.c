@@ -18,7 +18,7 @@ enum {
     FILE_LARGEST = 1 << 24,
 };
 
-/* The largest coefficient, and the largest Ev/Eh, that are accepted. */
+/* Largest accepted coefficient, and largest accepted Ev/Eh. */
 static const double coefficient_most = 2.0, ratio_most = 10.0;
 
 enum column {
@@ -54,12 +54,13 @@ struct reader {
     struct pp_mistakes *mistakes;
     int number;  /* number of the current line */
     int columns; /* 0: before the line with their names */
-    bool sound;  /* the column names form one of the two tables */
+    bool sound;  /* the columns are those of one of the two tables */
     enum column kinds[FIELDS_MOST];
     struct pp_lumen_axis widths;
     bool top; /* the table is for light from above */
     int count, side_capacity, top_capacity, cu_capacity;
-    struct pp_lumen_line *side_lines; /* the cu of each points into `cu` at the end */
+    struct pp_lumen_line *side_lines; /* member cu of each is set at the end, to point
+                                       * into `cu` */
     struct pp_lumen_top_line *top_lines;
     double (*cu)[PP_LUMEN_AXIS_MOST];
 };
@@ -69,8 +70,8 @@ static bool is_white(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Splits one line into fields; false, with a mistake noted, if neither table can
- * contain it. */
+/* Splits one line into fields. Returns false, with a mistake noted, if it has too many
+ * fields or a field is too long for either table. */
 static bool cut_csv_line(struct reader *reader, struct csv_fields *fields,
                          const char *line, size_t length)
 {
@@ -101,7 +102,7 @@ static bool cut_csv_line(struct reader *reader, struct csv_fields *fields,
     return true;
 }
 
-/* A width over window height: a number above 0, or inf. */
+/* Reads a width divided by window height: a number above 0, or inf. */
 static bool read_width(const char *text, double *width)
 {
     if (strcmp(text, "inf") == 0) {
@@ -148,7 +149,7 @@ static void add_width(struct reader *reader, double width, const char *text)
         widths->at[widths->count++] = width;
 }
 
-/* Notes columns that are missing, or superfluous, for one of the two tables. */
+/* Notes columns that are missing or superfluous in a table of that kind. */
 static void check_columns(struct reader *reader)
 {
     static const enum column side_needs[] = {RATIO, DEPTH, POSITION};
@@ -245,7 +246,7 @@ static int read_position(struct reader *reader, const char *text)
     return 0;
 }
 
-/* Makes room for one more line. */
+/* Makes room for one more line. Returns false if memory runs out. */
 static bool reserve_line(struct reader *reader)
 {
     int wanted = reader->count + 1;
@@ -333,7 +334,7 @@ static void read_top(struct reader *reader, const struct csv_fields *fields)
     }
 }
 
-/* Reads one line of the file; false: out of memory. */
+/* Reads one line of the file. Returns false if memory runs out. */
 static bool read_csv_line(struct reader *reader, const char *text, size_t length)
 {
     struct csv_fields fields;
@@ -436,7 +437,7 @@ enum pp_status pp_lumen_csv_parse(struct pp_lumen_table *table, const char *text
     return status;
 }
 
-/* Reads the whole of a file, to be freed by the caller whatever the status. */
+/* Reads a whole file. The caller frees *text, whatever the status. */
 static enum pp_status read_file(char **text, size_t *length, FILE *file,
                                 const char *path, struct pp_error *err)
 {

@@ -24,7 +24,7 @@ struct patch {
     struct pp_aligned_rectangle outline;
     enum part part;
     double area;
-    double direct; /* mean direct illuminance over that of the window */
+    double direct; /* mean direct illuminance divided by that of the window */
     double exitance, illuminance;
 };
 
@@ -145,8 +145,8 @@ void pp_lumen_room_destroy(struct pp_lumen_room *room)
     free(room);
 }
 
-/* A light source outside: a sky, or for NULL an evenly bright ground. Luminances are
- * over the window's illuminance. */
+/* A light source outside: a sky or, if NULL, an evenly bright ground. Luminances are
+ * divided by the window's illuminance. */
 struct source {
     const struct pp_sky *sky;
     double per_window;
@@ -158,9 +158,9 @@ static double luminance(const struct source *source, struct pp_vec3 u)
                        : 2.0 / PP_PI; /* the ground fills half the hemisphere */
 }
 
-/* Direct illuminance at p of a plane with that normal. The window's jambs are lines of
+/* Direct illuminance at p on a plane with that normal. The window's jambs are lines of
  * constant azimuth, and its part above (below) the horizon extends from altitude 0 to
- * the head (sill): Gauss's rule in both angles. */
+ * the head (sill). The integral is by a Gauss rule in both angles. */
 static double direct_at(const struct pp_lumen_room *room, const struct source *source,
                         struct pp_vec3 p, struct pp_vec3 normal, int order)
 {
@@ -185,8 +185,9 @@ static double direct_at(const struct pp_lumen_room *room, const struct source *s
     return sum * (right - left) / 2.0;
 }
 
-/* The mean direct illuminance of a patch, by Gauss's rule with two points in each
- * direction; in a room of infinite width at the middle of the width. */
+/* The mean direct illuminance of a patch, by a Gauss rule with two points in each
+ * direction. In a room of infinite width, patches other than SIDE are evaluated at the
+ * middle of the width. */
 static double direct_on(const struct pp_lumen_room *room, const struct source *source,
                         const struct patch *patch)
 {
@@ -244,7 +245,7 @@ static void iterate(struct pp_lumen_room *room, const double *reflectances)
     }
 }
 
-/* Illuminance of point k by the patches of ceiling and walls. */
+/* Illuminance at point k from the patches of ceiling and walls. */
 static double reflected_at(const struct pp_lumen_room *room, int k)
 {
     double y = pp_lumen_places[k] * room->depth, sum = 0.0;
@@ -316,7 +317,7 @@ enum pp_status pp_lumen_room_sky(struct pp_sky *sky, double ev_over_eh,
     if (ev_over_eh < 0.5)
         return PP_OK;
     const struct pp_vec3 out = {0.0, -1.0, 0.0};
-    /* The ratio decreases with the sun's altitude. */
+    /* The ratio decreases as the sun's altitude increases. */
     double low = 1.0 * PP_RAD, high = 89.0 * PP_RAD;
     for (int i = 0; i < 40; i++) {
         double altitude = (low + high) / 2.0;

@@ -9,10 +9,11 @@
 /* Lengths (m) and cosines up to this count as 0. */
 static const double small = 1e-3;
 
-/* Tolerances of a window against the table's window; chosen, not published. */
+/* Permitted deviations of a window from the table's window; chosen here, not
+ * published. */
 static const double sill_within_m = 0.30, level_within_m = 0.05;
-static const double reveal_most = 0.2; /* largest depth of a reveal over the window's
-                                        * height */
+static const double reveal_most = 0.2; /* largest depth of a reveal divided by the
+                                        * window's height */
 
 static const struct pp_surface *floor_of(const struct pp_world *world)
 {

@@ -26,14 +26,14 @@ enum {
     OWN_TOP = sizeof own_top / sizeof own_top[0],
 };
 
-/* Tables with Ev/Eh from this value on are for clear skies, those below for overcast
- * ones. */
+/* Tables with Ev/Eh of this value or more are for clear skies, those below for overcast
+ * skies. */
 static const double clear_from = 0.45;
 
 /* A value outside a range by at most this still counts as inside. */
 static const double range_tolerance = 1e-3;
 
-/* Ascending values of a key, each of which covers `step` rows. */
+/* Ascending values in a key column; each value covers `step` rows. */
 static struct pp_lumen_axis own_axis(int column, int step)
 {
     struct pp_lumen_axis axis = {0};
@@ -134,7 +134,7 @@ static bool find_between(struct between *between, const struct pp_lumen_axis *ax
 
 /* The coefficient at one position for one sky or the ground, from the 16 neighbours:
  * along the width first, then depth, walls and ceiling. A neighbour without weight may
- * be missing in the table. */
+ * be missing from the table. */
 static double interpolate(const struct pp_lumen_side_table *table, int light,
                           const struct between between[PP_LUMEN_SIDE_AXES],
                           int position)
@@ -180,7 +180,8 @@ static bool outside(char *why, size_t room, const char *what, double value,
     return false;
 }
 
-/* The two skies to interpolate between, or the ground. */
+/* Finds the two skies to interpolate between, or the ground. Returns false, with a
+ * message, if the table covers no such sky. */
 static bool find_light(struct between *light, const struct pp_lumen_side_table *table,
                        const struct pp_lumen_query *query, char *why, size_t room)
 {

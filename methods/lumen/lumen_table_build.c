@@ -30,7 +30,7 @@ static int find_on(const struct pp_lumen_axis *axis, double value)
     return 0;
 }
 
-/* The number of cells along an axis: 1 for one that the table does not have. */
+/* The number of cells along an axis; 1 for an axis that the table does not have. */
 static int cells_of(const struct pp_lumen_axis *axis)
 {
     return axis->count > 0 ? axis->count : 1;

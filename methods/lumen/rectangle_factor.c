@@ -48,7 +48,7 @@ static double corner(const struct pp_aligned_rectangle *r, int axis, int which)
     return which ? r->high[axis] : r->low[axis];
 }
 
-/* Exchange between two rectangles normal to the same axis. */
+/* Exchange area of two rectangles normal to the same axis. */
 static double exchange_parallel(const struct pp_aligned_rectangle *a,
                                 const struct pp_aligned_rectangle *b)
 {
@@ -74,7 +74,7 @@ static double distance(const struct pp_aligned_rectangle *r, int axis, double pl
     return which ? fmax(low, high) : fmin(low, high);
 }
 
-/* Exchange between two rectangles normal to different axes. */
+/* Exchange area of two rectangles normal to different axes. */
 static double exchange_square(const struct pp_aligned_rectangle *a,
                               const struct pp_aligned_rectangle *b)
 {

@@ -1,4 +1,5 @@
-/* nomogram_position.c - the figures of `irc-atlas` set on the scales of nomogram IV. */
+/* nomogram_position.c - sets the figures of `irc-atlas` on the scales of nomogram
+ * IV. */
 #include "methods/nomogram/nomogram_position.h"
 
 #include <math.h>
@@ -26,7 +27,7 @@ double pp_nomogram_position_division(const struct pp_nomogram *nomogram, double 
     static const double steps[] = {0.1, 0.2, 0.5};
     double from = fmin(floor(q + 1e-9), PP_NOMOGRAM_MOST_Q - 1.0);
     for (int i = 0; i < 3; i++) {
-        /* The larger q is, the closer are the marks. */
+        /* The larger q is, the closer together are the marks. */
         double x0, y0, x1, y1, to = from + 1.0;
         pp_nomogram_scale_curve(nomogram, to - steps[i], &x0, &y0);
         pp_nomogram_scale_curve(nomogram, to, &x1, &y1);

@@ -26,8 +26,8 @@ const struct pp_formula pp_nomogram_reading_ratio = {
     .fixed = true,
 };
 
-/* Reads a stem where it is crossed by the straight-edge laid on the values of two
- * others. */
+/* Reads a stem where the straight-edge, laid through the values on two others, crosses
+ * it. */
 void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
                              const struct pp_nomogram *nomogram, int index)
 {
@@ -43,7 +43,7 @@ void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
     reading->used[index] = true;
 }
 
-/* Ratio W/A times the power of ten that brings it into the range of scale A. */
+/* Ratio W/S times the power of ten that brings it into the range of scale A. */
 static double shifted(const struct pp_nomogram_stem *stem, double ratio, int *tens)
 {
     *tens = 0;

@@ -1,19 +1,20 @@
 /* nomogram_scale.c - the derivation of the nomograms' scales [GEEBELEN], and the
  * scales.
  *
- * THE FORMULA. For vertical glass the BRE formula (bre_terms.h), per cent,
+ * THE FORMULA. For vertical glass, the BRE formula (bre_terms.h) is, in per cent,
  *
  *     IRC = q W / (A (1 - R)) (C R_fw + g R_cw)                               (1)
  *
- * with its constants q for clear glass and g for the ground; for top light C is
+ * with its constants q for clear glass and g for the ground; for top light, C is
  * replaced by the sky's share C(beta) on glass of slope beta, and g by g (1 - cos
- * beta): 100 and 0 for horizontal glass. The formula has three reflectances, a scale
- * only one. So a rule has to relate R_fw and R_cw to R:
+ * beta): 100 and 0 for horizontal glass. The formula has three reflectances, but a
+ * scale can have only one. So a rule has to relate R_fw and R_cw to R:
  *
  *     R_cw = k R_fw,   R = (R_fw + R_cw)/2  =>  R_fw = 2 R/(1 + k)            (2)
  *
- * the second because the parts above and below the middle of the window are about
- * equal. With (2) the formula is a product of functions of one quantity each,
+ * The second relation holds because the parts of the room above and below the middle of
+ * the window are about equal. With (2) the formula is a product of functions of one
+ * quantity each,
  *
  *     IRC = K . W/A . R/(1 - R) . F,   K = q . 2/(1 + k) . (C0 + g k)         (3)
  *
@@ -30,9 +31,9 @@
  * ceiling 0.7, 3 to 8 m wide and deep, 2.5 to 3.5 m high, with windows of 10 to 30 % of
  * the floor in one wall. R_cw/R_fw itself is 1.7 there, but R contains the dark
  * windows, which R_fw and R_cw leave out: R_fw + R_cw is 5 % above 2 R. The smaller k
- * compensates for that. So R_fw = 0.8 R, R_cw = 1.2 R. For top light, where floor and
- * all walls receive the light and are 0.8 R to 0.9 R in such finishes, the same rule
- * holds.
+ * compensates for that. So R_fw = 0.8 R, R_cw = 1.2 R. For top light, the same rule
+ * holds: floor and all walls receive the light, and their mean reflectance is 0.8 R to
+ * 0.9 R with such finishes.
  *
  * THE SCALES. Let the stem at x_1 have y_1 = m_1 u, the stem at x_2 have y_2 = m_2 v.
  * A straight line through both crosses the stem at x_3 between them at
@@ -46,18 +47,18 @@
  * with u, v logarithms to base ten and m the length of a decade. A foot that is not 0,
  * y_1 = y_01 + m_1 u, adds (1 - t) y_01 to y_3, likewise t y_02.
  *
- *   A, B fill the whole height: m_A, m_B by their ranges. C lies at (4).
+ *   A, B fill the whole height; m_A, m_B follow from their ranges. C lies at (4).
  *   E is to be at x_E between C and D: by (4) m_D = m_C (1 - t)/t.
  *   G is to be at x_G between E and F: likewise m_F.
  *   D and F are shorter than the height and stand in its middle.
  *
- * NOMOGRAM IV has the formula of `irc-atlas`, per cent,
+ * NOMOGRAM IV uses the formula of `irc-atlas`, in per cent,
  *
  *     IRC_m = T W/(A (1 - R)) L,   IRC = IRC_m f_d f_s                         (5)
  *
  * with L the effective light on the glass, calculated below the scales: C is a = T W/(A
- * (1 - R)), D is L, E is IRC_m, F a factor of the position and G the product of E and
- * F. Both factors are
+ * (1 - R)), D is L, E is IRC_m, F is a factor for the position, and G is the product of
+ * E and F. Both factors are
  *
  *     f = q exp(-q u)/(1 - exp(-q)),   log f = h(q) - q u log e
  *
@@ -67,9 +68,9 @@
  *
  *     y = (1 - t)(y_0 + m_H u) + t (y_1 + m_F (h - q u log e))
  *
- * does not depend on u if t = m_H/(m_H + m_F q log e). The points of all q are a curve between
- * H and F, which it crosses at q = 0, f = 1; rooms that are brighter at their back have a q
- * below 0, beyond F.
+ * does not depend on u if t = m_H/(m_H + m_F q log e). The points of all q form a curve
+ * between H and F; it crosses F at q = 0, f = 1; rooms that are brighter at their back
+ * have a q below 0, beyond F.
  *
  * Since A and B are the ends of the first line, D and F of the others, the scale that
  * is read always lies between the scales that are set, so that their errors are
@@ -94,11 +95,11 @@ static const double least_light = 0.001, most_light = 0.5;
 static const double least_component = 5e-5, most_component = 0.5;
 static const double least_factor = 0.03, most_factor = 4.0;
 
-/* Foot of H (which no other stem determines), height of one unit on it, and its end: a
- * point in front of the far end of a wall, with the opening at the near end. */
+/* Foot of H (which no other stem determines), height of one unit on it, and its upper
+ * end: a point at the far end of a wall that has its opening at the near end. */
 static const double places_foot = 0.04, places_unit = 0.46, most_place = 2.0;
 
-/* The formula (1) for W = A, R = 0. */
+/* Formula (1) for W = A and R = 0. */
 static double by_formula(double C, double R_fw, double R_cw)
 {
     const struct pp_bre_terms terms = {
@@ -106,7 +107,7 @@ static double by_formula(double C, double R_fw, double R_cw)
     return pp_bre_terms_average(&terms);
 }
 
-/* F of glass at a slope, overcast sky. */
+/* F for glass at slope beta under the overcast sky. */
 static double slope_factor(double beta)
 {
     double C = pp_graded_sky_on_plane(PP_GRADED_SKY_OVERCAST, beta);
@@ -114,14 +115,14 @@ static double slope_factor(double beta)
            / by_formula(1.0, 1.0, 0.0);
 }
 
-/* F in front of an obstruction. */
+/* F for a window that faces an obstruction at altitude alpha. */
 static double obstruction_factor(double alpha)
 {
     return by_formula(pp_obstruction_factor(alpha), 1.0, PP_NOMOGRAM_K)
            / by_formula(pp_obstruction_factor(0.0), 1.0, PP_NOMOGRAM_K);
 }
 
-/* The factor of (3) that depends on a quantity. */
+/* The factor of (3) that depends on this quantity, at a value of it. */
 static double function_of(enum pp_nomogram_quantity quantity, double value)
 {
     switch (quantity) {
@@ -147,7 +148,7 @@ static double function_of(enum pp_nomogram_quantity quantity, double value)
     return value;
 }
 
-/* A stem over all of the height. */
+/* A stem over the full height. */
 static struct pp_nomogram_stem whole_stem(enum pp_nomogram_quantity quantity, double x,
                                           double low, double high)
 {
@@ -161,7 +162,7 @@ static struct pp_nomogram_stem whole_stem(enum pp_nomogram_quantity quantity, do
                                      .high = high};
 }
 
-/* A stem in the middle of the height, its values ascending. */
+/* A stem centred in the height, with its values ascending. */
 static struct pp_nomogram_stem middle_stem(enum pp_nomogram_quantity quantity, double x,
                                            double decade, double low, double high)
 {
@@ -202,8 +203,8 @@ static struct pp_nomogram_stem stem_between(const struct pp_nomogram_stem *from,
     return stem;
 }
 
-/* Length of a decade of the stem at x_to, for which the stem read between `from` and it
- * lies at x_read. */
+/* Length of a decade of the stem at x_to for which the stem read between `from` and
+ * that stem lies at x_read. */
 static double decade_for(const struct pp_nomogram_stem *from, double x_read,
                          double x_to)
 {

@@ -1,5 +1,5 @@
-/* nomogram_sheet_fill.c - the marks of the scales, stretch by stretch, and the openings
- * of a room, equal readings only once. */
+/* nomogram_sheet_fill.c - adds the marks of the scales, stretch by stretch, and the
+ * readings for the openings of a room, equal ones only once. */
 #include "methods/nomogram/nomogram_sheet_fill.h"
 
 #include <math.h>
@@ -142,14 +142,15 @@ static bool same_lines(const struct pp_nomogram_window *a,
     return same;
 }
 
-/* A room, and the nomogram that reads it. */
+/* A room, and the nomogram with which it is read. */
 struct room_on_sheet {
     struct pp_nomogram_sheet *sheet;
-    const struct pp_method *method; /* the hand method that the nomogram replaces */
+    const struct pp_method *method; /* the hand method whose formula the nomogram
+                                     * solves */
     const struct pp_world *world;
     const struct pp_outside_light *light;
     const struct pp_receiver *receiver;
-    void *tools; /* tools of the method for IV; else NULL */
+    void *tools; /* tools of the method for nomogram IV; else NULL */
 };
 
 static enum pp_status read_window(struct pp_nomogram_reading *reading,
@@ -199,7 +200,8 @@ static enum pp_status add_window(const struct room_on_sheet *room,
     return PP_OK;
 }
 
-/* Adds the room's openings that this nomogram covers. */
+/* Adds the room's openings that this nomogram covers; PP_BAD_INPUT if there are
+ * none. */
 static enum pp_status add_nomogram_windows(struct room_on_sheet *room,
                                            struct pp_error *err)
 {

@@ -54,9 +54,9 @@ struct cell_side {
     double out;
 };
 
-/* Cumulates the light of a ring's cells: up_to[k] is that of the first k. Rings have
- * equal widths in angle; sine times cosine is integrated over each ring, which is exact
- * for a uniform sky. */
+/* Accumulates the light of a ring's cells: up_to[k] is that of the first k cells. Rings
+ * are equally wide in angle; sine times cosine is integrated over each ring, which is
+ * exact for a uniform sky. */
 static void fill_ring(double up_to[CELLS + 1], int ring,
                       const struct cell_side sides[CELLS], const struct pp_sky *sky,
                       const struct pp_glass_curve *losses, struct pp_vec3 out,
@@ -107,8 +107,8 @@ static double ascending_position(const double *ascending, int count, double valu
     return low + step_share(ascending[low], ascending[low + 1], value);
 }
 
-/* Least cosine of a dot's direction with the normal of the glass: dots of cells that
- * the glass plane cuts are placed in front of that plane. */
+/* Least cosine of the angle between a dot's direction and the normal of the glass. Dots
+ * of cells that the glass plane cuts are placed in front of that plane. */
 static const double least_cosine = 1e-3;
 
 static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
@@ -128,7 +128,7 @@ static void place_dot(struct pp_pepper_pot_cloud *cloud, double ring,
     cloud->count++;
 }
 
-/* Places the dots ring by ring, by the cumulated light of the rings. */
+/* Places the dots ring by ring, according to the cumulative light of the rings. */
 static enum pp_status place_dots(struct pp_pepper_pot_cloud *cloud,
                                  const struct pp_sky *sky, const struct pp_glass *glass,
                                  const struct pp_window_axes *axes,

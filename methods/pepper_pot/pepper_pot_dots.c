@@ -22,7 +22,7 @@ static void azimuths(const struct pp_pepper_pot *pot, double *low, double *high)
 }
 
 /* Altitude-dependent factor of dSC / (dgamma dphi) in the header. The other factors are
- * that of the azimuth and the losses. */
+ * the azimuth-dependent one and the losses of the glass. */
 static double by_altitude(const struct pp_pepper_pot *pot, double gamma)
 {
     double s = sin(gamma), c = cos(gamma);
@@ -30,7 +30,7 @@ static double by_altitude(const struct pp_pepper_pot *pot, double gamma)
 }
 
 /* Tabulates the cosine of the azimuth and the azimuth-dependent factor, at the nodes of
- * Gauss's rule in equal steps of the azimuth. */
+ * a Gauss rule in each of equal steps of azimuth. */
 static void place_azimuths(struct pp_pepper_pot *pot)
 {
     double nodes[PP_PEPPER_POT_NODES], weights[PP_PEPPER_POT_NODES];
@@ -46,7 +46,7 @@ static void place_azimuths(struct pp_pepper_pot *pot)
         }
 }
 
-/* Fills one altitude: left[i] is its light from azimuths left of step i. */
+/* Fills in one altitude: left[i] is its light from azimuths left of step i. */
 static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {
@@ -61,7 +61,7 @@ static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot
                                   : 1.0);
         steps[i] = sum;
     }
-    for (int i = asked; i < AZIMUTHS; i++) /* for a horizontal receiver both sides are
+    for (int i = asked; i < AZIMUTHS; i++) /* for a horizontal receiver, both sides are
                                             * equal */
         steps[i] = steps[AZIMUTHS - 1 - i];
     left[0] = 0.0;

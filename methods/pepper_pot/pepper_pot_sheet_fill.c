@@ -1,4 +1,5 @@
-/* pepper_pot_sheet_fill.c - dots and windows of a sheet of the pepper-pot diagram. */
+/* pepper_pot_sheet_fill.c - fills a sheet of the pepper-pot diagram with dots and
+ * windows. */
 #include "methods/pepper_pot/pepper_pot_sheet_fill.h"
 
 #include <math.h>
@@ -56,7 +57,7 @@ static enum pp_status fill_cloud(struct pp_pepper_pot_panel *panel,
     return status;
 }
 
-/* Dots for vertical windows, the overcast or the uniform sky. */
+/* Dots for vertical windows under the overcast or the uniform sky. */
 static enum pp_status fill_pot(struct pp_pepper_pot_panel *panel,
                                const struct pp_opening *opening,
                                const struct pp_sky *sky, struct pp_vec3 normal,
@@ -112,7 +113,7 @@ static enum pp_status fill_window(struct pp_pepper_pot_panel *panel,
     return PP_OK;
 }
 
-/* The panel of the windows that share a diagram with opening `first`. */
+/* Fills the panel of the windows that share a diagram with opening `first`. */
 static enum pp_status fill_panel(struct pp_pepper_pot_panel *panel,
                                  const struct pp_pepper_pot_sheet *sheet,
                                  const struct pp_world *world,

@@ -1,8 +1,8 @@
 /* pepper_pot_sky.c - `pepper-pot-sky`: direct component by counting dots, for openings of
  * any slope, receivers of any kind and any sky [PLE54].
  *
- * As `pepper-pot`, on diagrams made for the sky of the room file (with the azimuth of
- * its sun), the slope and direction of the opening, and the receiver
+ * Like `pepper-pot`, but on diagrams made for the sky of the room file (with the
+ * azimuth of its sun), the slope and direction of the opening, and the receiver
  * (pepper_pot_cloud.h): each dot within the outline is worth 0.1 %:
  *
  *     SC  = dots on the sky x 0.1 %
@@ -134,7 +134,8 @@ static enum pp_status evaluate_pepper_pot_sky(const struct pp_world *world,
     return status;
 }
 
-/* The mean of many counts converges to the component itself. */
+/* The mean of many counts converges to the component itself, which is integrated
+ * instead. */
 static enum pp_status average_pepper_pot_sky(struct pp_beams *beams,
                                              const struct pp_outside_light *light,
                                              const struct pp_opening *opening,

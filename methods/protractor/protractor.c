@@ -118,7 +118,7 @@ static void put_pair(struct pp_worksheet *sheet, double angle_rad,
 }
 
 /* Records the readings of a rectangle. off_sky: the obstruction's equivalent sky
- * component is subtracted from the sky's. */
+ * component is subtracted from the sky component. */
 static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
                          const struct pp_protractor_reading *reading, bool off_sky)
 {

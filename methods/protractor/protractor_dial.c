@@ -1,5 +1,5 @@
 /* protractor_dial.c - tabulates the density of protractor_scale.h by Simpson's rule and
- * reads the tables by Hermite's cubics. */
+ * reads the tables by Hermite cubics. */
 #include "methods/protractor/protractor_dial.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ static double hermite(double t, double step, double a, double a_slope, double b,
            + step * t * u * (a_slope * u - b_slope * t);
 }
 
-/* Interpolates in a table of values and slopes at even steps from 0 to `last`. */
+/* Interpolates in a table of values and slopes at equal steps from 0 to `last`. */
 static double read_table(const double *values, const double *slopes, double last,
                          double x)
 {
@@ -37,8 +37,9 @@ static double simpson(double a, double middle, double b, double step)
     return (a + 4.0 * middle + b) * step / 6.0;
 }
 
-/* dF/dgamma: the density integrated over the strip, both sides of the section, by one
- * Gauss-Legendre rule; the density is smooth up to the strip's end, where it is 0. */
+/* dF/dgamma: the density integrated over the strip, on both sides of the section, by
+ * one Gauss-Legendre rule; the density is smooth up to the strip's end, where it is
+ * 0. */
 enum { NODES = 16 };
 
 struct strip_rule {

@@ -1,22 +1,23 @@
-/* protractor_read.c - an opening read with a protractor [BRE309], rectangle by
+/* protractor_read.c - reads an opening with a protractor [BRE309], rectangle by
  * rectangle.
  *
  * A vertical opening and its obstructions are the vertical rectangles of elevation.h,
- * each read by itself. With d the distance of the opening's plane, an edge at the
- * height z and a jamb at x are seen on section and plan under
+ * each read separately. With d the distance of the opening's plane, an edge at height z
+ * and a jamb at x have these angles in section and plan:
  *
  *     tan gamma = z / d,   tan phi = x / d.
  *
- * The plane of an opening at the slope beta (0 horizontal, 90 degrees vertical) is at the
- * perpendicular distance d from the point; b and x are measured in the plane from the
- * foot of that perpendicular, b up the slope. The section, perpendicular to the
- * opening's horizontal edges, shows an edge at b under
+ * The plane of an opening at the slope beta (0 horizontal, 90 degrees vertical) is at
+ * the perpendicular distance d from the point; b and x are measured in the plane from
+ * the foot of that perpendicular, b up the slope. The section, perpendicular to the
+ * opening's horizontal edges, shows an edge at b at the altitude
  *
  *     tan gamma = (b sin beta + d cos beta) / (d sin beta - b cos beta),
  *
- * over 90 degrees where the plane leans over the point. The sight line of the average
- * altitude gamma meets the plane at the slant distance d / sin(gamma + beta), and so a
- * jamb at x is seen, on the plan turned down into that sight line's plane, under
+ * which exceeds 90 degrees where the plane leans over the point. The sight line of the
+ * average altitude gamma meets the plane at the slant distance d / sin(gamma + beta).
+ * If the plan is tilted into the plane of that sight line, a jamb at x therefore has
+ * the angle
  *
  *     tan theta = x sin(gamma + beta) / d.
  *
@@ -199,8 +200,8 @@ static enum pp_status read_upright(struct pp_protractor_readings *readings,
     return status;
 }
 
-/* The whole opening as sky; then each obstruction, subtracted from the sky component
- * and added to the externally reflected one. */
+/* Reads the whole opening as sky, then each obstruction, whose component is subtracted
+ * from the sky component and added to the externally reflected one. */
 static enum pp_status read_sloping(struct pp_protractor_readings *readings,
                                    const struct pp_protractor_dial *dial,
                                    const struct pp_slope_rectangles *rectangles,

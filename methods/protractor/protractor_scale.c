@@ -64,7 +64,7 @@ void pp_protractor_scale_densities(double *densities,
     struct pp_angle gamma = pp_angle_of(gamma_rad);
     double through = sin(gamma_rad + protractor->slope_rad), up = gamma.sine;
     if (protractor->receiver != PP_PROTRACTOR_UP)
-        up = fmax(up, 1e-12); /* the limit at the horizon, whose sky is included */
+        up = fmax(up, 1e-12); /* at the horizon the luminance is that of the sky */
     for (int i = 0; i < count; i++) {
         double across = thetas[i].cosine, cos_i = across * through;
         densities[i] = 0.0;
@@ -132,7 +132,7 @@ static double one_side(const struct pp_protractor *protractor, double gamma,
     return value;
 }
 
-/* The integral over all strips from low to high, both sides of the section. */
+/* The integral over all strips from low to high, on both sides of the section. */
 static double strips_between(const struct pp_protractor *protractor, double low_rad,
                              double high_rad)
 {
@@ -169,7 +169,7 @@ double pp_protractor_scale_angle(const struct pp_protractor *protractor, double 
     double low = low_rad, high = high_rad;
     double gamma = low, sum = pp_protractor_scale_primary(protractor, low);
     for (int i = 0; i < 60 && high - low > 1e-11; i++) {
-        /* Newton's step, or a halving where it would leave the bracket. */
+        /* A Newton step, or bisection where it would leave the bracket. */
         double slope = pp_protractor_scale_primary_slope(protractor, gamma);
         double next = gamma + (share - sum) / slope;
         if (!(next > low && next < high))

@@ -1,5 +1,5 @@
-/* protractor_sheet_fill.c - the marks of the primary scale, the lines of the auxiliary
- * scale, the names of sky and glass, and the choice of the opening. */
+/* protractor_sheet_fill.c - fills in the marks of the primary scale, the lines of the
+ * auxiliary scale, the names of sky and glass, and the opening shown. */
 #include "methods/protractor/protractor_sheet_fill.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 /* ---- the primary scale ---- */
 
 /* Smallest of the usual divisions, in tenths of a per cent, whose marks are at least
- * apart_rad apart at that slope of the scale. */
+ * apart_rad apart where the scale has that slope. */
 static int division(double slope, double apart_rad)
 {
     static const int usual[] = {1, 2, 5, 10, 20, 50, 100};
@@ -43,7 +43,7 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
         enum pp_mark_rank rank = PP_MARK_FINE;
         if (tenths % middle == 0)
             rank = PP_MARK_MIDDLE;
-        /* Figures would collide at an end where the scale meets its mirror image. */
+        /* Labels would collide at an end where the scale meets its mirror image. */
         double left = scale->range_rad - angle;
         if (tenths % label == 0 && angle - labelled > 0.8 * spacing.label_rad
             && left > 0.6 * spacing.label_rad) {
@@ -166,8 +166,8 @@ enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
     return status;
 }
 
-/* Reads one opening, and keeps the reading if its direct component is the largest
- * yet. */
+/* Reads one opening, and keeps the reading if its direct component is the largest so
+ * far. */
 static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
                                       const struct pp_outside_light *light,
                                       struct pp_protractor_dial *dial,
