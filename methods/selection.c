@@ -79,8 +79,8 @@ static enum pp_status add_pair(struct pp_selection *selection, const char *direc
     return add_selected_method(selection, direct, internal, err);
 }
 
-/* Adds every direct method with bre, exact with every internal one, and all whole ones,
- * except methods available only by name. */
+/* Adds every direct method, except those available only by name, with bre; every
+ * internal one with exact; and all whole ones. */
 static enum pp_status add_all(struct pp_selection *selection, struct pp_error *err)
 {
     const struct pp_method *exact = pp_method_find("exact");

@@ -1,4 +1,5 @@
-/* variant.c - the method to which a variant belongs, and errors in variants. */
+/* variant.c - finds the method to which a variant belongs, and reports errors in
+ * variants. */
 #include "methods/variant.h"
 
 #include <stdio.h>
@@ -10,8 +11,8 @@
 
 enum { TEXT_MOST = PP_EXPRESSION_MOST + 60, NAMES_MOST = 64 };
 
-/* Fails with the text and a caret under a column (from 0). Text before the caret is
- * ASCII: a letter of several bytes would be a mistake itself. */
+/* Fails with the text and a caret under a column (from 0). The text before the caret is
+ * ASCII, since a multi-byte character would itself be a mistake. */
 static enum pp_status fail_at(struct pp_error *err, const char *text, int column,
                               const char *what)
 {
@@ -95,14 +96,15 @@ static enum pp_status find_method(const struct pp_method **method,
 
 /* ---- the formula ---- */
 
-/* Mistake in a variant's text: the one farthest to the right of all formulae tried,
- * which belongs to the most similar formula. */
+/* Mistake in a variant's text. Each formula tried gives one; the one farthest to the
+ * right is kept, since it belongs to the most similar formula. */
 struct misfit {
     const struct pp_method *method; /* NULL: no formula of the symbol can be replaced */
     struct pp_expression_mistake mistake;
 };
 
-/* True if the text is a variant of this formula. A component has no part in metres. */
+/* True if the text is a variant of this formula and its result has the formula's
+ * unit. */
 static bool fits_formula(const struct pp_formula *formula,
                          const struct pp_formula_variant *variant,
                          struct pp_expression_mistake *mistake)
@@ -137,7 +139,8 @@ static bool fits(const struct pp_method *method,
     return false;
 }
 
-/* Fails with the symbols of replaceable formulae, of one method or all. */
+/* Fails with the symbols of the formulae of one method (NULL: of all) that can be
+ * replaced. */
 static enum pp_status fail_symbol(const struct parts *parts,
                                   const struct pp_method *method, struct pp_error *err)
 {

@@ -21,9 +21,9 @@
  * For vertical openings with clear glass, or none, and points that face up under the
  * CIE overcast sky. The figures contain clear single glass; no frame, no dirt. At 1 to
  * 7 m from the window, readings of 1 % and more are 1.4 % low on average against the
- * exact direct component with that glass, 3.4 % rms; a window far to one side, the
- * small difference of two cells, can be 20 % off, and nearer than the table's last row
- * twice that.
+ * exact direct component with that glass, 3.4 % rms. Readings for a window far to one
+ * side, a small difference of two cells, can be 20 % off; at points nearer than h/d =
+ * 5, the last row before infinity, twice that.
  */
 #include "methods/brs/brs_table.h"
 

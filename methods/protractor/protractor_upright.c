@@ -1,5 +1,5 @@
 /* protractor_upright.c - `protractor-upright`: direct component at vertical receivers,
- * by protractors in the manner of the published ones [BRE309].
+ * by protractors constructed like the published ones [BRE309].
  *
  * The published protractors are for points that face up. For vertical receivers there
  * are two of the same construction (protractor_scale.h): one for a receiver that faces
@@ -10,8 +10,8 @@
  *   1. the window is cut where the receiver's own plane meets it, along vertical lines
  *   2. both primary scales at the upper and at the lower sight line: i and j
  *   3. both auxiliary scales at the jambs, for the average altitude: K, as on the published
- *      ones, and J, which is the right jamb's less the left one's on either side
- *   4. SC = i K cos psi + j J sin psi; ERC the same of the obstruction, times its
+ *      ones, and J, the reading at the right jamb less that at the left one
+ *   4. SC = i K cos psi + j J sin psi; ERC is the same for the obstruction, times its
  *      luminance factor
  *
  * For vertical openings with clear glass or none, the overcast and the uniform sky.
@@ -27,7 +27,7 @@
 #include "methods/view/elevation.h"
 #include "methods/view/visible.h"
 
-/* The two protractors of openings with glass, and of openings without. */
+/* The two protractors for openings with glass, and those for openings without. */
 struct upright_dials {
     struct pp_protractor_dial ahead, aside;
 };
@@ -188,7 +188,8 @@ static const char *upright_protractor_refuses(const struct pp_world *world,
 
 /* ---- the sum ---- */
 
-/* Both scales of one protractor for a rectangle. */
+/* Symbols for the readings of both scales of one protractor, and the name of its
+ * receiver. */
 struct scale_symbols {
     const char *upper, *lower, *left, *right, *what;
 };
@@ -266,8 +267,9 @@ static void work_part(struct pp_part_steps *terms, struct pp_part *sum,
         pp_part_steps_work(terms, true, &reflected, "externally reflected component");
 }
 
-/* Keeps the parts in front of the receiver's own plane. It crosses the opening's plane
- * in vertical lines 90 degrees from the direction that the receiver faces. */
+/* Keeps the parts in front of the receiver's own plane. That plane crosses the
+ * opening's plane in a vertical line, 90 degrees from the direction that the receiver
+ * faces. */
 static void cut_by_receiver(struct pp_elevation *elevation, double psi_rad)
 {
     double left = psi_rad > 0.0 ? tan(psi_rad - PP_PI / 2.0) : -INFINITY;

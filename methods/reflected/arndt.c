@@ -1,13 +1,13 @@
-/* arndt.c - `arndt`: average internally reflected component, the room as one surface of
- * one reflectance.
+/* arndt.c - `arndt`: average internally reflected component, with the room treated as
+ * one surface of one reflectance.
  *
  * The oldest of the room formulae [ARN38], as quoted in the literature on daylight; the
- * original text was not available. The first reflection of all entering light is by the
- * mean reflectance R, wherever it falls; further reflections are as in an integrating
+ * original text was not available. All entering light is first reflected with the mean
+ * reflectance R, wherever it falls; further reflections are as in an integrating
  * sphere. `sphere` and `bre` refine this formula: their first reflection depends on the
  * part of the room on which the light falls. For any sky, any slope and any number of
- * openings, which add up. Diffusing panes need no special treatment, since the place
- * where light falls does not matter.
+ * openings, whose results are added. Diffusing panes need no special treatment, since
+ * the place where light falls does not matter.
  *
  * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
  * deterioration of decorations.

@@ -4,20 +4,21 @@
  * Dresler derived the reflected component from the interreflection of the room's parts
  * [DRE54]. His own formula was not available; this one is derived from that principle,
  * under these conditions: light from above the horizon falls on the lower part first,
- * light from the ground on the upper part; each part is diffuse, of one reflectance and
- * uniformly lit, openings with 0.1; the two exchange light through the horizontal plane
- * of area S between them. A part of area A_u sends the share S/A_u of its light to the
- * plane and the rest to itself. So, seen through the plane, its reflectance is
+ * light from the ground on the upper part; each part is diffuse, has one mean
+ * reflectance (openings: 0.1) and is uniformly lit; the two exchange light through the
+ * horizontal plane of area S between them. A part of area A_u sends the share S/A_u of
+ * its light to the plane and the rest to itself. So, seen through the plane, its
+ * reflectance is
  *
  *     k_u = rho_u S/A_u / (1 - rho_u (1 - S/A_u))
  *
- * and likewise for the lower part. The result is the illuminance of that plane from
+ * and likewise for the lower part. The result is the illuminance on that plane from
  * above, by reflected light. It equals that of `split-flux`, except that there all
  * light reflected by one part falls on the other.
  *
- * For vertical openings, any sky; several add up, each with its own plane. The formula
- * contains the opening's glass and, through Ag, the frame; no dirt, no deterioration of
- * decorations.
+ * For vertical openings and any sky; the results of several openings, each with its own
+ * plane, are added. The formula contains the opening's glass and, through Ag, the
+ * frame; no dirt, no deterioration of decorations.
  */
 #include <stddef.h>
 

@@ -1,8 +1,8 @@
 /* efficiency.c - `efficiency`: average daylight factor over the working plane by the
  * efficiency of the windows, after Frühling [FRU28], in the form of [DIN5034].
  *
- * The light that falls on the windows, times the share of it that reaches the working
- * plane, the efficiency, over the plane's area:
+ * The light that falls on the windows is multiplied by the efficiency, the fraction of
+ * it that reaches the working plane, and divided by the plane's area:
  *
  *     DF = sum over the openings, T Ag E_o eta M / S
  *
@@ -17,10 +17,9 @@
  * Both are derived here, from the position and the slope of the opening, for a room of
  * three uniformly lit zones, the plane, the ceiling and the walls between them.
  *
- *   - The share d of the sky's light falls directly on the plane, the rest on walls.
+ *   - The fraction d of the light from the sky falls directly on the plane, the rest on walls.
  *     d is calculated for the open sky at the opening's middle. Light reflected by the
- *     sides of a well is assumed diffuse. Light of the ground goes up; the share g
- *     falls on the ceiling.
+ *     sides of a well is assumed diffuse. Light from the ground goes up; the fraction g falls on the ceiling.
  *   - The rest reaches the plane by reflections between the three zones
  *     (reflected/room_zones.h).
  *
@@ -249,7 +248,7 @@ static struct pp_vec3 middle_above_plane(const struct pp_world *world,
     return middle;
 }
 
-/* Records d of glass above a well: light that has met the well's sides is assumed
+/* Records d for glass above a well. Light that has met the well's sides is assumed
  * diffuse. */
 static void put_direct_of_well(struct pp_worksheet *sheet, const struct pp_world *world,
                                const struct pp_outside_light *light,
@@ -269,7 +268,7 @@ static void put_direct_of_well(struct pp_worksheet *sheet, const struct pp_world
     pp_worksheet_work(sheet, &on_plane_from_well, "fraction of the light on the plane");
 }
 
-/* Records d of any other opening. */
+/* Records d for any other opening. */
 static void put_direct(struct pp_worksheet *sheet, const struct pp_world *world,
                        const struct pp_outside_light *light,
                        const struct pp_opening *opening, struct pp_vec3 middle)

@@ -1,4 +1,5 @@
-/* entering_light.c - records C, C_g and u of an opening with their quantities. */
+/* entering_light.c - records C, C_g and u for an opening, with the quantities in
+ * them. */
 #include "methods/reflected/entering_light.h"
 
 #include "methods/reflected/obstruction.h"
@@ -113,7 +114,7 @@ const struct pp_formula pp_entering_light_u = {
     .quantities = of_C_g,
 };
 
-/* Records C, by the table of the BRE formula or by C_hv. */
+/* Records C, from the table of the BRE formula or from C_hv. */
 static void put_C(struct pp_worksheet *sheet, const struct pp_outside_light *light,
                   const struct pp_opening *opening, double alpha_rad)
 {

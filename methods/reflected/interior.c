@@ -5,7 +5,8 @@
 #include "methods/reflected/well.h"
 #include "model/geometry/min_max.h"
 
-/* Twice the signed area of triangle o a b, seen against the polygon's normal. */
+/* Twice the area of triangle o a b; positive if it runs counter-clockwise as seen from
+ * the side of the polygon's normal. */
 static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
                          struct pp_vec3 a, struct pp_vec3 b)
 {
@@ -25,8 +26,8 @@ static int next(const struct pp_polygon *polygon, int i)
     return i + 1 < polygon->count ? i + 1 : 0;
 }
 
-/* The polygon's area is the sum of the triangles of its edges with a fixed point o.
- * With o on the cut, triangles of edges along the cut have no area, so that the sum
+/* The polygon's area is the sum of the triangles that its edges form with a fixed point
+ * o. With o on the cut, triangles of edges along the cut have no area, so that the sum
  * needs only the parts of the polygon's own edges below z. */
 double pp_interior_area_below(const struct pp_polygon *polygon, double z)
 {
@@ -102,8 +103,8 @@ static void add_split(struct sums *lower, struct sums *upper,
     add_reflecting_area(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
 
-/* Adds the surfaces that cover faces of a role, in place of the covered areas; not
- * those of face `left_out` (-1: none is left out). PP_ROLE_COUNT: of all roles. */
+/* Adds the surfaces that cover faces of a role (PP_ROLE_COUNT: of any role), in place
+ * of the covered areas. Leaves out those on face `left_out` (-1: none is left out). */
 static void add_covers(struct sums *lower, struct sums *upper,
                        const struct pp_world *world, double z, enum pp_role role,
                        int left_out)

@@ -9,13 +9,14 @@
 
 enum { FLOORS = 3, WALLS = 4, COLUMNS = 1 + FLOORS * WALLS };
 
-/* glass over floor, then the minimum by floor and walls, all per cent */
+/* ratio of glass to floor area, then the minimum for each floor and wall reflectance,
+ * all in per cent */
 static const double printed[][COLUMNS] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* per row: reflectance of the walls (per cent); average over minimum; factors of a
- * floor of 10 m2 and of 90 m2 */
+/* per row: reflectance of the walls (per cent); average divided by minimum; factors for
+ * floors of 10 m2 and 90 m2 */
 static const double by_walls[WALLS][4] = {
 #include "tables/irc_minimum_walls.inc"
 };

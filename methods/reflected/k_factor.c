@@ -4,14 +4,14 @@
  * For windows it is `bre` (bre_terms.h). For horizontal rooflights the same
  * inter-reflection formula has the factor K in place of C: the mean daylight factor at
  * the foot of the well, in the plane of the ceiling, as given in [TS93], algorithm
- * 2.43. The Digest's own table of K was not available. K is calculated here: C by the
- * sky and its obstructions, N by transfer of flux (well.h). All of that light falls on
- * the floor and the walls first, R_fw. Light reflected by the sides of the well is
- * internally reflected already; the part that falls on the working plane is added.
+ * 2.43. The Digest's own table of K was not available. K is calculated here: C from the
+ * sky and its obstructions, N by flux transfer in the well (well.h). All of that light
+ * falls first on the floor and the walls, with mean reflectance R_fw. Light reflected
+ * by the sides of the well is internally reflected already; the part that falls on the
+ * working plane is added.
  *
- * Under the CIE overcast sky; glass that slopes is not covered. The figures contain
- * clear single glass and, through W, the frame; no dirt, no deterioration of
- * decorations.
+ * For the CIE overcast sky; sloping glass is not covered. The figures contain clear
+ * single glass and, through W, the frame; no dirt, no deterioration of decorations.
  */
 #include <stddef.h>
 

@@ -6,14 +6,15 @@
 #include "methods/reflected/interior.h"
 #include "methods/refusals.h"
 
-/* Ground reflectance built into `bre` and its variants, whatever the room's. */
+/* Ground reflectance built into `bre` and its variants, whatever that of the room's
+ * ground. */
 static const double built_in_ground = 0.1;
 
-/* `bre` uses 0.85 for the diffuse transmittance of clear single glass, which is
- * 0.827. */
+/* `bre` uses 0.85 for the diffuse transmittance of clear single glass, whose true value
+ * is 0.827. */
 static const double printed_over_own = 0.85 / 0.827;
 
-/* Allowance for reading error of methods with scales. */
+/* Allowance for reading errors of methods with scales. */
 static const double reading = 1.1;
 
 static double entering(const struct pp_outside_light *light,

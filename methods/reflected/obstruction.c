@@ -1,5 +1,5 @@
-/* obstruction.c - the obstruction angle alpha of an opening by skyline or by VSC, VSC
- * and alpha from one another, and the printed factor C. */
+/* obstruction.c - the obstruction angle alpha of an opening from its skylines or from
+ * VSC, the conversion of VSC and alpha into one another, and the printed factor C. */
 #include "methods/reflected/obstruction.h"
 
 #include "methods/exact/exterior.h"
@@ -32,7 +32,8 @@ static bool reaches_in_front(const struct pp_polygon *outline,
     return false;
 }
 
-/* True if surfaces other than its own wall's skyline stand in front of the opening. */
+/* True if surfaces other than the skylines of its own wall stand in front of the
+ * opening. */
 static bool has_surface_in_front(const struct pp_world *world,
                                  const struct pp_opening *opening)
 {

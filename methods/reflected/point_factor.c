@@ -8,8 +8,8 @@
 /* The part of a region that is visible from a point, within half-spaces. */
 struct view {
     struct pp_vec3 from, facing;
-    bool turned; /* directions are reversed: sky light through `from` to the region
-                  * comes from there */
+    bool turned; /* directions are reversed, to those from which sky light through
+                  * `from` reaches the region */
     int space_count;
     struct pp_vec3 spaces[PP_HALF_SPACES_MOST];
 };
@@ -50,7 +50,7 @@ static struct pp_moments moments_of(const struct view *view,
     return sum;
 }
 
-/* The moments are negative, since rings are counter-clockwise seen from above and
+/* The moments may be negative, since rings are counter-clockwise seen from above and
  * `from` may be above; hence fabs. */
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z)

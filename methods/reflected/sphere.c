@@ -2,9 +2,10 @@
  * integrating sphere after the first reflection.
  *
  * This is the formula of `bre` with the room's own ground reflectance and with the
- * window's own wall, for any sky, any slope and any number of openings, which add up.
- * The published formula is for clear glass. For a diffusing pane (entering_light.h) the
- * share u of the light falls on the upper part first, the rest on the lower.
+ * window's own wall, for any sky, any slope and any number of openings, whose results
+ * are added. The published formula is for clear glass. For a diffusing pane
+ * (entering_light.h) the fraction u of the light falls on the upper part first, the
+ * rest on the lower part.
  *
  * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
  * deterioration of decorations.

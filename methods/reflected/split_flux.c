@@ -2,13 +2,13 @@
  * light into the parts that fall first on the upper and on the lower part of the room.
  *
  * Light from above the horizon falls on the lower part and light from the ground on the
- * upper part, through a diffusing pane the share u falls on the upper part, published
- * as 1/2 (entering_light.h). The result is the lower part's illuminance from the upper,
- * over Eh.
+ * upper part. Through a diffusing pane the fraction u, published as 1/2, falls on the
+ * upper part (entering_light.h). The result is the lower part's illuminance from the
+ * upper part, divided by Eh.
  *
- * For any sky, any slope, and several openings, each with its own parts, which add up.
- * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
- * deterioration of decorations.
+ * For any sky, any slope and any number of openings, each with its own parts; their
+ * results are added. The formula contains the opening's glass and, through Ag, the
+ * frame; no dirt, no deterioration of decorations.
  */
 #include <stddef.h>
 

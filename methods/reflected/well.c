@@ -1,4 +1,4 @@
-/* well.c - transfer of flux in a straight shaft. */
+/* well.c - flux transfer in a straight shaft. */
 #include "methods/reflected/well.h"
 
 #include <math.h>
@@ -28,15 +28,16 @@ double pp_well_index(const struct pp_well_shape *shape)
            / (2.0 * shape->width_m * shape->length_m);
 }
 
-/* Share of the well's section that overlaps itself shifted by x and y (in sides). */
+/* Fraction of the well's section that overlaps the section shifted by x and y (in units
+ * of its sides). */
 static double overlap(double x, double y)
 {
     return x < 1.0 && y < 1.0 ? (1.0 - x) * (1.0 - y) : 0.0;
 }
 
-/* through[i]: share of the light that passes section i of the shaft, 0 the top, without
- * touching the sides. Directions are at equal steps of azimuth and of the sine s of the
- * angle to the shaft, with weight s ds. */
+/* through[i]: fraction of the light that passes section i of the shaft (0 is the top)
+ * without touching the sides. Directions are at equal steps of azimuth and of the sine
+ * s of the angle to the shaft, with weight s ds. */
 static void pass_straight(double through[BANDS + 1], const struct pp_well_shape *shape,
                           double b, const struct pp_glass *glass)
 {
@@ -105,13 +106,13 @@ static double back_of(const struct pp_glass *glass)
 
 /* All bands have the same height, so that the exchange between two depends on their
  * distance only. It is calculated from form factors F between sections of the shaft;
- * `section` is the area of a section over that of a band:
+ * `section` is the area of a section divided by that of a band:
  *
  *     i to j     section (F(m - 1) - 2 F(m) + F(m + 1)),  m = |i - j| > 0
  *     to itself  1 - 2 section (1 - F(1))
  *     to the foot, n bands below its upper edge: section (F(n - 1) - F(n))
  *
- * and to the glass above in the same way; that reflects some of it down again.
+ * The same holds for the glass above, which reflects some of the light down again.
  */
 struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
                                              double b, const struct pp_glass *glass)

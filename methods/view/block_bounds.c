@@ -45,7 +45,7 @@ static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view
            && bound->high > view->low;
 }
 
-/* Sorts by distance, to the width of a bin. */
+/* Sorts by distance, to within the width of a bin. */
 enum { BINS = 128 };
 
 static int bin_of(const struct pp_block_bound *bound, double nearest_m)

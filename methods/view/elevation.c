@@ -44,7 +44,7 @@ struct opening_drawing {
 };
 
 /* The rectangle of equal area with the centroid of a figure and the proportions of its
- * bounding box. */
+ * bounding box; it is raised to the horizon if it reaches below it. */
 static struct pp_elevation_part equal_rectangle(const struct pp_area_moments *extent)
 {
     double width = extent->right - extent->left, height = extent->high - extent->low;
@@ -273,7 +273,7 @@ static bool faces(const struct pp_polygon *outline, struct pp_vec3 point)
     return pp_vec_dot(pp_vec_sub(point, outline->vertices[0]), outline->normal) > 0.0;
 }
 
-/* True if the surface is the skyline of another face than the opening's. */
+/* True if the surface is the skyline of a face other than the opening's. */
 static bool is_skyline_aside(const struct pp_surface *surface,
                              const struct opening_drawing *drawing)
 {
@@ -336,7 +336,7 @@ static enum pp_status add_hole_bands(struct opening_drawing *drawing,
     return status;
 }
 
-/* Adds a facade: the opening's own with its hole, another one as a whole. */
+/* Adds a facade: the opening's own as bands around its hole, any other as a whole. */
 static enum pp_status add_facade(struct opening_drawing *drawing, int index,
                                  struct pp_error *err)
 {

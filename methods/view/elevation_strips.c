@@ -173,8 +173,8 @@ static int find_levels(struct strip_sweep *sweep)
     return levels;
 }
 
-/* Adds the parts of the strip, from below: one for each contiguous range of one
- * light. */
+/* Adds the parts of the strip, from below: one for each contiguous range that shows the
+ * same light. */
 static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
                                 struct strip_sweep *sweep, struct pp_error *err)
 {
@@ -201,8 +201,8 @@ static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
     return PP_OK;
 }
 
-/* Joins the strip whose `count` parts begin at index `now` to the one that begins at
- * `before`, if they continue each other. */
+/* Joins the strip whose parts begin at index `now` to the one whose parts begin at
+ * `before`, if they continue each other. Returns false if they do not. */
 static bool join_strips(struct pp_elevation *elevation, int before, int now)
 {
     int count = elevation->count - now;

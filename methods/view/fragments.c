@@ -1,4 +1,4 @@
-/* fragments.c - cuts convex fragments along the lines of convex rings. */
+/* fragments.c - cuts convex fragments along the edges of convex rings. */
 #include "methods/view/fragments.h"
 
 #include <math.h>
@@ -107,7 +107,7 @@ struct cut_line {
     double a, b, c;
 };
 
-/* The line of an edge, greater than 0 within the ring. */
+/* The line of an edge; its expression is greater than 0 within the ring. */
 static struct cut_line line_of_edge(const struct pp_fragment_ring *ring, int i)
 {
     const double *p = ring->xy[i], *q = ring->xy[i + 1 < ring->count ? i + 1 : 0];
@@ -115,9 +115,9 @@ static struct cut_line line_of_edge(const struct pp_fragment_ring *ring, int i)
     return (struct cut_line){a, b, -a * p[0] - b * p[1]};
 }
 
-/* Divides a ring by a line. Returns > 0 if the whole ring is on the side where the line
- * is >= 0, < 0 if it is on the other side, and 0 if it was divided into `in` (line > 0)
- * and `out` (line < 0). */
+/* Divides a ring by a line. Returns > 0 if the whole ring is on the side where the
+ * expression is >= 0, < 0 if it is on the other side, and 0 if it was divided into `in`
+ * (> 0) and `out` (< 0). */
 static int divide_ring(struct cut_ring *in, struct cut_ring *out,
                        const struct cut_ring *whole, struct cut_line line)
 {
@@ -177,8 +177,8 @@ struct cut_parts {
     struct cut_ring outside[PP_FRAGMENT_CORNERS];
 };
 
-/* Divides a fragment by a ring, edge by edge; false if only slivers of rounding errors
- * lie within. */
+/* Divides a fragment by a ring, edge by edge. Returns false if nothing, or only a
+ * sliver due to rounding errors, lies within. */
 static bool divide_by_ring(struct cut_parts *parts, const struct pp_fragment *fragment,
                            const struct pp_fragment_ring *ring)
 {

@@ -124,7 +124,7 @@ enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
     return sort_rings(rings, ring_size, err);
 }
 
-/* ---- Which pieces are seen? ---- */
+/* ---- pieces that are visible ---- */
 
 struct marking {
     bool *is_seen; /* flags of the pieces */

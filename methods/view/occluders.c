@@ -1,5 +1,5 @@
-/* occluders.c - cuts surfaces (those not convex as triangles) and skylines without a
- * distance to a view and projects them. */
+/* occluders.c - clips surfaces (as triangles if they are not convex), and skylines
+ * without a distance, to the extent of a view and projects them. */
 #include "methods/view/occluders.h"
 
 #include <stdlib.h>
@@ -84,7 +84,7 @@ static struct sides sides_of(const struct pp_occluders_scene *scene, double near
                           {near, -far, 0.0, 0.0, 0.0, 0.0}};
 }
 
-/* Adds a convex polygon, cut to the sides. */
+/* Adds a convex polygon, clipped to the sides. */
 static enum pp_status add_convex(struct pp_occluders *pieces,
                                  const struct pp_occluder *like,
                                  const struct pp_vec3 *corners, int count,
@@ -129,7 +129,7 @@ static enum pp_status add_convex(struct pp_occluders *pieces,
     return status;
 }
 
-/* Adds any surface, with corners in the view's axes, cut to the view. */
+/* Adds any surface, with corners in the view's axes, clipped to the view. */
 static enum pp_status add_occluder_surface(struct pp_occluders *pieces,
                                            const struct pp_occluder *like,
                                            const struct pp_surface *surface,

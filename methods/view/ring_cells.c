@@ -1,5 +1,5 @@
-/* ring_cells.c - halves the extent of fragments, and joins the remainders of the
- * cells. */
+/* ring_cells.c - halves the extent of the fragments repeatedly, and joins the parts
+ * that remain in the cells. */
 #include "methods/view/ring_cells.h"
 
 #include <stdlib.h>
@@ -60,8 +60,8 @@ static enum pp_status in_cells(const struct ring_cells *cells,
                                struct pp_fragments *open, const int *rings, int count,
                                int depth, struct pp_error *err);
 
-/* Processes one half of an extent: its fragments, which are moved out of the list, and
- * the rings that reach into it. */
+/* Processes one half of an extent: the parts of the fragments within it, with the rings
+ * that reach into it. What remains of them is added to `left`. */
 static enum pp_status in_half(const struct ring_cells *cells, struct pp_fragments *left,
                               const struct pp_fragments *open,
                               const struct extent *half, const int *rings, int count,

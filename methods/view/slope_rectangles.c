@@ -37,7 +37,8 @@ static struct axes section_axes(const struct pp_opening *opening, double slope)
     return (struct axes){false, opening->along, opening->up};
 }
 
-/* Adds the part of a ring above the point's horizon, in the section's axes. */
+/* Adds the area and extent of the part of a ring above the point's horizon, in the
+ * section's axes. */
 static enum pp_status add_ring_moments(struct pp_area_moments *sum,
                                        const struct pp_ring *ring,
                                        const struct axes *axes, double horizon,
@@ -63,8 +64,8 @@ static enum pp_status add_ring_moments(struct pp_area_moments *sum,
     return PP_OK;
 }
 
-/* The rectangle of an obstruction: jambs and head (the edge nearer to the zenith) of
- * the hidden part, equal area. */
+/* The rectangle of an obstruction: it has the jambs and the head (the edge nearer to
+ * the zenith) of the hidden part, and equal area. */
 static struct pp_slope_rectangle obstruction_rectangle(
     const struct pp_area_moments *extent, double slope)
 {

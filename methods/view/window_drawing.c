@@ -1,4 +1,4 @@
-/* window_drawing.c - scales the patches of a view to unit distance and cuts them to
+/* window_drawing.c - scales the patches of a view to unit distance and clips them to
  * their half-spaces. */
 #include "methods/view/window_drawing.h"
 
@@ -10,9 +10,9 @@ static double depth_in(const double *xy, struct pp_vec3 h)
     return h.x * xy[0] + h.y * xy[1] + h.z;
 }
 
-/* Cuts a ring in place by a half-space [SH74]; spare has space for twice its points. A
+/* Clips a ring in place to a half-space [SH74]; spare has space for twice its points. A
  * non-convex ring may run twice along the cut, which changes neither its area nor the
- * points inside. */
+ * points inside. Returns the number of points that remain. */
 static int cut_ring(double (*xy)[2], int count, struct pp_vec3 h, double (*spare)[2])
 {
     int kept = 0;
@@ -144,7 +144,8 @@ static const struct pp_formula_quantity of_hidden[] = {
     {0},
 };
 
-/* No variants: an average is an integral instead of many counts. */
+/* No variants of these formulae: an average is an integral, not the mean of many
+ * counts. */
 const struct pp_formula pp_window_drawing_sc = {.symbol = "sc",
                                                 .sum = "n w",
                                                 .unit = PP_UNIT_DAYLIGHT_FACTOR,

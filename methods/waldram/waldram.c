@@ -7,8 +7,9 @@
  *     SC  = squares of sky x 0.1 %
  *     ERC = luminance factor x squares of obstruction x 0.1 %
  *
- * For skies without azimuth dependence and points that face up. Vertical openings with
- * clear glass, by the diagram that has its losses, and unglazed ones at any slope.
+ * For skies without azimuth dependence and points that face up. For vertical openings
+ * with clear glass, on the diagram that contains its losses, and for unglazed openings
+ * at any slope.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -11,7 +11,7 @@
  *     ERC = luminance factor x the same over the squares of obstruction
  *
  * For skies without azimuth dependence, points that face up, and clear glass of any
- * slope and sort, or none. The figures contain the opening's own glass.
+ * slope and type, or none. The figures contain the opening's own glass.
  */
 #include <stdlib.h>
 
@@ -188,7 +188,8 @@ static enum pp_status evaluate_waldram_overlay(const struct pp_world *world,
     return status;
 }
 
-/* The mean of many counts converges to the component itself. */
+/* The mean of many counts converges to the component itself, which is integrated
+ * instead. */
 static enum pp_status average_waldram_overlay(struct pp_beams *beams,
                                               const struct pp_outside_light *light,
                                               const struct pp_opening *opening,

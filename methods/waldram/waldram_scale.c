@@ -136,8 +136,8 @@ double pp_waldram_scale_total_area(const struct pp_waldram *waldram)
            * pp_waldram_scale_y(waldram, PP_PI / 2.0);
 }
 
-/* A straight edge of the window's drawing: directions p + t d, t 0 to 1. The azimuth is
- * measured from the horizontal part of `out`. */
+/* A straight edge of the window's drawing: directions p + t d, with t from 0 to 1. The
+ * azimuth is measured from the horizontal part of `out`. */
 struct window_edge {
     const struct pp_waldram *waldram;
     struct pp_vec3 p, d; /* in axes: x to the right, y ahead, z up */

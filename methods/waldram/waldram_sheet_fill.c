@@ -1,5 +1,5 @@
-/* waldram_sheet_fill.c - scales, droop lines and windows of a sheet of Waldram's
- * diagram. */
+/* waldram_sheet_fill.c - fills a sheet of Waldram's diagram with its scales, droop
+ * lines and windows. */
 #include "methods/waldram/waldram_sheet_fill.h"
 
 #include <math.h>
@@ -144,7 +144,7 @@ static void widen(struct pp_waldram_panel *panel)
         }
 }
 
-/* The panel of the windows that share a diagram with opening `first`. */
+/* Fills the panel of the windows that share a diagram with opening `first`. */
 static enum pp_status fill_panel(struct pp_waldram_panel *panel,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light, int first,
@@ -169,7 +169,7 @@ static enum pp_status fill_panel(struct pp_waldram_panel *panel,
     return status;
 }
 
-/* A sheet of one diagram without windows. */
+/* Fills a sheet with one diagram, without windows. */
 static enum pp_status fill_single(struct pp_waldram_sheet *sheet,
                                   const struct pp_waldram *waldram,
                                   struct pp_error *err)
@@ -209,7 +209,7 @@ enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
     return status == PP_OK ? fill_single(sheet, &waldram, err) : status;
 }
 
-/* Fills the pieces of sky and of obstructions with their squares; takes ownership of
+/* Fills in the pieces of sky and of obstructions with their squares; takes ownership of
  * the site's figures. */
 static enum pp_status fill_site_pieces(struct pp_board_window *window,
                                        const struct pp_waldram *waldram,

@@ -26,8 +26,8 @@ static struct pp_projection looking(struct pp_vec3 eye, struct pp_vec3 toward,
 
 enum { SITE_VIEWS = 2 };
 
-/* Tangent of the greatest altitude of the views. Above it the diagram of the overcast
- * sky has an area of 2/(7 pi) 2 1000^-3, or 1e-10. */
+/* Tangent of the greatest altitude of the views. Above it, the diagram of the overcast
+ * sky has an area of 6/(7 pi) 1000^-3, or 3e-10. */
 #define SITE_TOP 1000.0
 
 static void find_views(struct site_view views[SITE_VIEWS], struct pp_vec3 eye,
@@ -108,7 +108,7 @@ static enum pp_status add_rings(struct pp_region *region, struct pp_region *outl
     return status;
 }
 
-/* The plan has y ahead, opposite to the view's `up`. */
+/* In the plan, y points ahead, opposite to the view's `up`. */
 static enum pp_status plan_outline(struct pp_region *outline,
                                    const struct pp_region *region, struct pp_error *err)
 {
@@ -126,7 +126,7 @@ struct site_paper {
     int face;
 };
 
-/* Draws the figure of a view, in its own coordinates, and clears it. */
+/* Draws a figure, given in the coordinates of a view, and clears it. */
 static enum pp_status draw_figure(struct pp_region *drawn, struct pp_region *figure,
                                   const struct site_paper *paper,
                                   const struct pp_window_axes *axes,
