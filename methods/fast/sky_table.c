@@ -17,7 +17,7 @@ enum {
 
 /* Bounds on arcs, found by trial: the longest chord; the width about grazing incidence
  * within which the transmittance of glass changes fast; the same for a gradation,
- * divided by -b, its parameter. */
+ * divided by -b, where b is its parameter. */
 #define ARC_LONGEST 1.2
 #define PANE_BEND 0.05
 #define GRADATION_BEND 0.35

@@ -169,8 +169,8 @@ static enum pp_status divide_open_patches(struct pp_visible *visible,
     return status;
 }
 
-/* Divides one region by at most one skyline without a distance, whose edges are half-spaces through the
- * eye. */
+/* Divides one region by at most one skyline without a distance, whose edges are
+ * half-spaces through the eye. */
 static void divide_by_skyline(struct pp_visible *visible, struct pp_region region,
                               const struct pp_world *world,
                               const struct pp_skyline *skyline)

@@ -70,10 +70,10 @@ static struct diagram_point diagram_point_of(const struct mapping *mapping,
 }
 
 /* Adds the points after `from` up to `to` of the straight edge from direction a to b.
- * The edge is halved until the middle of a chord is near the middle of the edge; a plumb
- * edge is its own chord. Between the last chord and the edge a triangle of equal area is
- * added (a parabola has 2/3 of its box, a triangle 1/2, so that the triangle has 4/3 of the
- * height), so that counts have no bias. */
+ * The edge is halved until the middle of a chord is near the middle of the edge; a
+ * plumb edge is its own chord. Between the last chord and the edge a triangle of equal
+ * area is added (a parabola fills 2/3 of its box, a triangle 1/2, so that the triangle
+ * needs 4/3 of the height); counts then have no bias. */
 static void add_droop_edge(struct droop_polyline *line, const struct mapping *mapping,
                            struct pp_vec3 a, struct diagram_point from,
                            struct pp_vec3 b, struct diagram_point to, int depth)
@@ -130,7 +130,7 @@ static struct droop_polyline ring_outline(const struct mapping *mapping,
         last = here;
     }
     if (fabs(from.azimuth - first.azimuth) > PP_PI) {
-        /* The outline goes once round the zenith: the region extends up to the top. */
+        /* The outline goes once around the zenith: the region extends up to the top. */
         double top = pp_waldram_scale_y(mapping->waldram, PP_PI / 2.0);
         add_point(&line, from.x, top);
         add_point(&line, first.x, top);

@@ -50,7 +50,8 @@ static int smallest(int a, int b, int c)
     return ab < c ? ab : c;
 }
 
-/* Optimal string alignment: Levenshtein distance with swaps of neighbours. */
+/* Optimal string alignment: Levenshtein distance that also counts a swap of two
+ * adjacent characters as one edit. */
 int pp_text_edit_distance(const char *a, const char *b)
 {
     size_t m = strlen(a), n = strlen(b);
@@ -149,7 +150,7 @@ enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
                    pp_text_list_names(expected, sizeof expected, names, count));
 }
 
-/* Bytes of the UTF-8 character at p, not beyond the terminating NUL. */
+/* Number of bytes of the UTF-8 character at p, not beyond the terminating NUL. */
 static size_t letter_bytes(const char *p)
 {
     size_t bytes = 1;

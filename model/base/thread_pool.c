@@ -31,7 +31,7 @@ struct pp_thread_pool {
     long number; /* number of the task, so that no worker joins it twice */
     int at_work; /* active workers, without the calling thread */
 
-    /* The present work; written only while no worker is active. */
+    /* The current work; written only while no worker is active. */
     pp_thread_pool_work *work;
     void *data;
     int end;

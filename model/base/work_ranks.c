@@ -263,7 +263,8 @@ static enum pp_status tell(const struct pp_ranks *ranks, int index,
     return status;
 }
 
-/* Computes a chunk, as many indices at a time as there are threads. */
+/* Computes a chunk, as many indices at a time as there are threads, and sends the
+ * results. */
 static enum pp_status do_chunk(struct following *following, struct pp_thread_pool *pool,
                                int first, int count, struct pp_error *err)
 {
@@ -282,7 +283,7 @@ static enum pp_status do_chunk(struct following *following, struct pp_thread_poo
     return status;
 }
 
-/* Requests work from rank 0 and waits for the answer; *said is OVER without an answer
+/* Requests work from rank 0 and waits for the answer; *said is OVER if there is none
  * for given_up_s. */
 static enum pp_status ask(const struct pp_ranks *ranks, int threads, struct head *said,
                           struct pp_error *err)

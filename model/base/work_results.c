@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 
-/* A rank counts as lost after a silence longer than both silence_s and silence_times
- * the longest time of any index. This affects only the computing time; collected
- * results stay. */
+/* A rank counts as lost after a silence longer than silence_s and longer than the
+ * longest time of any index, multiplied by silence_times. This affects only the
+ * computing time; collected results stay. */
 static const double silence_s = 0.5, silence_times = 3.0;
 
 struct slot {

@@ -1,6 +1,6 @@
 /* xml.c - see xml.h.
  *
- * The parser reads the text in pieces by on_read. After a mistake on_read returns
+ * The parser reads the text in pieces through on_read. After a mistake, on_read returns
  * nothing, so that parsing ends soon.
  */
 #include "model/base/xml.h"
@@ -40,7 +40,7 @@ struct xml_builder {
     int letter_count, letter_room;
     int letter_line;
 
-    bool stopped; /* a mistake has ended the parsing, or out of memory */
+    bool stopped; /* a mistake or lack of memory has ended the parsing */
     bool out_of_memory;
     bool namespace_noted;
 };
@@ -94,7 +94,8 @@ static int line_at(const struct xml_builder *b, const char *at)
 
 /* ---- the tree ---- */
 
-/* Ends the text before a tag; it belongs to the open element, or is a mistake. */
+/* Ends the text before a tag. The first text of an element is stored; if the format has
+ * attributes only, any text is a mistake. */
 static void settle_text(struct xml_builder *b)
 {
     char shown[64];
@@ -192,7 +193,7 @@ static bool is_declaration(const char *p, const char *end)
 enum { NAME, PREFIX, NAMESPACE, VALUE, VALUE_END, FIELDS };
 
 /* Copies an attribute's value. libxml2 replaces each & by &#38; (unless XML_PARSE_NOENT
- * is set, which would expand entities). NULL without memory. */
+ * is set, which would expand entities). NULL if memory runs out. */
 static const char *take_value(struct pp_arena *memory, const char *from, size_t length)
 {
     static const char written[] = "&#38;";
@@ -324,7 +325,8 @@ static void on_doctype(void *context, const xmlChar *name, const xmlChar *extern
     xmlStopParser(b->parser); /* before it reads declarations */
 }
 
-/* Reports a text that ends too early, or inside a comment or similar. */
+/* Reports that the text ends too early: inside an element, a tag, a comment or another
+ * construct. */
 static void note_end(struct xml_builder *b)
 {
     const char *p = b->text.unended, *end = b->text.bytes + b->text.length;
@@ -421,7 +423,7 @@ static void build_xml_element(struct xml_builder *b)
         stop_without_memory(b);
         return;
     }
-    /* The text was converted to UTF-8, whatever it declares. */
+    /* The text was converted to UTF-8, whatever encoding it declares. */
     xmlCtxtUseOptions(b->parser, XML_PARSE_NONET | XML_PARSE_IGNORE_ENC);
     bool is_good = xmlParseDocument(b->parser) == 0;
     if (!is_good && !b->stopped)
@@ -442,8 +444,8 @@ enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length
     *xml = (struct pp_xml){0};
     struct xml_builder b = {.xml = xml, .format = format, .mistakes = mistakes};
     xmlInitParser();
-    /* Errors of encodings or memory have no parser context and go to the handler of
-     * this thread, which would print them. */
+    /* Encoding and memory errors have no parser context and go to the handler of this
+     * thread, which would print them. */
     xmlStructuredErrorFunc before = xmlStructuredError;
     void *before_context = xmlStructuredErrorContext;
     xmlSetStructuredErrorFunc(NULL, (xmlStructuredErrorFunc)say_nothing);

@@ -37,8 +37,8 @@ static const char *find_text(const char *p, const char *end, const char *what)
 
 /* ---- the encoding ---- */
 
-/* Reads the encoding of the declaration <?xml ... encoding="NAME"?> at p; name is empty
- * if there is none. Returns its position. */
+/* Reads the encoding from the declaration <?xml ... encoding="NAME"?> at p; name is
+ * empty if there is none. Returns its position. */
 static const char *declared(char *name, size_t room, const char *p, const char *end)
 {
     name[0] = '\0';
@@ -57,8 +57,8 @@ static const char *declared(char *name, size_t room, const char *p, const char *
     return at + 1;
 }
 
-/* Name of UTF-16 if the text begins with its byte order mark or <? in UTF-16; NULL:
- * another encoding. */
+/* "UTF-16LE" or "UTF-16BE" if the text begins with the byte order mark of that encoding
+ * or with <? in it; NULL: another encoding. */
 static const char *utf16_name(const char *p, const char *end)
 {
     if (starts(p, end, "\xFF\xFE", 2) || starts(p, end, "<\0?", 4))
@@ -68,7 +68,7 @@ static const char *utf16_name(const char *p, const char *end)
     return NULL;
 }
 
-/* Converts the text to UTF-8. If that is not possible the text is cleared, with a
+/* Converts the text to UTF-8. If that is not possible, clears the text and notes a
  * mistake. */
 static enum pp_status convert(struct pp_xml_text *text, const char *name,
                               struct pp_mistakes *mistakes, struct pp_error *err)
@@ -83,7 +83,7 @@ static enum pp_status convert(struct pp_xml_text *text, const char *name,
         pp_xml_text_clear(text);
         return PP_OK;
     }
-    /* Every encoding needs at most three bytes of UTF-8 for one of its bytes. */
+    /* No encoding needs more than three bytes of UTF-8 for one of its own bytes. */
     xmlBufferPtr in = xmlBufferCreateStatic((void *)text->bytes, text->length);
     xmlBufferPtr out = xmlBufferCreateSize(3 * text->length + 64);
     bool has_memory = in && out;

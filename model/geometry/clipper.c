@@ -143,7 +143,8 @@ static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
     return faces;
 }
 
-/* True if the interior of the face is inside the line, by the number of crossings. */
+/* True if the interior of the face is inside the line, according to the number of
+ * crossings. */
 static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
                              const struct pp_region *line)
 {
@@ -284,8 +285,8 @@ static GEOSGeometry *widen_figure(GEOSContextHandle_t geos, const GEOSGeometry *
                                   double distance)
 {
     enum { ARC_POINTS = 8 };             /* per quarter circle; unused with mitres */
-    static const double LONGEST = 100.0; /* mitre limit: corner length over the
-                                          * distance */
+    static const double LONGEST = 100.0; /* mitre limit: length of a corner divided by
+                                          * the distance */
     return GEOSBufferWithStyle_r(geos, figure, distance, ARC_POINTS, GEOSBUF_CAP_FLAT,
                                  GEOSBUF_JOIN_MITRE, LONGEST);
 }

@@ -118,8 +118,8 @@ static double perimeter(const double (*xy)[2], int count)
     return sum;
 }
 
-/* Appends a ring, oriented by `outer`. A ring narrower than two grid steps is due to
- * rounding, and is left out. */
+/* Appends a ring, counter-clockwise if `outer`, else clockwise. A ring narrower than
+ * two grid steps is due to rounding and is left out. */
 static bool append_ring(struct pp_region *region, GEOSContextHandle_t geos,
                         const GEOSGeometry *line, bool outer, double grid)
 {

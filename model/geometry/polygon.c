@@ -84,7 +84,7 @@ double pp_polygon_unevenness(const struct pp_polygon *polygon)
 void pp_polygon_plane_axes(struct pp_vec3 normal, struct pp_vec3 *along,
                            struct pp_vec3 *up)
 {
-    /* z x normal points right for a viewer whom the normal points at. */
+    /* z x normal points to the right for a viewer towards whom the normal points. */
     struct pp_vec3 right = pp_vec(-normal.y, normal.x, 0.0);
     if (pp_vec_length(right) < PP_LEVEL_RAD)
         right = pp_vec(fabs(normal.z), 0.0, normal.z < 0.0 ? normal.x : -normal.x);

@@ -45,8 +45,8 @@ static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon
     cuts->count = count / 2;
 }
 
-/* Intersection of two lists of intervals; `both` has space for all intervals of
- * either. */
+/* Intersection of two lists of intervals; `both` has space for the intervals of
+ * both. */
 static void intersect(struct stretches *both, const struct stretches *a,
                       const struct stretches *b)
 {

@@ -8,7 +8,7 @@
 #include "model/geometry/min_max.h"
 
 /* Values for light polarised perpendicular and parallel to the plane of incidence, in
- * one vector for the compiler. */
+ * one vector so that the compiler can use vector instructions. */
 typedef double polarised __attribute__((vector_size(16)));
 
 /* Transmittance and reflectance of a pane, or of a stack of panes. */
@@ -64,7 +64,7 @@ void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
         double t, r;
         clear_stack(glass, pp_min(cos_incidence, 1.0), &t, &r);
         *transmittance = glass->scale * t;
-        /* A scaled glazing cannot transmit and reflect more than all light. */
+        /* A scaled glazing cannot transmit and reflect more light than it receives. */
         *reflectance = pp_min(r, 1.0 - glass->scale * t);
     }
 }

@@ -41,7 +41,7 @@ void pp_glass_curve_init(struct pp_glass_curve *curve, const struct pp_glass *gl
     }
 }
 
-/* True near grazing incidence, where the formulae of glass.h are evaluated. */
+/* True near grazing incidence, where the formulae of glass.h are evaluated directly. */
 static bool is_grazing(double cosine)
 {
     return !(cosine * PP_GLASS_CURVE_STEPS >= PP_GLASS_CURVE_GRAZING);

@@ -57,7 +57,7 @@ static void set_shape(struct pp_perez_sky *sky, const double *row, double Z)
     }
 }
 
-/* (1) over N, for cosines z to the zenith and to_sun to the sun. */
+/* (1) divided by N, for cosines z to the zenith and to_sun to the sun. */
 static double relative(const struct pp_perez_sky *sky, double z, double to_sun,
                        double gamma)
 {

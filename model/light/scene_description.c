@@ -8,7 +8,7 @@
 #include "model/base/array.h"
 #include "model/geometry/polygon.h"
 
-/* Largest distance of a polygon's corner from its plane, over the polygon's size;
+/* Largest distance of a polygon's corner from its plane, divided by the polygon's size;
  * chosen, not measured. */
 static const double MOST_UNEVEN = 1e-3;
 

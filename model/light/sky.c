@@ -63,8 +63,8 @@ static double faded_luminance(double fade, double z)
            / (weight + 1.0 / weight);
 }
 
-/* Luminance over that of the zenith; ISO skies: over that of the zenith divided by
- * f(Zs) phi(0); photographs: in cd/m2. */
+/* Luminance divided by that of the zenith. For ISO skies, it is divided by that of the
+ * zenith over f(Zs) phi(0); for photographs, it is in cd/m2. */
 static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
 {
     if (sky->fade > 0.0)
@@ -192,7 +192,7 @@ enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
 struct pp_sky pp_sky_faded(double ground_reflectance)
 {
     struct pp_sky sky = pp_sky_overcast();
-    /* rho Eh / pi over Lz; even a black ground darkens the horizon. */
+    /* rho Eh / (pi Lz); even a black ground darkens the horizon. */
     sky.fade = fmax(ground_reflectance / (PP_PI * sky.per_horizontal), 1e-12);
     sky.per_horizontal = 1.0; /* neutral value during the quadrature */
     sky.per_horizontal = 1.0 / quadrature_on_plane(&sky, pp_vec(0.0, 0.0, 1.0));

@@ -24,7 +24,8 @@ static double altitude_of(double strip)
     return 0.5 * PP_PI * (1.0 - strip / STRIPS);
 }
 
-/* Light, at a bearing, of strips between two positions, which may be fractional. */
+/* Light at one bearing from the strips between two positions, which may be
+ * fractional. */
 static double light_of(const struct net *net, double upper, double lower, int bearing)
 {
     double high = sin(altitude_of(upper)), low = sin(altitude_of(lower));

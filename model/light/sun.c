@@ -67,7 +67,7 @@ struct pp_sun pp_sun_at(double n, double latitude_rad, double longitude_rad)
     sun.bearing_rad = wrapped(atan2(east, north), 2.0 * PP_PI);
     sun.distance_au = 1.00014 - 0.01671 * cos(g) - 0.00014 * cos(2.0 * g);
 
-    /* Parallax: the sun is lower seen from the earth's surface than from its centre. */
+    /* Parallax: the sun appears lower from the earth's surface than from its centre. */
     sun.altitude_rad -= PARALLAX / sun.distance_au * cos(sun.altitude_rad);
     return sun;
 }

@@ -25,7 +25,7 @@ static enum pp_status dxf_number(double *number, const struct pp_dxf_entity *e,
                               err);
 }
 
-/* Reads a whole number; 0 if the value is not one, or too large. */
+/* Reads a number and truncates it to a whole one; 0 if it is too large. */
 static enum pp_status count_of(int *count, const struct pp_dxf_entity *e, int code,
                                struct pp_error *err)
 {
@@ -354,7 +354,8 @@ static enum pp_status read_polyface(const struct pp_dxf_entity *e, struct pp_err
     return status;
 }
 
-/* Reads the corners of the polyline in its own axes, without spline frame points. */
+/* Reads the corners of the polyline in its own axes, without spline frame points. If
+ * arcs_count, an arc is an error. */
 static enum pp_status read_corners(struct outline *outline,
                                    const struct pp_dxf_entity *e, bool arcs_count,
                                    struct pp_error *err)

@@ -1,4 +1,4 @@
-/* mesh_dxf.c - sections and blocks of the file, and the choice of entities that are
+/* mesh_dxf.c - reads the sections and blocks of the file, and chooses the entities to
  * read. */
 #include "model/mesh/mesh_dxf.h"
 
@@ -77,7 +77,7 @@ static enum pp_status read_entities(struct dxf *dxf, int from, int to,
                                     const struct pp_dxf_move *move, int depth,
                                     struct pp_error *err);
 
-/* Rejects a block that is drawn in another file (group 70, 4 or 8). */
+/* Rejects a block that is drawn in another file (bit 4 or 8 of group 70). */
 static enum pp_status check_own(const struct pp_dxf_entity *block, const char *name,
                                 struct pp_error *err)
 {
@@ -217,8 +217,8 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
     return status;
 }
 
-/* Rejects surfaces that cannot be read, including those extruded by a thickness
- * (39). */
+/* Rejects surfaces that cannot be read, including lines extruded by a thickness (group
+ * 39). */
 static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
                                         struct pp_error *err)
 {

@@ -1,5 +1,5 @@
-/* contour.c - joins the crossings of a level (level_crossing.h) to curves, and joins
- * curves and parts of the figure's edge to outlines. */
+/* contour.c - joins the crossings of a level (level_crossing.h) into curves, and joins
+ * curves and parts of the figure's edge into outlines. */
 #include "model/geometry/contour/contour.h"
 
 #include <float.h>
@@ -103,7 +103,7 @@ static enum pp_status find_crossings(struct pp_field *field, double level,
     return status;
 }
 
-/* Joins the crossings from `first` on to one curve. */
+/* Joins the crossings from `first` on into one curve. */
 static enum pp_status join_crossings(struct pp_field *field, int first,
                                      struct pp_curve *curve, struct pp_error *err)
 {

@@ -7,10 +7,12 @@
 
 #include "model/base/array.h"
 
-/* Longest edge of the initial triangles over the figure's diagonal; chosen by trial. */
+/* Longest edge of the initial triangles divided by the figure's diagonal; chosen by
+ * trial. */
 #define COARSE (1.0 / 24.0)
-/* Longest edge along the figure's edge over COARSE, since light changes most next to
- * windows. Without it the highest level in a hall of 100 m was missed. */
+/* Longest side of a triangle on the figure's edge, as a fraction of the longest
+ * elsewhere: light changes most next to windows. Without this limit, the highest level
+ * in a hall of 100 m was missed. */
 #define FINE_EDGE 0.25
 
 enum pp_status pp_field_evaluate(struct pp_field *field, const double xy[2],

@@ -1,5 +1,5 @@
-/* known_values.c - a list, and a hash table of its points, which are compared
- * exactly. */
+/* known_values.c - a list of values, and a hash table of their points, which are
+ * compared exactly. */
 #include "model/geometry/contour/known_values.h"
 
 #include <stdint.h>

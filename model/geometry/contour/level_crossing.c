@@ -162,7 +162,7 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
     return status;
 }
 
-/* Positions on a chord at which the curve is searched. The middle is always one. A
+/* Positions on a chord at which the curve is searched for. The middle is always one. A
  * chord across the whole triangle has a second one, since an S-shaped curve passes
  * through the middle. */
 static const double asides[] = {0.5, 0.27};

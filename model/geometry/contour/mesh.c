@@ -64,7 +64,7 @@ static bool grow_table(struct pp_mesh *mesh)
     return true;
 }
 
-/* Edge between two nodes, created if necessary; -1 without memory. */
+/* Edge between two nodes, created if necessary; -1 if memory runs out. */
 static int need_edge(struct pp_mesh *mesh, int a, int b)
 {
     int edge = mesh->table_room ? pp_mesh_edge(mesh, a, b) : -1;
@@ -95,7 +95,7 @@ static bool put_neighbour(struct pp_mesh *mesh, int a, int b, int before, int no
 
 /* ---- construction ---- */
 
-/* Node at a point, created if necessary; -1 without memory. */
+/* Node at a point, created if necessary; -1 if memory runs out. */
 static int need_node(struct pp_mesh *mesh, const double xy[2])
 {
     for (int i = 0; i < mesh->node_count; i++)

@@ -20,14 +20,15 @@ static bool is_fisheye(const struct pp_sky_frame *frame)
     return frame->projection != PP_SKY_LATITUDE_LONGITUDE;
 }
 
-/* Distance of a position (pixels) from the centre of the circle, over its radius. */
+/* Distance of a position (pixels) from the centre of the circle, divided by its
+ * radius. */
 static double radius_of(const struct pp_sky_frame *frame, double x, double y)
 {
     return hypot(x - frame->centre[0], y - frame->centre[1]) / frame->radius[0];
 }
 
-/* Variable for extrapolation at the rim: r, or for a hemispherical picture the cosine
- * of the angle. */
+/* Variable for extrapolation at the rim: the radius, or for a hemispherical picture the
+ * cosine of the angle. */
 static double rim_variable(const struct pp_sky_frame *frame, double radius)
 {
     if (frame->projection != PP_SKY_HEMISPHERICAL)
@@ -155,8 +156,8 @@ static double rim_luminance(const struct pp_sky_frame *frame, const double place
 
 /* ---- a picture ---- */
 
-/* Position of a direction in a frame, moved to the rim if it is outside. Returns its
- * radius. */
+/* Position of a direction in a frame, moved to the rim if it is outside; sets *outside.
+ * Returns its radius. */
 static double place_in(const struct pp_sky_frame *frame, struct pp_vec3 u,
                        double place[2], bool *outside)
 {
@@ -174,7 +175,8 @@ static double place_in(const struct pp_sky_frame *frame, struct pp_vec3 u,
     return radius;
 }
 
-/* Bilinear luminance if all four neighbours are in the picture; x and y in pixels. */
+/* Bilinear luminance; x and y in pixels. Returns false unless all four neighbours are
+ * in the picture. */
 static bool bilinear(const struct pp_sky_frame *frame, double x, double y,
                      double *luminance)
 {
@@ -227,7 +229,8 @@ static double share_of_first(const struct pp_sky_picture *picture, struct pp_vec
     return fmax(0.0, fmin(1.0, (most - t) / (most - least)));
 }
 
-/* The direction, or the direction raised to the horizon of the picture. */
+/* The direction, raised to the horizon of the picture if it is below it; sets
+ * *below. */
 static struct pp_vec3 above_horizon(const struct pp_sky_picture *picture,
                                     struct pp_vec3 u, bool *below)
 {
@@ -391,9 +394,9 @@ static enum pp_status check_pixels(struct pp_sky_picture *picture, struct pp_err
     return PP_OK;
 }
 
-/* Counts pixels of a sun beyond the camera's range: several pixels share the largest
- * value, within the resolution of the format, and it is SUN times the mean of the
- * sky. */
+/* Counts the pixels of a sun beyond the camera's range. The sun is beyond it if several
+ * pixels share the largest value, within the resolution of the format, and that value
+ * is more than SUN times the mean of the sky. */
 static void count_saturated(struct pp_sky_picture *picture)
 {
     enum { SEVERAL = 4 };
