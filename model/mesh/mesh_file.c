@@ -35,7 +35,7 @@ enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
     return fail_kind(name, err);
 }
 
-/* True if the path is a regular file, or does not exist, which the reader reports.
+/* True if the path is a regular file, or if it does not exist: the reader reports that.
  * Reading a pipe might never end. */
 static bool is_plain_file(const char *path)
 {

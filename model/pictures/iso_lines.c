@@ -63,8 +63,8 @@ static void smooth_along(const struct log_picture *field, double *out, bool rows
         }
 }
 
-/* True if a pixel belongs to another surface than a neighbour, so that its value may be
- * a mixture of both. */
+/* True if a neighbour of the pixel belongs to a different surface, so that the pixel's
+ * value may be a mixture of both. */
 static bool is_mixed(const struct log_picture *field, int x, int y)
 {
     for (int j = y > 0 ? y - 1 : y; j <= y + 1 && j < field->height; j++)
@@ -124,8 +124,8 @@ static void link_edges(struct squares *squares, int from, int to)
     squares->entered[to] = true;
 }
 
-/* Adds the lines of the square whose upper left pixel is x, y. Corners are clockwise as
- * seen. */
+/* Adds the lines of the square whose upper left pixel is x, y. Corners are in clockwise
+ * order as seen. */
 static void cross_square(struct squares *squares, int x, int y)
 {
     const struct log_picture *field = squares->field;
@@ -176,8 +176,8 @@ static void place_of_edge(const struct squares *squares, int edge, double xy[2])
     xy[1] = y + 0.5 + (below ? t : 0.0);
 }
 
-/* Removes the line that begins at an edge from the squares, and stores it if it is long
- * enough. */
+/* Takes the line that begins at edge `start` out of the squares, and stores it if it is
+ * long enough. */
 static enum pp_status take_iso_line(struct squares *squares, int start, double shortest,
                                     struct pp_curve_list *lines, struct pp_error *err)
 {

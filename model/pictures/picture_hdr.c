@@ -135,8 +135,8 @@ struct input {
     int line; /* number of the line read last, from 1 */
 };
 
-/* Reads the next line without its end; false if the input ends before, or it is too
- * long. */
+/* Reads the next line without its end. Returns false if the input ends before the line
+ * does, or if the line is too long. */
 static bool read_hdr_line(struct input *in, char line[LINE_MOST])
 {
     size_t left = in->length - in->at;

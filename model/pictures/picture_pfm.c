@@ -23,7 +23,8 @@ enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
     return PP_OK;
 }
 
-/* Next word of the header, and its end. */
+/* Reads the next word of the header and moves *at to its end. Returns false if there is
+ * no word, or no white space after it. */
 static bool read_word(char word[32], const unsigned char *bytes, size_t length,
                       size_t *at)
 {

@@ -16,7 +16,7 @@ struct said {
     double across_deg, down_deg;
 };
 
-/* Next word of a text, which is advanced; false at the end. */
+/* Reads the next word of a text and advances the text. Returns false at the end. */
 static bool next_word(const char **text, char word[32])
 {
     const char *from = *text + strspn(*text, " \t");
@@ -138,7 +138,7 @@ static double or_else(double given, double fallback)
     return isnan(given) ? fallback : given;
 }
 
-/* Finds the direction of view, and a direction to the top of the picture. */
+/* Finds the direction of view, and a direction towards the top of the picture. */
 static void find_view(const struct pp_sky_frame *frame, const struct said *said,
                       const struct pp_sky_picture_options *options,
                       struct pp_vec3 *toward, struct pp_vec3 *top)

@@ -38,8 +38,8 @@ double pp_tone_threshold(double luminance)
 
 /* ---- adaptation ---- */
 
-/* Natural logarithms of the mean luminances of squares of one degree, without black
- * ones. */
+/* Natural logarithms of the mean luminances of squares of one degree; black squares are
+ * left out. */
 struct adaptation_fields {
     double *logs;
     int count;

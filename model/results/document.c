@@ -41,7 +41,8 @@ enum pp_status pp_document_status(const struct pp_document *document,
     return document->lacks_memory ? pp_fail_memory(err) : PP_OK;
 }
 
-/* Makes space for one more item in a list; false without memory, now or earlier. */
+/* Makes space for one more item in a list. Returns false if memory has run out, now or
+ * earlier. */
 static bool grow_document_list(struct pp_document *document, void *list, int count,
                                size_t size)
 {
@@ -120,7 +121,7 @@ void pp_document_contents(struct pp_document *document)
 
 /* ---- tables ---- */
 
-/* Last table of the document; NULL without memory. */
+/* Last table of the document; NULL if memory has run out. */
 static struct pp_document_table *last_table(struct pp_document *document)
 {
     return document->lacks_memory ? NULL

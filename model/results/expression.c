@@ -172,8 +172,8 @@ static struct term wrong_dimension(struct parser *parser, const char *at,
     return fail(parser, at, what);
 }
 
-/* Checks that a and b, which are added, compared or alternatives, have the same
- * dimension. */
+/* Checks that a and b, which are to be added or compared, have the same dimension;
+ * reports a mistake if not. */
 static bool check_alike(struct parser *parser, const struct term *a,
                         const struct term *b)
 {

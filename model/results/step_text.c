@@ -1,5 +1,5 @@
-/* step_text.c - digits by size and unit; Greek letters; values substituted for
- * symbols. */
+/* step_text.c - formats values with digits that depend on their size and unit, writes
+ * Greek letters, and substitutes values for symbols. */
 #include "model/results/step_text.h"
 
 #include <ctype.h>
@@ -148,7 +148,8 @@ void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
                          int index)
 {
     const char *formula = steps->list[index].formula;
-    bool ends_operand = false; /* a following item is multiplied with the last one */
+    bool ends_operand = false; /* the text so far ends in an operand; one that follows
+                                * is multiplied by it */
     int values = 0, pieces = 0;
     text[0] = '\0';
     for (const char *at = formula; *at;) {

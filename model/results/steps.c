@@ -17,7 +17,7 @@ double pp_steps_printed_unit(enum pp_step_unit unit)
                                            : 1.0;
 }
 
-/* Appends a step to the list; NULL without a list or without memory. */
+/* Appends a step to the list. Returns NULL if there is no list or memory runs out. */
 static struct pp_calculation_step *next(struct pp_steps *steps)
 {
     if (!steps)

@@ -64,7 +64,7 @@ enum pp_status pp_building_parse(struct pp_building **building, const char *byte
 }
 
 /* Folder of a path, including the final "/"; "" for the current folder. Freed by the
- * caller; NULL without memory. */
+ * caller; NULL if memory runs out. */
 static char *folder_of(const char *path)
 {
     const char *end = strrchr(path, '/');

@@ -1,7 +1,7 @@
 /* keyhole.c - see keyhole.h.
  *
  * The hole joined next is the one with the shortest bridge: a line from a corner of the
- * hole to a corner of the present outline that crosses no edge.
+ * hole to a corner of the current outline, which crosses no edge.
  */
 #include "model/room/keyhole.h"
 

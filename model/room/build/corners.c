@@ -29,7 +29,7 @@ static unsigned bucket_of(const struct cubes *cubes, double x, double y, double 
     return (hash >> 32) % cubes->bucket_count;
 }
 
-/* Number of the point equal to p within one_m; p is added if there is none. */
+/* Index of the point that equals p to within one_m; p is added if there is none. */
 static int point_number(struct cubes *cubes, struct pp_vec3 p)
 {
     double low[3] = {floor((p.x - PP_SAME_M) / cube_m),

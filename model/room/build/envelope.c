@@ -65,7 +65,8 @@ static struct face_finish finish_of_face(const struct pp_room *room,
     return finish_of_role(room, face->role, face->name);
 }
 
-/* Reports a wall with the name of an earlier one. */
+/* Reports a wall with the name of an earlier one, and returns true; false if there is
+ * none. */
 static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wall)
 {
     for (const struct pp_face_part *face = r->room->plan.faces; face < wall; face++)

@@ -92,7 +92,7 @@ static const char *role_word(enum pp_role role)
     return role == PP_FLOOR ? "floor" : role == PP_WALL ? "wall" : "ceiling";
 }
 
-/* True if a mistake on that line with that beginning has been reported. */
+/* True if a mistake that begins with this text has been reported for that line. */
 static bool has_been_said(const struct pp_mistakes *mistakes, int line,
                           const char *beginning)
 {
@@ -125,8 +125,8 @@ static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_par
                     said, where.x, where.y, where.z);
 }
 
-/* Name of the room whose coordinates a message gives; empty for a room's own
- * surfaces. */
+/* Name of the room to whose axes the coordinates in a message refer; empty for a room's
+ * own surfaces. */
 static const char *room_words(char words[96], const struct pp_resolver *r,
                               const struct pp_surface_part *part)
 {
@@ -234,7 +234,7 @@ static void check_openings(struct pp_resolver *r, const struct pp_surface_part *
     }
 }
 
-/* Projects the vertices on the polygon's plane. */
+/* Projects the vertices onto the polygon's plane. */
 static void flatten_to_plane(struct pp_polygon *polygon)
 {
     struct pp_vec3 middle = pp_polygon_middle(polygon), n = polygon->normal;

@@ -135,7 +135,7 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
             pp_polygon_distance(&face->outline, pp_vec(part->x + 0.5 * part->width_m,
                                                        part->y + 0.5 * part->depth_m,
                                                        face->outline.vertices[0].z));
-        /* If two ceilings are above each other the upper one is used. */
+        /* If one ceiling is above the other, the upper one is used. */
         bool above = nearest >= 0
                      && face->outline.vertices[0].z
                             > world->surfaces[nearest].outline.vertices[0].z;
@@ -147,9 +147,9 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
     return nearest;
 }
 
-/* Face in whose plane all vertices lie; if several, the one nearest to their centre. -1
- * if there is none. *nearest, *off_m: the face with the least distance to all
- * vertices. */
+/* Face in whose plane all vertices lie; if there are several, the one nearest to the
+ * centre of the vertices; -1 if there is none. *nearest is the face whose greatest
+ * distance from a vertex is least, *off_m that distance. */
 static int face_of_outline(const struct pp_world *world,
                            const struct pp_vertices *vertices, int *nearest,
                            double *off_m)

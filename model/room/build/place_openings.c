@@ -66,7 +66,9 @@ static bool is_upright_rectangle(const double (*xy)[2], int count, const double 
     return true;
 }
 
-/* Finds the maintenance factor of "auto", from the site's edition, place and work. */
+/* Finds the factor for maintenance="auto", from the site's table of dirt factors, its
+ * surroundings and work, and the slope. Reports a mistake if the table has no such
+ * factor. */
 static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
 {
     const struct pp_world *world = r->world;
@@ -91,8 +93,8 @@ static bool is_opening_name(const struct pp_room *room, const char *text)
     return false;
 }
 
-/* Sets the label: the name, or a letter with the next number that is no name. The
- * letter is W in walls, RL in ceilings. */
+/* Sets the label: the name, or letters with the next number that is not the name of
+ * another opening. The letters are W in walls, RL in ceilings. */
 static void label_opening(struct pp_opening *opening, const struct pp_world *world,
                           const struct pp_room *room)
 {
@@ -159,7 +161,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
         status = pp_polygon_of(&opening.outer, vertices, count, err);
     }
     free(vertices);
-    /* Exactly the normal of the face, free of further rounding. */
+    /* Exactly the normal of the face, without further rounding. */
     opening.inner.normal = opening.outer.normal = normal;
     opening.name = part->name ? strdup(part->name) : NULL;
     if (status == PP_OK && part->name && !opening.name)

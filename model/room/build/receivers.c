@@ -61,7 +61,7 @@ static bool has_too_many(struct pp_resolver *r, const struct receiver_list *list
     return true;
 }
 
-/* Reports the points of a part that are not valid places, in one message. */
+/* Reports the points of a part that are not at valid positions, in one message. */
 static void check_places(struct pp_resolver *r, const char *what, int line,
                          const struct pp_receiver *receivers, int count)
 {
@@ -142,7 +142,7 @@ static enum pp_status resolve_line(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-/* Counts cells in both directions; returns their product, 0 if the margin leaves
+/* Counts cells in both directions. Returns their product; 0 if the margin leaves
  * none. */
 static double count_cells(const double low[2], const double high[2],
                           const struct pp_receiver_part *grid, double cells[2])
@@ -217,8 +217,8 @@ static enum pp_status resolve_grid(struct pp_resolver *r, struct receiver_list *
     return PP_OK;
 }
 
-/* Adds one receiver to a room too small for the default grid: the point of a fine mesh
- * that is farthest from the edges of the plane. */
+/* Adds one receiver in a room that is too small for the default grid: the point of a
+ * fine mesh that is farthest from the edges of the plane. */
 static enum pp_status add_inmost(struct pp_resolver *r, struct receiver_list *list,
                                  struct pp_error *err)
 {

@@ -6,7 +6,7 @@
 /* Deeper than any wall; a larger value is taken to be a typing error. */
 static const double reveal_most_m = 10.0;
 
-/* Adds the sides of the opening's depth, one per edge of its outline, facing
+/* Adds the surfaces of the reveal, one per edge of the opening's outline, facing
  * inwards. */
 static enum pp_status add_reveals(struct pp_resolver *r, int index,
                                   struct pp_error *err)
@@ -32,7 +32,8 @@ static enum pp_status add_reveals(struct pp_resolver *r, int index,
     return PP_OK;
 }
 
-/* Reports glass that its reveal would move into another part of the room. */
+/* Reports a reveal that is too deep, or that would put the glass in another part of the
+ * room. */
 static void check_reveal(struct pp_resolver *r, const struct pp_opening *opening)
 {
     if (opening->reveal_m > reveal_most_m)

@@ -134,7 +134,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
 
 /* ---- sides ---- */
 
-/* Moves a side in the plane of a face of the room into the block. */
+/* Moves a side that lies in the plane of a face of the room back into the block. */
 static void set_off(const struct pp_world *world, struct pp_vec3 *side)
 {
     struct pp_vec3 area = pp_polygon_area_vector(side, 4);

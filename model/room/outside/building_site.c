@@ -90,8 +90,8 @@ static enum pp_status add_sheet(struct pp_room *room, const struct pp_room *othe
     return status;
 }
 
-/* Adds a front of another room, except where the own fronts of this room overlap it,
- * since its world contains those already. */
+/* Adds a front of another room, except where this room's own fronts overlap it, since
+ * its world contains those already. */
 static enum pp_status add_front(struct pp_room *room, const struct pp_room_shell *own,
                                 const struct pp_room *other,
                                 const struct pp_room_front *front,
@@ -164,8 +164,8 @@ static bool holds(const struct pp_room *common)
            > 0;
 }
 
-/* True if there are more placed rooms than the limit for obstructing each other; the
- * reader of the file has reported that. */
+/* True if more rooms are placed than may obstruct each other; the reader of the file
+ * has reported that. */
 static bool has_too_many(const struct pp_building *building)
 {
     int placed = 0;

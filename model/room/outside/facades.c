@@ -169,7 +169,7 @@ static bool check_wall(struct pp_resolver *r, const struct pp_facade_part *part,
     return true;
 }
 
-/* Reports a facade that overlaps another one in the same plane. */
+/* Reports a facade that overlaps another facade in the same plane. */
 static bool check_others(struct pp_resolver *r, const struct facade_site *site)
 {
     const struct pp_world *world = r->world;
@@ -189,7 +189,7 @@ static bool check_others(struct pp_resolver *r, const struct facade_site *site)
 
 /* ---- rims ---- */
 
-/* Adds the strip between the pane's outline and the sheet; it faces the passage. */
+/* Adds the strip between the pane's outline and the sheet; it faces into the hole. */
 static enum pp_status add_rim(struct pp_resolver *r, struct facade_site *site,
                               const struct pp_opening *opening, struct pp_error *err)
 {
@@ -334,8 +334,8 @@ static enum pp_status add_sheet(struct pp_resolver *r, struct facade_site *site,
 
 /* ---- one facade ---- */
 
-/* Finds the extent of the sheet. `left` is seen from outside, beyond the high end of
- * `along`. */
+/* Finds the extent of the sheet. `left` is seen from outside, so it extends the sheet
+ * beyond the high end of `along`. */
 static void find_facade_extent(struct facade_site *site, double ground_level_m)
 {
     const struct pp_facade_part *part = site->part;
