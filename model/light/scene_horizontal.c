@@ -80,8 +80,8 @@ static struct pp_rgb quadrature(const struct sources *sources)
     return pp_rgb_scale(sum, PP_PI / ((double)RINGS * TURNS));
 }
 
-/* Material of the sky if it is a whole hemisphere of PP_PATTERN_SKY, for which the
- * factor of the pattern is Eh per unit of radiance; else NULL. */
+/* Material of the sky if it is a whole hemisphere of PP_PATTERN_SKY, whose factor is Eh
+ * per unit of radiance; else NULL. */
 static const struct pp_material *known_sky(const struct pp_scene_description *scene)
 {
     const struct pp_shape *whole = NULL;

@@ -10,7 +10,7 @@
 
 /* ---- Copies ---- */
 
-/* Copies a list; NULL for an empty one. *good becomes false without memory. */
+/* Copies a list; NULL for an empty one. *good becomes false if memory runs out. */
 static void *copy_list(const void *list, int count, size_t size, bool *good)
 {
     if (count == 0)

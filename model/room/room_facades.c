@@ -70,7 +70,8 @@ static bool hides_a_window(const struct pp_world *world, const struct pp_surface
 }
 
 /* Adds a facade to the wall. Tries both sides, then one, then none: a wall cannot
- * extend beyond an inner corner, nor beyond an outer one with a window round it. */
+ * extend beyond an inner corner, nor beyond an outer corner if there is a window around
+ * it. */
 static enum pp_status extend(struct pp_room *room, const struct pp_world *world,
                              const struct pp_surface *wall, double reach_m, double up_m,
                              int *added, struct pp_error *err)

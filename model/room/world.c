@@ -364,7 +364,8 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
     struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
     struct pp_error fault = {0};
     enum pp_status status = resolve_world(&r, &fault);
-    /* For example polygons that GEOS cannot overlay. */
+    /* A fault of the input, such as polygons that GEOS cannot overlay, is reported as a
+     * mistake. */
     if (status == PP_BAD_INPUT)
         pp_mistakes_add(mistakes, room->line, "room: %s", fault.message);
     else if (status != PP_OK)

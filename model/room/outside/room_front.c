@@ -14,7 +14,8 @@ void pp_room_front_clear(struct pp_room_front *front)
     pp_region_clear(&front->sheet);
 }
 
-/* Projects vertices on the sheet's axes. Freed by the caller; NULL without memory. */
+/* Projects vertices onto the sheet's axes. The caller frees the result; NULL if memory
+ * runs out. */
 static double (*project_to_front(const struct pp_room_front *front,
                                  const struct pp_vec3 *vertices, int count))[2]
 {
@@ -42,7 +43,7 @@ static bool is_of_facade(const struct pp_world *world, int surface, int facade)
            && world->surfaces[surface].owner == facade;
 }
 
-/* Joins the triangles of the sheet to one region. */
+/* Joins the triangles of the sheet into one region. */
 static enum pp_status join_sheet(struct pp_room_front *front,
                                  const struct pp_world *world, int facade,
                                  const struct pp_placement *place,
@@ -227,7 +228,8 @@ static enum pp_status turn_body(struct pp_world *turned, bool *goes_through,
     return PP_OK;
 }
 
-/* Removes the section of a room that crosses the plane, taken just behind it. */
+/* Removes the section of a room that crosses the sheet's plane. The section is taken
+ * just behind the plane. */
 static enum pp_status leave_section(struct pp_room_front *front,
                                     const struct pp_world *body,
                                     struct pp_clipper *clipper, struct pp_error *err)

@@ -118,7 +118,7 @@ static enum pp_status carry_shade(struct pp_room_shell *shell,
     return carry(shell, &shade, surface->outline.vertices, surface->outline.count, err);
 }
 
-/* Adds a rim of a passage through a facade; the facade's sheet is a front. */
+/* Adds a rim of a hole in a facade. The facade's sheet is added as a front. */
 static enum pp_status carry_rim(struct pp_room_shell *shell,
                                 const struct pp_surface *surface, struct pp_error *err)
 {
@@ -219,8 +219,8 @@ static enum pp_status divide_faces(struct pp_room_shell *shell,
 /* ---- the room alone ---- */
 
 /* Resolves the faces and, if `outside`, all parts needed to place those outside,
- * without offsetting surfaces. *sound: there were no mistakes. They are not reported
- * here, but where the room itself is resolved. */
+ * without offsetting surfaces. *sound: there were no mistakes. Mistakes are reported
+ * where the room itself is resolved, not here. */
 static enum pp_status resolve_shell(struct pp_room_shell *shell,
                                     const struct pp_room *room, bool outside,
                                     bool *sound, struct pp_clipper *clipper,
@@ -252,7 +252,8 @@ static enum pp_status resolve_shell(struct pp_room_shell *shell,
     return status == PP_SYSTEM ? pp_fail(err, status, "%s", fault.message) : PP_OK;
 }
 
-/* Gives a wall whose facade lies in its plane the facade's reflectance. */
+/* Sets the outer reflectances of the faces. A wall whose facade lies in its plane has
+ * the facade's reflectance. */
 static void set_reflectances(struct pp_world *body)
 {
     for (int i = 0; i < body->face_count; i++)

@@ -25,7 +25,7 @@ struct window_axes {
     struct pp_vec3 corner, right, out;
     double width_m, height_m;
     double wall_m;  /* thickness of the wall, outer face to inner face */
-    double floor_m; /* height of the room's floor over the sill */
+    double floor_m; /* height of the room's floor relative to the sill */
 };
 
 static struct window_axes axes_of(const struct pp_world *world,

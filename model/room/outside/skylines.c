@@ -2,9 +2,9 @@
  *
  * A skyline at a distance D is a vertical wall, visible from both sides, from the
  * ground to its head. Its length is 200 D; the missing parts of an endless wall are
- * within 0.6 degrees of its direction. At 70 degrees (D = 10 m) this adds 7e-6 of
- * itself to the vertical sky component of a window opposite, and 8e-5 to that of a
- * window in a perpendicular wall.
+ * within 0.6 degrees of its direction. At 70 degrees (D = 10 m) this increases the
+ * vertical sky component of a window opposite by 7e-6 of its value, and that of a
+ * window in a perpendicular wall by 8e-5.
  */
 #include "model/room/outside/skylines.h"
 
@@ -13,7 +13,7 @@
 #include "model/geometry/tolerance.h"
 #include "model/room/ground.h"
 
-/* Half the length of a skyline's wall over its distance. */
+/* Half the length of a skyline's wall divided by its distance. */
 static const double half_length = 100.0;
 
 static void take_heights(const struct pp_polygon *polygon, double *low, double *high)

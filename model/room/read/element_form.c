@@ -391,7 +391,7 @@ static bool children_known(const struct pp_element_rule *rule,
     return unknown_count == 0;
 }
 
-/* False if there are too many or too few children of one kind. */
+/* Reports too many or too few children of one kind, and returns false. */
 static bool count_is_good(const struct pp_element_rule *rule,
                           const struct pp_child_rule *child,
                           const struct pp_xml_element *element, bool may_be_fewer,

@@ -59,8 +59,8 @@ void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,
                                     .line = e->line};
 }
 
-/* Path of a mesh file relative to the working directory; freed by the caller, NULL
- * without memory. */
+/* Path of a mesh file relative to the working directory. Freed by the caller; NULL if
+ * memory runs out. */
 static char *mesh_path(const char *folder, const char *file)
 {
     const char *before = file[0] == '/' ? "" : folder;

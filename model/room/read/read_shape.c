@@ -46,7 +46,8 @@ static const char *roof_fault(const struct pp_plan_form *form, int vertices)
                : NULL;
 }
 
-/* Adds the roof; without a number of teeth these are 4 m wide or a little more. */
+/* Adds the roof. If the number of teeth is not given, there are as many as fit with a
+ * width of at least 4 m each. */
 static void raise_roof(struct pp_reader *r, struct pp_plan_part *plan,
                        const struct pp_plan_form *form, int line)
 {

@@ -8,8 +8,8 @@
 #include "model/pictures/sky_picture_file.h"
 #include "model/room/sky_words.h"
 
-/* Path of a picture relative to the working directory; freed by the caller, NULL
- * without memory. */
+/* Path of a picture relative to the working directory. Freed by the caller; NULL if
+ * memory runs out. */
 static char *picture_path(const char *folder, const char *file)
 {
     const char *before = file[0] == '/' ? "" : folder;

@@ -1,5 +1,5 @@
-/* room_schema.c - the tables of elements and attributes; element_form.c reads elements
- * by them. */
+/* room_schema.c - the tables of elements and attributes, according to which
+ * element_form.c reads elements. */
 #include "model/room/read/room_schema.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* room_change.c - see room_change.h.
  *
  * An address is matched with the elements of the parsed file. The n-th element of the
- * tree is the n-th start tag of the text. So only the text is changed, and the reader
+ * tree is the n-th start tag of the text. Only the text is changed, so that the reader
  * checks the new value like any other.
  */
 #include "model/room/text/room_change.h"
