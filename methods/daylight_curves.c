@@ -1,5 +1,5 @@
-/* daylight_curves.c - contours of the daylight factor by `exact` and of the solid angle
- * of the visible sky, traced by model/geometry/contour. */
+/* daylight_curves.c - contours of the daylight factor and of the solid angle of the
+ * visible sky, traced by model/geometry/contour. */
 #include "methods/daylight_curves.h"
 
 #include <math.h>
@@ -53,7 +53,7 @@ static enum pp_status sky_seen_at(void *context, double x, double y, double *val
 
 enum { LEVELS_USUAL = 9, LEVELS_MOST = 14 };
 
-/* Largest share of the plane without a contour, unless there is no round level to
+/* Largest share of the plane between two contours, unless there is no round level to
  * divide it. */
 static const double largest_gap = 0.2;
 
@@ -99,8 +99,8 @@ static double level_between(const struct pp_field *field, double low, double hig
     double power = pow(10.0, floor(log10(fmax(low, 1e-6 * high))));
     for (; power < high; power *= 10.0)
         for (int i = 0; i < STEPS; i++) {
-            /* Converts through the printed digits: 0.015, not its neighbouring
-             * double. */
+            /* Converts by way of the printed digits, to get the double nearest to 0.015
+             * and not its neighbour. */
             char digits[32];
             snprintf(digits, sizeof digits, "%.6g", steps[i] * power);
             double level = strtod(digits, NULL);

@@ -25,7 +25,8 @@ struct pp_direct_plane {
     double inset_m;
 };
 
-/* The region's interior lies on the left of its rings. */
+/* Moves a point that is nearer to the region's edge than inset_m inwards, to that
+ * distance. The region's interior is on the left of its rings. */
 struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double z,
                                          double inset_m, double x, double y)
 {

@@ -99,7 +99,8 @@ static enum pp_status find_method(const struct pp_method **method,
 /* Mistake in a variant's text. Each formula tried gives one; the one farthest to the
  * right is kept, since it belongs to the most similar formula. */
 struct misfit {
-    const struct pp_method *method; /* NULL: no formula of the symbol can be replaced */
+    const struct pp_method *method; /* NULL: no formula for the symbol can be
+                                     * replaced */
     struct pp_expression_mistake mistake;
 };
 

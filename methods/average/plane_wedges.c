@@ -112,7 +112,7 @@ static double cross(const double a[2], const double b[2])
     return a[0] * b[1] - a[1] * b[0];
 }
 
-/* Distance from the apex at which a direction meets the line through two points. */
+/* Distance from the apex, in direction u, to the line through two points. */
 static double distance_to(const double edge[2][2], const double apex[2],
                           const double u[2])
 {
@@ -193,7 +193,8 @@ static bool holds(const struct convex *piece, const double point[2])
     return true;
 }
 
-/* Adds the wedges of a piece. angles: space for one more than the piece's corners. */
+/* Adds the wedges of a piece. angles: space for one more value than the piece has
+ * corners. */
 static enum pp_status add_wedges(struct pp_plane_wedges *wedges, int centre,
                                  const struct convex *piece, const double apex[2],
                                  double *angles, struct pp_error *err)

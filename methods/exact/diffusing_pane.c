@@ -311,7 +311,7 @@ static double illuminance_at(const void *context, struct pp_vec3 u)
     return sum;
 }
 
-/* The half-spaces through the eye and the sides of the cell. */
+/* The half-spaces whose planes contain the eye and the sides of the cell. */
 static void sides_of(struct pp_vec3 sides[4], const struct cell_seen *seen)
 {
     const struct pp_vec3 axes[2] = {seen->plane.along, seen->plane.up};

@@ -14,7 +14,7 @@
 
 enum { CORNERS_ON_STACK = 64 };
 
-/* Writes the patch's half-spaces and `more` to one array; returns their number. */
+/* Writes the patch's half-spaces and `more` into one array; returns their number. */
 static int join_half_spaces(struct pp_vec3 all[PP_HALF_SPACES_MOST],
                             const struct pp_visible_patch *patch,
                             const struct pp_vec3 *more, int more_count)

@@ -2,14 +2,14 @@
  *
  * The sky component is calculated
  *
- *   - by closed form [ARVO95] for the overcast and uniform skies without glass, to 1e-9
- *     or 1e-15 of the open sky
+ *   - by closed form [ARVO95] for the overcast and uniform skies without glass, to
+ *     1e-9 or 1e-15 of the open sky
  *   - by sums over edges (pane_light.h), to 1e-9 of the open sky, for these skies with
- *     glass and for skies of ISO 15469 that have no sun without glass; if the method was
- *     not prepared, by quadrature
- *   - by quadrature for other skies of ISO 15469, to 1e-9 without glass and 1e-6 with it;
- *     if the method was prepared for the points of a plane, by sums over edges, to 1e-6
- *     of the open sky
+ *     glass and for skies of ISO 15469 that have no sun without glass; if the method
+ *     was not prepared, by quadrature
+ *   - by quadrature for other skies of ISO 15469, to 1e-9 without glass and 1e-6 with
+ *     it; if the method was prepared for the points of a plane, by sums over edges, to
+ *     1e-6 of the open sky
  *
  * The externally reflected component follows the conventions in direct.h. The method is
  * for any number of windows, rooflights and sloping openings, any receiver and any

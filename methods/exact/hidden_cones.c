@@ -1,5 +1,5 @@
-/* hidden_cones.c - a cone for each convex piece that reaches above the eye's level and
- * in front of its plane. */
+/* hidden_cones.c - makes a cone for each convex piece that reaches above the eye's
+ * level and in front of the plane of the view. */
 #include "methods/exact/hidden_cones.h"
 
 #include <math.h>

@@ -6,10 +6,10 @@
  *
  *   h  horizontal unit vector in the direction of the bearing
  *
- * so that each half-space bounds them from below or from above, and a cone hides one
- * span of altitudes. The spans of all cones are merged at equal steps of bearing, and
- * where a protruding cone ends between two steps. Overlapping spans at neighbouring
- * bearings are then joined.
+ * so that each half-space bounds the hidden altitudes from below or from above, and a
+ * cone hides one span of altitudes. The spans of all cones are merged at equal steps of
+ * bearing, and where a protruding cone ends between two steps. Overlapping spans at
+ * neighbouring bearings are then joined.
  */
 #include "methods/exact/hidden_outline.h"
 
@@ -43,7 +43,7 @@ struct sky_column {
 struct sky_outline {
     const struct pp_hidden_cones *cones;
     double north_rad;
-    struct hidden_spans single[STEPS + 1]; /* spans of the cones one by one, at each
+    struct hidden_spans single[STEPS + 1]; /* spans of the individual cones, at each
                                             * step */
     struct sky_column *columns;            /* all columns; those of the steps first */
     int column_count;

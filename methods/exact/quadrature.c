@@ -46,7 +46,8 @@ static int at_sine(unsigned dim, const double *sine, void *data, unsigned fdim,
     return 0;
 }
 
-/* The sine of the altitude of a line at tan alpha = t, with h = 1 / cos alpha. */
+/* Sine of the altitude at which the column with tan alpha = t crosses a line; h = 1 /
+ * cos alpha. */
 static double sine_of(struct cell_bound line, double t, double h)
 {
     double y = line.level + line.slope * t;
@@ -306,8 +307,8 @@ static enum pp_status add_adaptive(struct pp_quadrature *result,
         struct cell_integral integral =
             integral_over(view, &cells->list[i], normal, integrand);
         double width = integral.alpha[1] - integral.alpha[0], value, error;
-        /* The error of a column must be small against the error bound across columns;
-         * the factors 0.3 and 0.1 were chosen by trial. */
+        /* The error of a column must be small compared with the error bound across
+         * columns; the factors 0.3 and 0.1 were chosen by trial. */
         integral.column_abs = 0.3 * enough / width;
         integral.column_error = 0.3 * relative_error;
         if (hcubature(1, at_alpha, &integral, 1, &integral.alpha[0], &integral.alpha[1],

@@ -70,8 +70,8 @@ struct piece_task {
     void *data;
 };
 
-/* The half-space of directions that lie beyond x (or y) = tan angle in the view, towards
- * larger values for side 1, smaller ones for side -1. */
+/* The half-space of directions that lie beyond x (or y) = tan angle in the view,
+ * towards larger values for side 1, smaller ones for side -1. */
 static struct pp_vec3 beyond(const struct pp_projection *view, bool upright,
                              double angle, double side)
 {

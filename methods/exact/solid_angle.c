@@ -45,7 +45,7 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
     double facing = pp_vec_dot(sums->normal, across) * scale;
     double facing_both = pp_vec_dot(sums->normal, v) / length
                          + pp_vec_dot(sums->normal, next) / next_length;
-    /* 1 / (1 + cos T), by the sine where 1 + cos T cancels. */
+    /* 1 / (1 + cos T), from the sine where 1 + cos T cancels. */
     double half = cosine > -0.5 ? 1.0 / (1.0 + cosine) : (1.0 - cosine) / (sine * sine);
     sums->twice_cosine += arc_over_sine(sine, cosine) * facing;
     sums->thrice_cosine_sine += across.z * scale * facing_both * half;

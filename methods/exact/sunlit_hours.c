@@ -8,12 +8,12 @@
 #include "model/light/sun.h"
 #include "model/light/sun_path.h"
 
-/* The sun's path on one day, in the world's axes: p + q cos h + r sin h, h the hour
- * angle. */
+/* The sun's path on one day, in the world's axes: p + q cos h + r sin h, where h is the
+ * hour angle. */
 struct path {
     struct pp_vec3 p, q, r;
-    /* The path is a circle about the pole of the sky (unit vector), at a constant
-     * angle. */
+    /* The path is a circle at a constant angle from the pole of the sky (unit
+     * vector). */
     struct pp_vec3 pole;
     double cos_apart, sin_apart;
 };

@@ -7,7 +7,7 @@
 #include "model/geometry/polynomial.h"
 
 /* Value of rho between coarse and fine cells. Near rho = 1 (c = 0, grazing incidence)
- * the transmittance of glass changes within 0.005 of c. */
+ * the transmittance of glass changes over a range of 0.005 in c. */
 #define BORDER 0.9375
 enum { COARSE = 32, FINE = 32 };
 
@@ -155,9 +155,9 @@ static inline __attribute__((always_inline)) void moments_at(
             k[m] = k[m] * t + powers[p][m];
 }
 
-/* is_square: p is 0 and the axis is perpendicular to q, n and g, so that their products
- * with it are 0. The function is inlined twice, and each copy evaluates only the
- * functions that it needs. */
+/* is_square: p is 0 and the axis is perpendicular to q, n and g, so that their scalar
+ * products with it are 0. The function is inlined twice, and each copy evaluates only
+ * the functions that it needs. */
 static inline __attribute__((always_inline)) double potential_of(
     const struct pp_axial_light *axial, const struct pp_arc_nodes *nodes, double along,
     double n, double g, bool is_square)

@@ -90,8 +90,7 @@ struct part_integral {
     double values[2], error;
 };
 
-/* Integrates the parts with a larger error than `absolute` again, and adds up all
- * parts. */
+/* Integrates again the parts whose error exceeds `absolute`, and adds up all parts. */
 static enum pp_status integrate_parts(double sum[2], struct part_integral *of,
                                       const struct beam_integral *like, int parts,
                                       double absolute, int points, struct pp_error *err)

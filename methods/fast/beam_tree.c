@@ -14,7 +14,7 @@ static double middle(const struct beam_piece *piece, int axis)
                        : piece->low.z + piece->high.z;
 }
 
-/* Orders pieces along the axis; ties by the index of their first corner. */
+/* Orders pieces along the axis, and ties by the index of their first corner. */
 static int compare_along_axis(const struct beam_piece *a, const struct beam_piece *b,
                               int axis)
 {

@@ -9,7 +9,7 @@
 
 /* Areas along one direction, which points upwards, so that x and y identify it. */
 struct known_areas {
-    double x, y; /* x INFINITY: the slot is free */
+    double x, y; /* x is INFINITY if the slot is free */
     struct pp_beam_areas areas;
 };
 

@@ -7,7 +7,7 @@
  *   E_b, E_g           light from obstructions and from the ground (fitted_light.h)
  *   (A_l / A_u)^c      a low opening lights less of the surfaces above the plane
  *   exp(-e d ...)      light lost in the reveal
- *   f_d, f_s           factors for the point's depth and sideways position (fitted_position.h)
+ *   f_d, f_s           by the point's depth, and sideways (fitted_position.h)
  *
  * Light from the sky falls on the lower part of the room and is reflected by it and by
  * the upper part before it reaches the working plane; light from the ground is

@@ -81,8 +81,8 @@ static void polygon_range(double range[2], const struct pp_polygon *polygon,
     }
 }
 
-/* Reason if a window in the same wall is not at the height of the opening, or if a
- * window in another wall is not opposite; else NULL. */
+/* Returns the reason if a window in the same wall is not at the height of the opening,
+ * or if a window in another wall is not opposite; else NULL. */
 static const char *refuses_neighbours(const struct pp_world *world,
                                       const struct pp_opening *opening)
 {

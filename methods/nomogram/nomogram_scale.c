@@ -62,9 +62,10 @@
  *
  *     f = q exp(-q u)/(1 - exp(-q)),   log f = h(q) - q u log e
  *
- * of the place u: x/d_r by the depth, with q_d, and 2 y/w_r sideways, with q_s. Let the stem H
- * of the places stand at x_H, y = y_0 + m_H u, and F at x_F, y = y_1 + m_F log f. All lines that
- * join a u and its f for one q meet in a point: at the share t of the way from H to F
+ * of the place u: x/d_r by the depth, with q_d, and 2 y/w_r sideways, with q_s. Let the
+ * stem H of the places stand at x_H, y = y_0 + m_H u, and F at x_F, y = y_1 + m_F log
+ * f. All lines that join a u and its f for one q meet in a point: at the share t of the
+ * way from H to F
  *
  *     y = (1 - t)(y_0 + m_H u) + t (y_1 + m_F (h - q u log e))
  *

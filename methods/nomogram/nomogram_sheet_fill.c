@@ -83,7 +83,8 @@ static enum pp_status make_marks(struct pp_nomogram_sheet *sheet,
     return PP_OK;
 }
 
-/* Curve of nomogram IV: whole numbers, each interval divided as space allows. */
+/* Makes the curve of nomogram IV: marks at whole numbers of q, with each interval
+ * divided as space allows. */
 static enum pp_status make_curve(struct pp_nomogram_sheet *sheet,
                                  struct pp_nomogram_spacing spacing,
                                  struct pp_error *err)

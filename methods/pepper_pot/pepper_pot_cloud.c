@@ -17,7 +17,7 @@ static const double d_psi = 2.0 * PP_PI / CELLS;
  * normal begin on the side away from the glass. */
 struct frame {
     struct pp_vec3 normal, first, second;
-    bool is_mirror; /* the light is the same at azimuths to the left and right */
+    bool is_mirror; /* the light is the same at equal azimuths to the left and right */
 };
 
 static struct frame frame_of(struct pp_vec3 normal, const struct pp_window_axes *axes,
@@ -85,7 +85,7 @@ static void fill_ring(double up_to[CELLS + 1], int ring,
         up_to[k + 1] = up_to[k] + light[k];
 }
 
-/* Position of `value` within a step, 0 to 1, on which a sum grows from `low` to
+/* Position of `value`, 0 to 1, within a step over which a sum grows from `low` to
  * `high`. */
 static double step_share(double low, double high, double value)
 {

@@ -1,5 +1,5 @@
-/* pepper_pot_sky.c - `pepper-pot-sky`: direct component by counting dots, for openings of
- * any slope, receivers of any kind and any sky [PLE54].
+/* pepper_pot_sky.c - `pepper-pot-sky`: direct component by counting dots, for openings
+ * of any slope, receivers of any kind and any sky [PLE54].
  *
  * Like `pepper-pot`, but on diagrams made for the sky of the room file (with the
  * azimuth of its sun), the slope and direction of the opening, and the receiver

@@ -17,9 +17,10 @@
  * Both are derived here, from the position and the slope of the opening, for a room of
  * three uniformly lit zones, the plane, the ceiling and the walls between them.
  *
- *   - The fraction d of the light from the sky falls directly on the plane, the rest on walls.
- *     d is calculated for the open sky at the opening's middle. Light reflected by the
- *     sides of a well is assumed diffuse. Light from the ground goes up; the fraction g falls on the ceiling.
+ *   - The fraction d of the light from the sky falls directly on the plane, the rest
+ *     on walls. d is calculated for the open sky at the opening's middle. Light
+ *     reflected by the sides of a well is assumed diffuse. Light from the ground goes
+ *     up; the fraction g falls on the ceiling.
  *   - The rest reaches the plane by reflections between the three zones
  *     (reflected/room_zones.h).
  *

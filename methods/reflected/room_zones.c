@@ -1,4 +1,5 @@
-/* room_zones.c - form factors and reflectances of the zones, and the sums. */
+/* room_zones.c - the form factors and reflectances of the zones, and the formulae that
+ * use them. */
 #include "methods/reflected/room_zones.h"
 
 #include <math.h>
@@ -77,7 +78,7 @@ const struct pp_formula pp_room_zones_u_p =
     OWN("u_p", "F u_c + (1 - F) u_w", PP_UNIT_NUMBER,
         "fraction of the light from the plane that returns to it", of_u_p);
 
-/* Length of the working plane's outline (m). */
+/* Perimeter of the working plane (m). */
 static double outline_m(const struct pp_region *plane)
 {
     double sum = 0.0;
@@ -90,8 +91,8 @@ static double outline_m(const struct pp_region *plane)
     return sum;
 }
 
-/* F of the rectangle with the plane's area and outline; of a square if no rectangle of
- * that area has so short an outline. */
+/* F of the rectangle with the plane's area and perimeter; of a square if no rectangle
+ * of that area has so short a perimeter. */
 static double form_factor(double area_m2, double outline, double height_m)
 {
     double half = outline / 4.0, root = sqrt(fmax(half * half - area_m2, 0.0));

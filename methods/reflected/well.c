@@ -112,7 +112,8 @@ static double back_of(const struct pp_glass *glass)
  *     to itself  1 - 2 section (1 - F(1))
  *     to the foot, n bands below its upper edge: section (F(n - 1) - F(n))
  *
- * The same holds for the glass above, which reflects some of the light down again.
+ * The exchange with the glass above has the same form; the glass reflects some of the
+ * light down again.
  */
 struct pp_well_efficiency pp_well_efficiency(const struct pp_well_shape *shape,
                                              double b, const struct pp_glass *glass)

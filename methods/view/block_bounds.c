@@ -1,4 +1,5 @@
-/* block_bounds.c - bounds each block by its eight corners, and sorts by counting. */
+/* block_bounds.c - bounds each block by its eight corners, and sorts the bounds by a
+ * counting sort. */
 #include "methods/view/block_bounds.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 #include "model/geometry/min_max.h"
 #include "model/geometry/tolerance.h"
 
-/* Calculates the bound of a block; false if nothing of it is visible. */
+/* Calculates the bound of a block. Returns false if no part of the block is visible. */
 static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view *view,
                         const struct pp_block *block)
 {
@@ -35,8 +36,8 @@ static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view
     /* Blocks flush with the room's faces are moved by PP_SET_OFF_M; the bound allows
      * for it. */
     bound->distance_m = sqrt(square) - 2.0 * PP_SET_OFF_M;
-    if (near <= view->glass_m) { /* directions to objects beyond the glass are not
-                                  * bounded */
+    if (near <= view->glass_m) { /* the block reaches to the glass or nearer, so its
+                                  * directions are not bounded */
         bound->left = -INFINITY;
         bound->right = bound->high = INFINITY;
         return far >= view->glass_m;

@@ -281,8 +281,8 @@ static bool is_skyline_aside(const struct pp_surface *surface,
            && drawing->world->skylines[surface->owner].face != drawing->opening->face;
 }
 
-/* Adds the free-standing surfaces outside, skylines of other walls and the building's own
- * outer faces. */
+/* Adds the free-standing surfaces outside, skylines of other walls, and the building's
+ * own outer faces. */
 static enum pp_status add_surfaces(struct opening_drawing *drawing,
                                    struct pp_error *err)
 {
@@ -349,7 +349,7 @@ static enum pp_status add_facade(struct opening_drawing *drawing, int index,
     return status ? status : add_silhouette(drawing, &solid, of->reflectance, err);
 }
 
-/* Adds a block, by its sides that face the point. */
+/* Adds a block, as the silhouette of its sides that face the point. */
 static enum pp_status add_block(struct opening_drawing *drawing,
                                 const struct pp_block *block, struct pp_error *err)
 {

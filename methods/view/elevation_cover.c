@@ -17,7 +17,7 @@ void pp_elevation_cover_init(struct pp_elevation_cover *cover,
     cover->distance_m[0] = 0.0;
 }
 
-/* Sets all columns individually, from values common to all. */
+/* Gives each column its own copy of the values that were common to all. */
 static void part_columns(struct pp_elevation_cover *cover)
 {
     for (int i = 1; i < PP_ELEVATION_COLUMNS; i++) {

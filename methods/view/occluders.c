@@ -273,7 +273,7 @@ static bool lies_beside(const struct block_in_view *block, const struct sides *p
 }
 
 /* Adds a block by its sides. If the view's plane does not cut the block, sides that
- * face away from the eye are left out: the others hide the same. */
+ * face away from the eye are left out: the others hide the same area. */
 static enum pp_status collect_block(struct pp_occluders *inside,
                                     struct pp_occluders *outside,
                                     const struct pp_occluders_scene *scene,

@@ -1,5 +1,5 @@
-/* slope_rectangles.c - extents of the drawing's parts along the section's axes, as
- * rectangles. */
+/* slope_rectangles.c - turns the parts of the drawing into rectangles along the
+ * section's axes. */
 #include "methods/view/slope_rectangles.h"
 
 #include <math.h>
@@ -110,7 +110,7 @@ struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening,
     return section_axes(opening, slope_rad).along;
 }
 
-/* The rectangles of the drawing's parts, the whole first. */
+/* Fills in the rectangles of the drawing's parts, that of the whole opening first. */
 static enum pp_status fill_slope_rectangles(struct pp_slope_rectangles *rectangles,
                                             const struct pp_window_drawing *drawing,
                                             const struct axes *axes,

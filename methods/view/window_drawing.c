@@ -36,7 +36,7 @@ static int cut_ring(double (*xy)[2], int count, struct pp_vec3 h, double (*spare
     return kept;
 }
 
-/* A ring of a patch, at unit distance and within the patch's half-spaces. */
+/* Draws a ring of a patch, at unit distance and within the patch's half-spaces. */
 static enum pp_status draw_ring(struct pp_ring *drawn, const struct pp_ring *ring,
                                 const struct pp_visible *visible,
                                 const struct pp_visible_patch *patch,

@@ -101,8 +101,8 @@ static const char *waldram_overlay_refuses(const struct pp_world *world,
                : NULL;
 }
 
-/* Transmittance at the middle of a row's square in the column at an azimuth; `out` is the
- * glass's direction in the diagram's axes. */
+/* Transmittance at the middle of the square of a row in the column at an azimuth; `out`
+ * is the direction of the glass in the diagram's axes. */
 static double transmittance_at(const struct overlay *overlay,
                                const struct pp_glass *glass, struct pp_vec3 out,
                                struct pp_angle azimuth, int row)

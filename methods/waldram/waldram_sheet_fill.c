@@ -128,7 +128,7 @@ static enum pp_status fill_window(struct pp_board_window *window,
     return status;
 }
 
-/* Extends the columns from 90 to 180 degrees if a sloping opening needs them. */
+/* Widens the panel from azimuths of 90 to 180 degrees if a sloping opening needs it. */
 static void widen(struct pp_waldram_panel *panel)
 {
     for (int w = 0; w < panel->count && !panel->glazed; w++)

@@ -91,7 +91,7 @@ static enum pp_status join_rings(struct pp_region *region, struct pp_clipper *cl
     return PP_OK;
 }
 
-/* Moves the rings of an outline to the end of a region's. */
+/* Moves the rings of an outline to the end of the region's rings. */
 static enum pp_status add_rings(struct pp_region *region, struct pp_region *outline,
                                 struct pp_error *err)
 {

@@ -13,11 +13,12 @@
 enum { DEEPEST = 12 }; /* halvings of one straight edge */
 
 /* Largest distance, in squares, from the middle of a chord to the middle of its edge
- * before a triangle is added. A quarter of it changes the sums of overlays by at most
- * 1e-4, relative. */
+ * before a triangle is added. With a quarter of this distance, the sums of overlays
+ * change by at most 1e-4, relative. */
 static const double NEAR = 0.008;
 
-/* Tolerance within which an edge counts as plumb, relative to the width of a square. */
+/* Tolerance within which an edge counts as vertical, relative to the width of a
+ * square. */
 static const double PLUMB = 1e-9;
 
 void pp_waldram_squares_size(const struct pp_waldram *waldram, double *width,
@@ -71,9 +72,9 @@ static struct diagram_point diagram_point_of(const struct mapping *mapping,
 
 /* Adds the points after `from` up to `to` of the straight edge from direction a to b.
  * The edge is halved until the middle of a chord is near the middle of the edge; a
- * plumb edge is its own chord. Between the last chord and the edge a triangle of equal
- * area is added (a parabola fills 2/3 of its box, a triangle 1/2, so that the triangle
- * needs 4/3 of the height); counts then have no bias. */
+ * vertical edge is its own chord. Between the last chord and the edge a triangle of
+ * equal area is added (a parabola fills 2/3 of its box, a triangle 1/2, so that the
+ * triangle needs 4/3 of the height); counts then have no bias. */
 static void add_droop_edge(struct droop_polyline *line, const struct mapping *mapping,
                            struct pp_vec3 a, struct diagram_point from,
                            struct pp_vec3 b, struct diagram_point to, int depth)

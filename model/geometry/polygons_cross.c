@@ -18,9 +18,9 @@ struct stretches {
     int count;
 };
 
-/* Intersection of the polygon with a plane parallel to the one through `origin` with
- * this normal, at height `level`, as intervals along `line`. list has space for half as
- * many intervals as vertices. */
+/* Intersection of the polygon with the plane at height `level` over the one through
+ * `origin` with this normal, as intervals along `line`. list has space for half as many
+ * intervals as vertices. */
 static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon,
                         struct pp_vec3 origin, struct pp_vec3 normal, double level,
                         struct pp_vec3 line)
@@ -65,7 +65,8 @@ static void intersect(struct stretches *both, const struct stretches *a,
     }
 }
 
-/* True if vertices are clearly on both sides of the other's plane. */
+/* True if the polygon has vertices clearly on both sides of the other polygon's
+ * plane. */
 static bool straddles(const struct pp_polygon *polygon, const struct pp_polygon *plane)
 {
     bool above = false, below = false;

@@ -118,7 +118,7 @@ struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal
 }
 
 /* Stores the result of pp_glass_panes(1, 1.52, 0.02): the integral takes 10 us, and a
- * room of a thousand windows needs this pane a million times. */
+ * room with a thousand windows needs this pane a million times. */
 struct pp_glass pp_glass_clear_single(void)
 {
     return (struct pp_glass){.panes = 1,

@@ -61,7 +61,7 @@ static double share_position(const double *shares, int count, double share)
     return low + fmin(fmax(t, 0.0), 1.0);
 }
 
-/* Sums the bearings of a ring between two positions. */
+/* Sums the light of the ring between two positions, bearing by bearing. */
 static void sum_ring(struct net *net, double upper, double lower)
 {
     net->turn[0] = 0.0;

@@ -80,7 +80,8 @@ static enum pp_status average_fields(struct adaptation_fields *fields,
 
 static const double display_range = 4.605170185988092; /* log of most over least */
 
-/* Log display luminance of a field, where `below` of `all` fields are darker. */
+/* Logarithm of the display luminance of a field, where `below` of `all` fields are
+ * darker. */
 static double display_log(double below, double all)
 {
     return log(PP_TONE_DISPLAY_LEAST) + display_range * below / all;

@@ -334,8 +334,8 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
         if (!ends[i].taken)
             status = trace_outline(field, &curves, ends, end_count, i, outlines, err);
 
-    /* Rings of the figure that no curve meets are outlines if the function is low
-     * there. */
+    /* Rings of the figure that no curve meets are outlines if the function does not
+     * exceed the level there. */
     for (int r = 0; r < field->region.count && status == PP_OK; r++) {
         const struct pp_ring *ring = &field->region.rings[r];
         bool met = false;

@@ -41,7 +41,7 @@ static double distance_to_segment(const double p[2], const double a[2],
     return pp_polygon_ring_edge_distance(ends, 2, p[0], p[1], NULL);
 }
 
-/* True if the segments ab and cd cross or come nearer than PP_SAME_M. */
+/* True if the segments ab and cd cross or come closer than PP_SAME_M. */
 static bool segments_meet(const double a[2], const double b[2], const double c[2],
                           const double d[2])
 {

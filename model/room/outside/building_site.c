@@ -16,7 +16,7 @@
 /* ---- parts of a room ---- */
 
 /* True if the building's gardens are assessed with this room. Only one room has them:
- * the first that exists in both states, or else the first of the state. */
+ * the first that exists in both states, or else the first that exists in this state. */
 static bool has_gardens(const struct pp_building *building, int index,
                         enum pp_site_state state)
 {

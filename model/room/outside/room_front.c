@@ -198,7 +198,7 @@ static enum pp_status leave_wall(struct pp_room_front *front,
 }
 
 /* The body in the sheet's axes, with z the height above its plane. *goes_through: the
- * body crosses the plane. The caller clears *turned in any case. */
+ * body crosses the plane. The caller clears *turned, whatever the status. */
 static enum pp_status turn_body(struct pp_world *turned, bool *goes_through,
                                 const struct pp_room_front *front,
                                 const struct pp_world *body, struct pp_error *err)

@@ -87,7 +87,7 @@ static enum pp_status add_level(struct pp_resolver *r,
         err);
 }
 
-/* Adds a vertical rectangle over a line; its ends are (right, out). */
+/* Adds a vertical rectangle over a line whose ends are given as (right, out). */
 static enum pp_status add_upright(struct pp_resolver *r,
                                   const struct pp_shade_part *shade,
                                   const struct window_axes *axes, const double from[2],

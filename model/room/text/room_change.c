@@ -50,7 +50,7 @@ static const char *part_name(const struct pp_xml_element *element, int n)
     return n < 3 ? attribute_text(element, keys[n]) : NULL;
 }
 
-/* The address after `word` and a point; NULL if it does not begin with them. */
+/* The address after `word` and a dot; NULL if it does not begin with them. */
 static const char *behind_word(const char *address, const char *word)
 {
     size_t length = strlen(word);
@@ -135,7 +135,7 @@ static void match_rest(struct match *match, const struct pp_xml_element *element
     }
 }
 
-/* Matches the first part of the address with the element. */
+/* Matches the first part of the address against the element. */
 static void match_part(struct match *match, const struct pp_xml_element *parent,
                        const struct pp_xml_element *element,
                        const struct pp_element_rule *rule, int tag, const char *address)
@@ -225,8 +225,8 @@ static void list_parts(struct name_list *list, const struct pp_xml_element *elem
 }
 
 /* Finds the part of the address that does not exist: the beginning that resembles one
- * of the names, or else the kind and the text up to the next point. A name may contain
- * points. */
+ * of the names, or else the kind and the text up to the next dot. A name may contain
+ * dots. */
 static void write_wanted(char wanted[NAME_BYTES], const char *left,
                          const struct name_list *list)
 {
