@@ -1,5 +1,5 @@
-/* convex_patches.c - turns occluders into rings, cuts the open part by each, and gathers
- * the fragments by the light that they show. */
+/* convex_patches.c - turns occluders into rings, cuts the open part by each, and
+ * gathers the fragments by the light that they show. */
 #include "methods/view/convex_patches.h"
 
 #include <stdlib.h>

@@ -27,7 +27,7 @@ static struct pp_projection looking(struct pp_vec3 eye, struct pp_vec3 toward,
 enum { SITE_VIEWS = 2 };
 
 /* Tangent of the greatest altitude of the views. Above it, the diagram of the overcast
- * sky has an area of 6/(7 pi) 1000^-3, or 3e-10. */
+ * sky has an area of 6 sqrt(2)/(7 pi) 1000^-3, or 4e-10. */
 #define SITE_TOP 1000.0
 
 static void find_views(struct site_view views[SITE_VIEWS], struct pp_vec3 eye,
