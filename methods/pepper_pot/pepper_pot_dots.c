@@ -30,7 +30,7 @@ static double by_altitude(const struct pp_pepper_pot *pot, double gamma)
 }
 
 /* Tabulates the cosine of the azimuth and the azimuth-dependent factor, at the nodes of
- * a Gauss rule in each of equal steps of azimuth. */
+ * a Gauss rule in each of several equal steps of azimuth. */
 static void place_azimuths(struct pp_pepper_pot *pot)
 {
     double nodes[PP_PEPPER_POT_NODES], weights[PP_PEPPER_POT_NODES];

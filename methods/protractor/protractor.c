@@ -13,7 +13,7 @@
  *      ERC = the obstruction's initial component x its correction factor x luminance
  *            factor (0.2 under the overcast sky for a reflectance of 0.2)
  *
- * Protractors 1 to 8 contain clear single glass, at 90, 0, 30 and 60 degrees; 9 and 10
+ * Protractors 1 to 8 are for clear single glass at 90, 0, 30 and 60 degrees; 9 and 10
  * are for unglazed openings at any slope.
  */
 #include <stdlib.h>

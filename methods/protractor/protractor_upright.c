@@ -7,10 +7,10 @@
  * from the window's normal the reading is cos psi times the first plus sin psi times
  * the second:
  *
- *   1. the window is cut where the receiver's own plane meets it, along vertical lines
- *   2. both primary scales at the upper and at the lower sight line: i and j
- *   3. both auxiliary scales at the jambs, for the average altitude: K, as on the published
- *      ones, and J, the reading at the right jamb less that at the left one
+ *   1. the window is cut in a vertical line where the receiver's own plane meets it
+ *   2. both primary scales are read at the upper and the lower sight line: i and j
+ *   3. both auxiliary scales are read at the jambs, for the average altitude: K, as on
+ *      the published ones, and J, the reading at the right jamb less that at the left
  *   4. SC = i K cos psi + j J sin psi; ERC is the same for the obstruction, times its
  *      luminance factor
  *

@@ -1,5 +1,5 @@
-/* entering_light.c - records C, C_g and u for an opening, with the quantities in
- * them. */
+/* entering_light.c - records C, C_g and u for an opening, with the quantities on which
+ * they depend. */
 #include "methods/reflected/entering_light.h"
 
 #include "methods/reflected/obstruction.h"

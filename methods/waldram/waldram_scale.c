@@ -137,7 +137,7 @@ double pp_waldram_scale_total_area(const struct pp_waldram *waldram)
 }
 
 /* A straight edge of the window's drawing: directions p + t d, with t from 0 to 1. The
- * azimuth is measured from the horizontal part of `out`. */
+ * azimuth is measured from the horizontal part of the window's outward direction. */
 struct window_edge {
     const struct pp_waldram *waldram;
     struct pp_vec3 p, d; /* in axes: x to the right, y ahead, z up */

@@ -208,7 +208,8 @@ enum pp_status pp_building_mirror(struct pp_building *building,
 
 /* ---- blocks by name ---- */
 
-/* The room that stores the building's blocks: the common part, or a lone room. */
+/* The room that stores the building's blocks: the common part or, if there is only one
+ * room and nothing in the common part, that room. */
 static struct pp_room *holder(const struct pp_building *building)
 {
     bool lone = building->read_count == 1 && building->common.block_count == 0

@@ -77,8 +77,8 @@ static bool unknown(const struct value_place *at, const char *const *names, int 
     return wrong(at, more);
 }
 
-/* True if the text is a number or looks like one. *good: it is a number in range;
- * otherwise it is reported. */
+/* True if the text is a number or looks like one. *good is true for a number in range;
+ * any other is reported. */
 static bool is_meant_for_number(double *value, bool *good, const struct value_place *at)
 {
     if (pp_text_parse_number(at->text, value)) {
