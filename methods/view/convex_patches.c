@@ -29,7 +29,7 @@ static enum pp_status add_open(struct pp_fragments *open,
     return status;
 }
 
-/* The lights of the pieces: pieces of one light have the same reflectance and
+/* The lights of the pieces. Pieces with the same light have the same reflectance and
  * exitance. */
 struct lights {
     int count;
@@ -59,7 +59,7 @@ static enum pp_status find_lights(struct lights *lights,
     return PP_OK;
 }
 
-/* Replaces the owners of fragments, rings, by the lights of these. */
+/* Changes the owner of each fragment from the index of a ring to that of its light. */
 static void name_lights(struct pp_fragments *fragments,
                         const struct pp_occluder_rings *rings,
                         const struct lights *lights)
@@ -104,8 +104,8 @@ static enum pp_status begin_patch(struct pp_visible *visible, int count,
     return PP_OK;
 }
 
-/* Adds a patch for the sky and one for each light, of the fragments that show it. The
- * owner of a fragment is its light. */
+/* Adds a patch for the sky and one for each light, if there are fragments that show it.
+ * The owner of a fragment is the index of its light. */
 static enum pp_status add_patches(struct pp_visible *visible,
                                   const struct pp_fragments *fragments,
                                   const struct lights *lights,
@@ -184,7 +184,8 @@ static enum pp_status divide_by_one_light(struct pp_fragments *open,
     return status;
 }
 
-/* Divides the open part among the lights of the pieces, which become the owners. */
+/* Divides the open part among the lights of the pieces. The indices of the lights become
+ * the owners of the fragments. */
 static enum pp_status divide_by_lights(struct pp_fragments *open,
                                        struct pp_occluder_rings *rings,
                                        const struct lights *lights,

@@ -81,7 +81,7 @@ static double ring_size(const struct pp_fragment_ring *ring)
     return (ring->high[0] - ring->low[0]) * (ring->high[1] - ring->low[1]);
 }
 
-/* Greater for a ring whose nearest corner is nearer: minus its depth. */
+/* Minus the depth of the ring's nearest corner: nearer rings have greater values. */
 static double ring_nearness(const struct pp_fragment_ring *ring)
 {
     double depth = INFINITY;
