@@ -25,13 +25,13 @@
 #include "studies/study_room.h"
 #include "studies/year/moment.h"
 
-/* Option of a diagram; PP_UNSAID: option not given. */
+/* Value of a yes-or-no option; PP_UNSAID: not given. */
 enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
 
 struct pp_overlay_options {
     enum pp_lens lens;
     double diameter_mm;    /* 0: the largest that fits on the sheet */
-    bool said;             /* true if any of the next three is given */
+    bool said;             /* true if any of dots, cells and sun is given */
     bool dots, cells, sun; /* parts to draw */
     const char *typed;     /* last of these options as typed; NULL: none */
 };
@@ -41,13 +41,15 @@ struct pp_board_options {
     bool fine;               /* pepper-pot diagram: dots of 0.01 % */
     enum pp_yes_no vertical; /* vertical receiver of a blank pepper-pot diagram;
                               * default no */
-    double viewing_mm;       /* pepper-pot diagram, eye to drawing; 0: 30, fine 60 */
+    double viewing_mm;       /* pepper-pot diagram: distance from eye to drawing; 0: 30
+                              * mm, or 60 mm if fine */
     struct pp_sky sky;       /* sky of a blank form; set by the caller */
     struct pp_sky_picture *picture; /* photograph of the sky; reference held; NULL:
                                      * none */
 
     int number;          /* number of a published protractor, 1 to 10; 0: not given */
-    const char *glazing; /* protractor for any glazing, or "none"; NULL: not given */
+    const char *glazing; /* glazing of the protractor by name, or "none"; NULL: not
+                          * given */
     double slope_deg;    /* slope of that glazing, from --slope */
     bool slope_said;     /* true if slope_deg is given */
     bool any_protractor; /* use glass and slope_rad below in place of a published
@@ -59,7 +61,8 @@ struct pp_board_options {
     enum pp_nomogram_kind nomogram; /* from --which */
     bool nomogram_said;             /* true if nomogram is given */
 
-    bool unsolved; /* for a point: draw the exercise, not its solution */
+    bool unsolved; /* diagram for a point of a room: draw the exercise, not its
+                    * solution */
 
     struct pp_overlay_options overlay;
     double inclined_deg; /* Waldram: droop lines of edges at this angle in plan */
@@ -71,7 +74,7 @@ struct pp_board_options {
 
 /* Options of a scale model. */
 struct pp_model_options {
-    double scale; /* 20 for 1:20; 0: not given */
+    double scale; /* denominator of the scale, 20 for 1:20; 0: not given */
     struct pp_mirror_box box;
     bool has_box;
     const char *typed; /* last of these options as typed; NULL: none */
@@ -88,11 +91,11 @@ struct pp_chart_site {
 
 /* Options for the content of a chart. */
 struct pp_chart_choice {
-    struct pp_chart_site
-        site;              /* for kinds that compare states or draw a site: the first
-                            * room or all rooms are drawn; set for each sheet */
-    bool line_said;        /* plan: lit area instead of contours */
-    enum pp_lit_line line; /* boundary of the lit area, if line_said */
+    struct pp_chart_site site; /* for kinds that compare states (only the first room is
+                            * drawn) or draw a site (all rooms are drawn); set for each
+                            * sheet */
+    bool line_said;            /* plan: lit area instead of contours */
+    enum pp_lit_line line;     /* boundary of the lit area, if line_said */
 
     const struct pp_report *known; /* the room's averages, which a plan prints in place
                                     * of its own; NULL: not known; not owned */
@@ -110,8 +113,9 @@ struct pp_chart_kind {
     const char *name;    /* as typed on the command line */
     const char *summary; /* one line, without a full stop */
     bool board;          /* drawing-board diagram: can be blank, without a room */
-    bool from_point;     /* such a diagram, for one point of a room */
-    bool of_window;      /* such a diagram, for one window under the overcast sky */
+    bool from_point;     /* drawing-board diagram for one point of a room */
+    bool of_window;      /* drawing-board diagram for one window under the overcast
+                          * sky */
     bool outside;        /* shows light outside: needs no room */
     bool compares;       /* can show a room's former state too */
     bool of_site;        /* one sheet shows all rooms of a file */

@@ -114,7 +114,8 @@ static enum pp_status draw_plot_plan(struct pp_canvas *canvas,
     return status;
 }
 
-/* Room and opening index of the window that limits the envelope; NULL: none. */
+/* Finds the window that limits the envelope. Returns its room and, in *opening, its
+ * index; NULL: no window does. */
 static const struct pp_world *find_deciding(int *opening,
                                             const struct standing_rooms *rooms,
                                             const struct pp_plot_envelope *found)

@@ -40,7 +40,8 @@ static void add_work(struct note_words *words, const char *place)
     words->source_count++;
 }
 
-/* Adds the allowances that the method and its formulae include. */
+/* Adds the sentence on the allowances that the method includes, and the works cited for
+ * the method and its formulae. */
 static void add_method(struct note_words *words, const char *name, int column)
 {
     const struct pp_method *method = pp_method_find(name);

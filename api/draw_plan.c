@@ -65,7 +65,8 @@ static enum pp_status find_mark(struct pp_plan_mark *mark, bool *found,
     return status;
 }
 
-/* Replaces the average by that of the same column of a report, so that both agree. */
+/* Replaces the average by that of the same column of the report `known`, if any, so
+ * that both agree. */
 static void take_average(struct pp_column *figures, const struct pp_report *known)
 {
     for (int i = 0; known && i < known->column_count; i++) {

@@ -18,7 +18,7 @@ struct pp_study {
     struct pp_report report;
     struct pp_light_scene *scene;     /* scene of the world; NULL: not yet built */
     struct pp_simulation *simulation; /* NULL: none requested */
-    struct pp_grid_choice grid;       /* grid of the points; empty: points are no
+    struct pp_grid_choice grid;       /* grid of the points; empty: the points are not a
                                        * grid */
     struct pp_assessment assessment;
     bool has_assessment;

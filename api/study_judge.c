@@ -69,7 +69,8 @@ struct pp_judgement pp_study_judgement(const struct pp_study *study, int index)
                                  .note = finding->note};
 }
 
-/* Text of the room file with the windows that were found. */
+/* Makes the text of the room file with the windows that were found; the caller frees
+ * *file. */
 static enum pp_status write_sized_room_text(char **file,
                                             struct pp_size_room_result *result,
                                             struct pp_error *err)

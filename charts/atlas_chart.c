@@ -44,7 +44,7 @@ static void edge_words(char *words, size_t room, const struct pp_atlas_scale *sc
         snprintf(words, room, "more");
 }
 
-/* Ticks, numbers and name of the scale below the field. */
+/* Draws ticks, numbers and name of the scale below the field. */
 static void draw_across_scale(struct atlas_plot *plot)
 {
     const struct pp_style *style = &plot->style;
@@ -109,7 +109,7 @@ static void draw_frame(struct atlas_plot *plot)
 /* Limits of the scales of ratios; values beyond them are drawn at the edge. */
 static const double least_ratio = 0.01, most_ratio = 100.0;
 
-/* A scale on which all quantiles fit, except those beyond its limits. */
+/* A scale that covers all quantiles, except those beyond its limits. */
 static struct pp_axis ratio_axis(const struct atlas_plot *plot)
 {
     double low = 0.8, high = 1.25;
@@ -206,9 +206,9 @@ static void draw_by_one(struct atlas_plot *plot)
 
 /* ---- a map by two numbers ---- */
 
-/* Appearance of a field up to a ratio, and beyond all: grey level, or distance of
- * hatching lines (mm for A4). The first limits below 1 and above it are those within
- * which a hand calculation is considered right. */
+/* Appearance of a field whose ratio is at most up_to: grey level, or distance between
+ * hatching lines (mm on A4). Between the limits next to 1, below and above it, a hand
+ * calculation is considered right. */
 static const struct {
     double up_to, grey, hatch_mm;
     const char *words;
@@ -276,7 +276,7 @@ static void draw_cells(struct atlas_plot *plot)
                       &map->real[u * PP_ATLAS_CLASSES + a]);
 }
 
-/* Samples in a row at the top right, with their limits below. */
+/* Draws a sample of each appearance in a row above the field, with the limits below. */
 static void draw_looks(struct atlas_plot *plot)
 {
     const struct pp_style *style = &plot->style;

@@ -1,6 +1,6 @@
-/* availability_chart.c - draws the curves of availability_chart.h: staircases of the
- * working hours' illuminances, their names, the lines of target illuminances, both
- * scales. */
+/* availability_chart.c - draws the curves of availability_chart.h: curves of the
+ * working hours' illuminances, drawn as steps, their names, the lines of target
+ * illuminances, and both scales. */
 #include "charts/availability_chart.h"
 
 #include <math.h>
@@ -28,7 +28,8 @@ struct availability_plot {
 
 /* ---- choice of rows ---- */
 
-/* The first method's rows of the only point, or of the average. */
+/* Chooses the rows to be drawn: those of the first method with a value, at the only
+ * point or for the average. */
 static void choose_rows(struct availability_plot *plot)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
@@ -127,7 +128,7 @@ static void say_notes(struct availability_plot *plot)
 
 /* ---- curves ---- */
 
-/* Positions on paper (mm) of a share of the hours. */
+/* Position on paper (y, mm) of a share of the hours. */
 static double up_at(const struct availability_plot *plot, double share)
 {
     return pp_axis_at(&plot->up, 100.0 * share);
@@ -275,7 +276,7 @@ static void draw_availability_marks(struct availability_plot *plot)
 
 /* ---- scales ---- */
 
-/* The scale of the illuminance inside, from y down; its title below. */
+/* Draws the scale of the illuminance inside, from y down, and its title below. */
 static void draw_inside_scale(struct availability_plot *plot, double y)
 {
     const struct pp_style *style = &plot->style;

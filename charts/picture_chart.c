@@ -1,6 +1,6 @@
-/* picture_chart.c - places a picture on a sheet: the raster; on it the grid, contour
- * lines and marks; beside it the scale of its false colours; below it a bar of
- * metres. */
+/* picture_chart.c - places a picture on a sheet: the raster, with grid, contour lines
+ * and marks on it; the scale of its false colours beside it; a scale bar in metres
+ * below it. */
 #include "charts/picture_chart.h"
 
 #include <math.h>
@@ -27,7 +27,7 @@ struct picture_drawing {
 
 static void level_words(char *text, size_t room, double level)
 {
-    /* %g prints 10000 and more as powers of ten. */
+    /* %.4g would print 10000 and more with a power of ten. */
     snprintf(text, room, level >= 1e4 && level < 1e7 ? "%.0f" : "%.4g", level);
 }
 
@@ -86,7 +86,7 @@ static void path(const struct picture_drawing *drawing, const struct pp_curve *c
         cairo_close_path(drawing->cr);
 }
 
-/* Strokes the path dark on a light border: visible on any colour. */
+/* Strokes the path dark with a light border, so that it is visible on any colour. */
 static void stroke_seen(const struct picture_drawing *drawing, double weight_mm)
 {
     cairo_t *cr = drawing->cr;

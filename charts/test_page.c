@@ -6,7 +6,8 @@
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
 
-/* Letters of European names, signs of formulae, and letters that look alike. */
+/* Sample text: letters in European names, signs in formulae, and letters that look
+ * alike. */
 static const char sample[] =
     "ÄÖÜ äöüß àçéñøš łőž  ·  θ τ ρ φ η  ·  ° ² √ − × ≤ ± ½ – …  ·  "
     "1 l I | 0 O 5 S 8 B";
@@ -45,13 +46,13 @@ static void stroke(cairo_t *cr, double x0, double y0, double x1, double y1)
     cairo_stroke(cr);
 }
 
-/* Length of the tick at a whole millimetre. */
+/* Length (mm) of the tick at a whole millimetre. */
 static double tick_length(int mm)
 {
     return mm % 10 == 0 ? 5.0 : mm % 5 == 0 ? 3.5 : 2.0;
 }
 
-/* One ruler to the right from x, y, one down. */
+/* Draws two rulers from x, y: one to the right, one down. */
 static void draw_rulers(const struct test_page *sheet, double x, double y)
 {
     cairo_t *cr = sheet->cr;
@@ -86,7 +87,7 @@ static void draw_circle(const struct test_page *sheet, double x, double y)
     label(sheet, x + 25.0, y + 50.8, 0.5, "50 mm");
 }
 
-/* Text in every size of the charts, from y down. */
+/* Writes text in every size of the charts, from y down. */
 static void draw_text_sizes(const struct test_page *sheet, double x, double y)
 {
     static const char *const names[] = {[PP_TEXT_SMALL] = "small",
@@ -132,7 +133,7 @@ static void draw_greys(const struct test_page *sheet, double y)
     cairo_stroke(sheet->cr);
 }
 
-/* Widths of lines on the left, and the curves of charts on the right. */
+/* Draws lines of several widths on the left, and the curves of charts on the right. */
 static void draw_lines(const struct test_page *sheet, double y)
 {
     static const double widths[] = {0.1, 0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0};
@@ -156,7 +157,7 @@ static void draw_lines(const struct test_page *sheet, double y)
     }
 }
 
-/* Six fields in two columns, the upper left one at x, y. */
+/* Draws six hatched fields in two columns, the upper left one at x, y. */
 static void draw_hatches(const struct test_page *sheet, double x, double y)
 {
     static const struct {
@@ -176,7 +177,7 @@ static void draw_hatches(const struct test_page *sheet, double x, double y)
     }
 }
 
-/* A cross in each corner, 10 mm from both edges. */
+/* Draws a cross in each corner, 10 mm from both edges. */
 static void draw_corners(const struct test_page *sheet, double width, double height)
 {
     pp_style_line(sheet->cr, 0.18, PP_INK);

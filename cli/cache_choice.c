@@ -12,8 +12,6 @@
 #include "model/base/text.h"
 #include "simulate/cache/cache_file.h"
 
-/* Limits the cache to 1 GiB. */
-
 static enum pp_status read_accuracy(const char *text, void *place, struct pp_error *err)
 {
     double accuracy;

@@ -1,5 +1,5 @@
-/* cache_choice.h - the options of the irradiance cache, common to all commands that use
- * one. */
+/* cache_choice.h - the options of the irradiance cache, shared by all commands that use
+ * it. */
 #ifndef PP_CLI_CACHE_CHOICE_H
 #define PP_CLI_CACHE_CHOICE_H
 
@@ -16,14 +16,14 @@ struct pp_cache_choice {
 };
 
 /* --accuracy (-aa), --resolution (-ar), --divisions (-ad), --supersamples (-as),
- * --bounces (-ab), --ambient (-av), --include (-ai), --exclude (-ae), --cache; their
- * values are a struct pp_cache_choice. */
+ * --bounces (-ab), --ambient (-av), --include (-ai), --exclude (-ae), --cache; the
+ * values are stored in a struct pp_cache_choice. */
 extern const struct pp_option pp_cache_choice_options[];
 
 struct pp_cache_choice pp_cache_choice_default(void);
 
-/* Makes the lists of materials after all options are read. PP_BAD_INPUT if both lists
- * are given. */
+/* Splits the list of materials to include or exclude, after all options are read.
+ * PP_BAD_INPUT if both lists are given. */
 enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
                                       struct pp_error *err);
 void pp_cache_choice_clear(struct pp_cache_choice *words);
@@ -42,7 +42,7 @@ enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_radiance_options *light,
                                     uint64_t seed, int threads, struct pp_error *err);
 
-/* Writes the file of --cache in one step. */
+/* Writes `bytes` to the file of --cache, which must be given, in one step. */
 enum pp_status pp_cache_choice_write(const struct pp_cache_choice *words,
                                      const char *bytes, size_t length,
                                      struct pp_error *err);

@@ -1,5 +1,5 @@
 /* command.c - runs any command: reads its options, checks them, runs it, cleans up.
- * Checks that no file to be written is another file of the command line. */
+ * Checks that no output file is also named elsewhere on the command line. */
 #include "cli/command.h"
 
 #include <libgen.h>
@@ -36,7 +36,8 @@ struct named_file {
     bool written;
 };
 
-/* The directory of a path, and the file's name in it. */
+/* Finds the directory of a path, and the file's name in it. False if there is no such
+ * directory, or the path is too long. */
 static bool split_path(const char *path, struct stat *directory, char name[PATH_MAX])
 {
     char copy[PATH_MAX];
@@ -53,7 +54,7 @@ static bool is_same_place(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* True if both names are of one file, or will be once it is written. Devices do not
+/* True if both names denote the same file, or will once it is written. Devices do not
  * count, since two outputs may go to /dev/null. */
 static bool is_same_file(const char *a, const char *b)
 {

@@ -1,8 +1,9 @@
 /* command.h - a command of the program; program/main.c has the list of all commands.
  *
- * An entry of the list says how the arguments are read into the command's own struct,
- * how they are checked, and how the command runs. A new command needs a file cmd_NAME.c
- * in a folder of that name, a declaration here, and an entry in program/main.c.
+ * An entry of the list defines how the arguments are read into the command's own
+ * struct, how they are checked, and how the command runs. A new command needs a file
+ * cmd_NAME.c in a folder of that name, a declaration here, and an entry in
+ * program/main.c.
  */
 #ifndef PP_CLI_COMMAND_H
 #define PP_CLI_COMMAND_H
@@ -23,14 +24,15 @@ struct pp_command {
     void (*more_help)(FILE *out);         /* prints the end of the help; NULL: only
                                            * options */
 
-    void (*init)(void *options); /* called before the words are read */
-    /* Checks the words before any file is opened. PP_BAD_INPUT if they are
+    void (*init)(void *options); /* called before the arguments are read */
+    /* Checks the arguments before any file is opened. PP_BAD_INPUT if they are
      * inconsistent. */
     enum pp_status (*check)(void *options, char **operands, int count,
                             struct pp_error *err);
     enum pp_exit (*run)(void *options, char **operands, int count);
-    void (*clear)(void *options); /* called in any case */
-    int words_before_files; /* number of operands that are not files: 1 for a kind */
+    void (*clear)(void *options); /* always called at the end */
+    int words_before_files; /* number of operands before the files: 1 if the first is
+                             * the kind of chart */
 
     /* True if ranks share the command's work. Its options then have a const struct
      * pp_ranks * at the offset ranks_place, which is set after init; NULL: no ranks. */

@@ -5,8 +5,8 @@
 #include <signal.h>
 #include <stddef.h>
 
-/* The only variable of the program at file scope: a signal handler cannot pass data in
- * another way. */
+/* The only variable at file scope in the program: a signal handler has no other way to
+ * pass data. */
 static volatile sig_atomic_t interrupted;
 
 static const int watched[] = {SIGINT, SIGTERM};

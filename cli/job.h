@@ -18,8 +18,8 @@ struct pp_job {
     void *data;                            /* passed to the functions */
 };
 
-/* Opens the output, computes, prints and closes the output, up to the first failure.
- * Reports errors, and warns if the results are of an unfinished simulation. */
+/* Opens the output, computes, prints and closes the output; stops at the first failure.
+ * Reports errors, and warns if the simulation was not finished. */
 enum pp_exit pp_job_run(const struct pp_job *job);
 
 #endif

@@ -14,12 +14,13 @@ struct pp_lumen_files {
     int count;
 };
 
-/* Option for struct pp_option_group; its values are a struct pp_lumen_files. */
+/* Option for struct pp_option_group; the values are stored in a struct
+ * pp_lumen_files. */
 extern const struct pp_option pp_lumen_option[];
 
-/* The program's tables, replaced in part by those of the files. The caller destroys
- * *table; NULL if there are no files. All errors of all files are reported on standard
- * error; *table is then NULL. */
+/* Loads the program's tables, with those in the files in place of the program's own.
+ * The caller destroys *table, which is NULL if there are no files. All errors in all
+ * files are reported on standard error; *table is then NULL. */
 enum pp_exit pp_lumen_option_load(struct pp_lumen_table **table,
                                   const struct pp_lumen_files *files);
 

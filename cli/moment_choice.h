@@ -25,16 +25,16 @@ extern const struct pp_option
                                                         * have a --weather */
 
 /* Moves the Perez sky of --sky from the room's options to the choice. PP_BAD_INPUT if
- * parts are missing, or apply to daylight factors only. */
+ * options are missing, or apply to daylight factors only. */
 enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                        struct pp_room_options *room,
                                        struct pp_error *err);
 
-/* Checks the number of paths, which must be a power of two for a moment or a year. */
+/* Checks the number of paths, which for a moment or a year must be a power of two. */
 enum pp_status pp_moment_choice_check_paths(const struct pp_room_options *room,
                                             struct pp_error *err);
 
-/* True if the options ask for results at one moment. */
+/* True if the options select one moment. */
 bool pp_moment_choice_said(const struct pp_moment_choice *choice);
 
 /* Reads the weather file, if there is one. The caller clears the choice in any case. */

@@ -1,4 +1,5 @@
-/* options.h - parses the arguments of a command by tables, which also make its help.
+/* options.h - parses the arguments of a command by tables, from which the help is also
+ * made.
  *
  * The value of a long option follows "=" or is the next word. The value of a letter
  * option follows it directly or is the next word. The value of a short form such as -aa
@@ -13,8 +14,8 @@
 
 #include "model/base/error.h"
 
-/* Stores the value of `text` at its place. On failure the message states the expected
- * value, as the end of the sentence "--error is "x"; expected ...". */
+/* Parses `text` and stores the value at `place`. On failure the message states the
+ * expected value, as the end of the sentence "--error is "x"; expected ...". */
 typedef enum pp_status pp_option_reader(const char *text, void *place,
                                         struct pp_error *err);
 
@@ -24,7 +25,7 @@ struct pp_option {
     char letter;       /* 'o' for -o; 0: none */
     const char *value; /* name of its value in the help; NULL: a switch */
     const char *help;
-    pp_option_reader *read; /* NULL: a switch, which sets its bool */
+    pp_option_reader *read; /* NULL: a switch, which sets a bool to true */
     size_t offset;          /* offset of the value in the group's struct */
 };
 
@@ -47,7 +48,7 @@ struct pp_command_line {
 
 /* Reads argv[1] to argv[argc - 1]. Moves the operands, in order, to the start of argv,
  * *operand_count of them. *help: --help or -h was found; nothing else is checked then.
- * PP_BAD_INPUT for a wrong word. */
+ * PP_BAD_INPUT for an invalid argument. */
 enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
                                char **argv, int *operand_count, bool *help,
                                struct pp_error *err);
@@ -58,8 +59,8 @@ void pp_options_help(const struct pp_command_line *line, FILE *out);
 /* Prints a line of help for a word that is not an option, in the layout of options. */
 void pp_options_help_word(const char *word, const char *text, FILE *out);
 
-/* Reads up to `most` numbers separated by a letter; returns their count, or -1 for any
- * other text. */
+/* Reads up to `most` numbers separated by the character `between`; returns their count,
+ * or -1 for any other text. */
 int pp_options_numbers(const char *text, char between, double *list, int most);
 
 /* Readers; each comment gives the type of the value. */

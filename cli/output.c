@@ -14,7 +14,8 @@
 
 enum { MOST_LINKS = 40 };
 
-/* Makes the path of `name` in the directory of `path`; the caller frees it. */
+/* Makes the path of `name` in the directory of `path`; the caller frees it. NULL: out
+ * of memory. */
 static char *beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
@@ -28,8 +29,8 @@ static enum pp_status fail_file(struct pp_error *err, const char *path, int numb
     return pp_fail(err, PP_SYSTEM, "%s cannot be written: %s", path, strerror(number));
 }
 
-/* Follows symbolic links, the last of which may point to a file that does not exist
- * yet. The caller frees *resolved. */
+/* Follows symbolic links; the last one may point to a file that does not exist yet. The
+ * caller frees *resolved. */
 static enum pp_status follow_links(const char *path, char **resolved,
                                    struct pp_error *err)
 {
@@ -153,8 +154,8 @@ static int fill_and_rename(int file, const char *temporary,
     return failed;
 }
 
-/* Replaces the file by a new file written beside it. Signals are blocked, so that the
- * temporary file is never left behind. */
+/* Writes a new file beside the old one and replaces the old one by it. Returns 0, or -1
+ * and errno. Signals are blocked, so that the temporary file is never left behind. */
 static int replace(const struct pp_output *output)
 {
     char *temporary = beside(output->path, ".pepperpot-XXXXXX");

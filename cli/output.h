@@ -1,10 +1,10 @@
 /* output.h - results that are written completely or not at all.
  *
- * Output is collected in memory. pp_output_commit writes it to standard output, or to
- * a new file beside the named one, which then replaces that file in one step. Until
- * then an existing file is unchanged, also behind a symbolic link; its permissions are
- * kept. Files that are not regular (a terminal, a pipe, /dev/null) are written
- * directly.
+ * Output is collected in memory. pp_output_commit writes it to standard output, or to a
+ * new file beside the named one, which then replaces that file in one step. Until then
+ * an existing file is unchanged, even if `path` is a symbolic link to it. Its
+ * permissions are kept. Files that are not regular (a terminal, a pipe, /dev/null) are
+ * written directly.
  */
 #ifndef PP_CLI_OUTPUT_H
 #define PP_CLI_OUTPUT_H
@@ -22,7 +22,7 @@ struct pp_output {
 };
 
 /* path NULL or "-": standard output. Fails at once if the file cannot be written later:
- * no such directory, a directory, no permission. */
+ * its directory does not exist, it is itself a directory, or permission is missing. */
 enum pp_status pp_output_open(struct pp_output *output, const char *path,
                               struct pp_error *err);
 
@@ -30,7 +30,7 @@ enum pp_status pp_output_open(struct pp_output *output, const char *path,
  * nothing. */
 enum pp_status pp_output_try(const char *path, struct pp_error *err);
 
-/* Writes the collected output, and closes it in any case. */
+/* Writes the collected output, and closes it even on failure. */
 enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
 
 /* Closes the output without changing any file. May follow a commit. */

@@ -27,7 +27,8 @@ void pp_progress_resume(struct pp_progress *progress, double done)
     progress->before = done;
 }
 
-/* ", 8 s left", ", 3 min left", ", 2.5 h left"; empty if unknown. */
+/* Writes the time left as ", 8 s left", ", 3 min left" or ", 2.5 h left"; nothing if it
+ * is unknown (NAN). */
 static void say_left(char *text, size_t room, double seconds)
 {
     text[0] = '\0';
@@ -89,7 +90,7 @@ void pp_progress_print(FILE *out, const char *label, double done, double error,
     fprintf(out, " %s", tail);
 }
 
-/* Width of the terminal; 80 if unknown. */
+/* Width of the terminal in columns; 80 if unknown. */
 static int terminal_columns(void)
 {
     struct winsize size;

@@ -1,4 +1,4 @@
-/* progress.h - progress bar of a long computation, on a terminal only. */
+/* progress.h - progress bar for a long computation, shown on a terminal only. */
 #ifndef PP_CLI_PROGRESS_H
 #define PP_CLI_PROGRESS_H
 
@@ -15,16 +15,17 @@ struct pp_progress {
 
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet);
 
-/* Continues from `done`: the time left is estimated from there. */
+/* States that the computation continues from `done`: the time left is estimated from
+ * the progress made since. */
 void pp_progress_resume(struct pp_progress *progress, double done);
 
 /* Draws the line again, at most ten times a second. done: 0 to 1; error: the largest
- * standard error over daylight factor so far, NAN if there is none. */
+ * ratio of standard error to daylight factor so far; NAN: none. */
 void pp_progress_show(struct pp_progress *progress, double done, double error);
 
-/* Prints the line "Deep office [======    ]  45 %, error 2.1 %, 12 s left", shorter
- * than `columns` if they are 40 or more: on a narrow terminal bar and label are
- * shortened. left_s: the time left, s; NAN: unknown. */
+/* Prints the line "Deep office [====== ] 45 %, error 2.1 %, 12 s left", with fewer
+ * characters than `columns` if that is 40 or more: on a narrow terminal the bar and the
+ * label are shortened. left_s: the time left, s; NAN: unknown. */
 void pp_progress_print(FILE *out, const char *label, double done, double error,
                        double left_s, int columns);
 

@@ -235,7 +235,7 @@ const struct pp_option pp_room_output_options[] = {
     {0},
 };
 
-/* First option given that sets the end of a simulation; NULL: none. */
+/* First option given that determines when a simulation stops; NULL: none. */
 static const char *stop_option(const struct pp_study_options *study)
 {
     return study->error > 0.0     ? "--error"

@@ -32,14 +32,16 @@ enum pp_status pp_room_options_read_state(const char *text, void *place,
 /* Default options: seed 1, all else empty. */
 extern const struct pp_room_options pp_room_options_none;
 
-/* Lists for struct pp_option_group, with a struct pp_room_options as values. */
+/* Lists for struct pp_option_group; the values are stored in a struct
+ * pp_room_options. */
 extern const struct pp_option pp_room_methods_option[];
 extern const struct pp_option pp_room_points_option[];
 extern const struct pp_option pp_room_sky_options[]; /* sky, room */
 extern const struct pp_option pp_room_external_option[];
 /* vsc-point-french. Its value is one double, 0 if the option is not given. */
 extern const struct pp_option pp_room_french_option[];
-/* Facts of the title block, except its number; values are a struct pp_project. */
+/* Facts for the title block, except the project number; the values are stored in a
+ * struct pp_project. */
 extern const struct pp_option pp_room_project_options[];
 /* cut. Its value is a struct pp_section_place (section_line.h). */
 extern const struct pp_option pp_room_cut_option[];
@@ -53,7 +55,7 @@ extern const struct pp_option pp_room_plain_option[];
 extern const struct pp_option pp_room_seed_options[];   /* seed, threads */
 extern const struct pp_option pp_room_output_options[]; /* output, quiet */
 
-/* Rows of a command's list of groups, for a struct pp_room_options at that offset. */
+/* Rows of a command's list of groups. at: offset of the struct pp_room_options. */
 #define PP_ROOM_CHOICE_GROUPS(title, at)                                               \
     {title, pp_room_methods_option, at}, {title, pp_room_points_option, at},           \
     {                                                                                  \
@@ -79,8 +81,8 @@ extern const struct pp_option pp_room_output_options[]; /* output, quiet */
 enum pp_status pp_room_options_settle_by_hand(struct pp_room_options *options,
                                               struct pp_error *err);
 
-/* PP_BAD_INPUT if the options are inconsistent. A simulation without a stop option gets
- * an error of 1 %. */
+/* PP_BAD_INPUT if the options are inconsistent. A simulation without a stop option runs
+ * to a standard error of 1 %. */
 enum pp_status pp_room_options_settle(struct pp_room_options *options,
                                       struct pp_error *err);
 

@@ -84,7 +84,7 @@ static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *bu
     return PP_EXIT_DONE;
 }
 
-/* Chooses the rooms of the requested state; there must be at least one. */
+/* Sets the building to the requested state, in which it must have at least one room. */
 static enum pp_status choose_state(struct pp_building *building, const char *file,
                                    enum pp_site_state state, struct pp_error *err)
 {
@@ -164,8 +164,8 @@ static enum pp_exit find_doubts(struct pp_rooms *rooms)
     return pp_fail_memory(&err), pp_message_error(&err);
 }
 
-/* Reports the warnings. A warning that several rooms of one file share is reported
- * once. With --strict warnings are errors. */
+/* Reports the warnings. A warning common to several rooms of a file is reported once.
+ * strict: warnings are errors. */
 static enum pp_exit report_doubts(const struct pp_rooms *rooms, bool strict)
 {
     int count = 0;
@@ -287,8 +287,8 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
-/* Sets the building's state or, if no state is given, adds its mirror image at the
- * line. */
+/* Sets the building's state or, if `line` is not NULL, replaces its proposed parts by
+ * its mirror image at that line. */
 static enum pp_status settle_again(struct pp_building *building,
                                    enum pp_site_state state,
                                    const struct pp_mirror_line *line,
@@ -302,7 +302,8 @@ static enum pp_status settle_again(struct pp_building *building,
                            : pp_fail(err, status, "--mirror-image: %s", why.message);
 }
 
-/* Parses the proposed building again, from its text. */
+/* Parses the proposed building again from its text, and sets the state or the mirror
+ * image. */
 static enum pp_exit load_again(struct loading *loading, const char *file,
                                const struct pp_building *proposed,
                                enum pp_site_state state,
@@ -334,8 +335,8 @@ static bool has_state(const struct pp_building *building, enum pp_site_state sta
                                         : pp_building_has_states(building);
 }
 
-/* Parses every building of these rooms again that has the state, and sets that
- * state. */
+/* Parses again every building of these rooms that has the state, and sets that state,
+ * or the mirror image if `line` is not NULL. */
 static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
                                    const struct pp_rooms *proposed,
                                    const struct pp_room_options *options,

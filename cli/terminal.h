@@ -8,7 +8,7 @@
  * for a file or a pipe. output NULL: standard output. */
 int pp_terminal_width(const char *output);
 
-/* True if the terminal expects UTF-8, by LC_CTYPE, which main has set. */
+/* True if the terminal expects UTF-8 according to LC_CTYPE, which main sets. */
 bool pp_terminal_utf8(void);
 
 #endif

@@ -11,8 +11,8 @@ struct pp_terminal_watch {
     struct pp_progress progress;
 };
 
-/* Shows a bar on the terminal unless quiet, and stops at an interrupt after
- * pp_interrupt_watch. Valid as long as *terminal. */
+/* Shows a progress bar on the terminal unless quiet, and stops the simulation at an
+ * interrupt if pp_interrupt_watch was called before. Valid as long as *terminal. */
 struct pp_watch pp_watch_of_terminal(struct pp_terminal_watch *terminal, bool quiet);
 
 #endif

@@ -90,7 +90,7 @@ static bool add_method(struct json_object *object,
     return good;
 }
 
-/* Adds the rows of one place; true if it has none. */
+/* Adds the rows of one place, if it has any. False: out of memory. */
 static bool add_place(struct json_object *object,
                       const struct pp_availability_sheet *sheet, int place)
 {
@@ -122,7 +122,7 @@ static bool add_availability_points(struct json_object *object,
     return good;
 }
 
-/* Adds the place's results under `key`; nothing if the place has no rows. */
+/* Adds the place's results under `key`; adds nothing if the place has no rows. */
 static bool add_whole_place(struct json_object *object,
                             const struct pp_availability_sheet *sheet, const char *key,
                             int place)

@@ -42,7 +42,7 @@ static void put_lux(char cell[PP_CELL_BYTES], double lx)
         snprintf(cell, PP_CELL_BYTES, "%.0f", round(lx / unit) * unit);
 }
 
-/* Prints a row for each period: its hours, and the light of the sky in them. */
+/* Prints a row for each period: its hours, and the light from the sky during them. */
 static bool print_periods(const struct pp_availability_sheet *sheet, int width,
                           FILE *out)
 {
@@ -211,7 +211,8 @@ static bool print_method(const struct pp_availability_sheet *sheet, const char *
     return good;
 }
 
-/* Prints each reason why a method lacks a value, once. */
+/* Prints the reasons why methods lack values; a reason repeated in consecutive rows is
+ * printed once. */
 static void print_reasons(const struct pp_availability_sheet *sheet, int width,
                           FILE *out)
 {

@@ -6,9 +6,9 @@
 #include "reports/parts/format.h"
 #include "reports/parts/print_band.h"
 
-/* Writes one reading and its band (NULL: not requested), of a receiver or, if that is
- * NULL, of the mean named `place`. With external_lux above 0, another field has the
- * illuminance, the reading times external_lux. */
+/* Writes one reading and its band (NULL: not requested), at a receiver or, if that is
+ * NULL, for the average named `place`. With external_lux above 0 a further field has
+ * the illuminance: the daylight factor times external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver, const char *place,
                      const struct pp_reading *reading, const struct pp_band_ends *band,

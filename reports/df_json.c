@@ -69,9 +69,9 @@ static bool add_contents(struct json_object *object, const char *name)
 }
 
 /* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }, with "band": [1.1,
- * 1.6] if known. name: the column's. With truth, another engine's reading at the same
- * place, adds "apart": the distance of both. With external_lux over 0, adds the
- * illuminance. */
+ * 1.6] if known. name: of the column. truth: reading of the reference engine at the
+ * same place, or NULL; adds "apart", the difference from it in standard errors of the
+ * difference. With external_lux above 0, adds the illuminance. */
 static struct json_object *entry(const struct pp_world *world,
                                  const struct pp_reading *reading, const char *name,
                                  const struct pp_reading *truth,
@@ -94,7 +94,7 @@ static struct json_object *entry(const struct pp_world *world,
     return pp_json_whole(object, good);
 }
 
-/* Index of a mean instead of a receiver `index`. */
+/* Indices that stand for an average instead of a receiver. */
 enum { OF_AVERAGE = -1, OF_MARGIN_AVERAGE = -2 };
 
 static const struct pp_reading *df_reading(const struct pp_column *column, int index)
@@ -111,8 +111,8 @@ static struct pp_band_ends band_of(const struct pp_column *column, int index)
                                          : pp_band_none();
 }
 
-/* Column with which an engine's daylight factors are compared; NULL: it is a reference
- * itself, or not an engine's. */
+/* Column with which an engine's daylight factors are compared; NULL: `column` is itself
+ * the reference, or not an engine's. */
 static const struct pp_column *truth_for(const struct pp_report *report,
                                          const struct pp_column *column)
 {
@@ -232,7 +232,7 @@ static struct json_object *plane_reading_object(const struct pp_plane_reading *p
     return pp_json_whole(object, good);
 }
 
-/* Adds "grid": statistics of the plane from the daylight factors at the points of a
+/* Adds "grid": statistics over the plane, from the daylight factors at the points of a
  * grid. */
 static bool add_grid(struct json_object *object, const struct pp_report *report)
 {

@@ -1,4 +1,4 @@
-/* df_plane.c - lays figures out like the plan, and prints the summary of a plane.
+/* df_plane.c - arranges figures like the plan, and prints the summary of a plane.
  */
 #include "reports/df_plane.h"
 

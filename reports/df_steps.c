@@ -1,6 +1,6 @@
-/* df_steps.c - calculations in the layout of a hand calculation: a formula on a line of
- * its own, its value below; figures that were read or given on one line each, the value
- * on the right. */
+/* df_steps.c - calculations in the layout of a hand calculation: each formula is on its
+ * own line with its value below; figures that are read from a table or given take one
+ * line each, with the value on the right. */
 #include "reports/df_steps.h"
 
 #include <ctype.h>
@@ -16,7 +16,7 @@
 enum {
     HEAD = 4,   /* columns before a heading */
     SYMBOL = 6, /* before a symbol or formula */
-    MORE = 10,  /* before the rest of a long formula */
+    MORE = 10,  /* indent of the further lines of a long formula */
     WHAT = 15,  /* words */
     VALUE_WIDTH = 11,
     UNIT_WIDTH = 4,

@@ -305,7 +305,8 @@ static void print_simulation(const struct pp_result *result,
 
 /* ---- a room ---- */
 
-/* Prints the sentence above a table that has the average but no points. */
+/* Prints the sentence above a table that has only the average, and adds its key column.
+ * False: out of memory. */
 static bool add_no_places(struct pp_table *table, const struct pp_report *report,
                           FILE *out)
 {
@@ -315,8 +316,8 @@ static bool add_no_places(struct pp_table *table, const struct pp_report *report
     return pp_table_add(table, NULL, NULL, "       ") != NULL;
 }
 
-/* A grid's daylight factors are arranged like the plan; of the components only the
- * averages are printed. */
+/* Prints the table. A grid's daylight factors are arranged like the plan, unless
+ * illuminances are requested; the table then has only averages. */
 static enum pp_status print_table(const struct pp_report *report,
                                   const struct pp_study_options *options,
                                   bool all_bands, int width, bool utf8, FILE *out,

@@ -19,7 +19,8 @@ static void put_factor(double factor, FILE *out)
         fprintf(out, "  %8s", "");
 }
 
-/* Prints the change in its column, wrapped, with the figures after its first line. */
+/* Prints the change, wrapped in its column, with the figures at the end of the first
+ * line. */
 static void print_gain(const struct pp_gain *gain, const struct pp_gains *gains,
                        int width, FILE *out)
 {

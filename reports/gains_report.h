@@ -1,4 +1,4 @@
-/* gains_report.h - the causes that limit a room's daylight, and the gains by changing
+/* gains_report.h - the causes that limit a room's daylight, and the gains from changing
  * them: the end of its assessment. */
 #ifndef PP_REPORTS_GAINS_REPORT_H
 #define PP_REPORTS_GAINS_REPORT_H

@@ -10,8 +10,7 @@
 #include "reports/parts/table.h"
 #include "model/base/read_file.h"
 
-/* Illuminance (lx) of an irradiance; daylight factor in per cent, NAN if there is no
- * sky. */
+/* Illuminance (lx) for an irradiance. */
 static double lux(double irradiance)
 {
     return PP_IMPORT_EFFICACY * irradiance;

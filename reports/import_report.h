@@ -11,7 +11,7 @@ struct pp_imported {
     int file_count;
     const struct pp_scene_description *scene;
     struct pp_rad_summary summary;
-    struct pp_rgb horizontal; /* irradiance of the open horizontal ground */
+    struct pp_rgb horizontal; /* irradiance on the open horizontal ground */
 
     const struct pp_sensor *points;
     const struct pp_sensor_reading *readings; /* NULL: none requested */

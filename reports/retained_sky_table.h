@@ -13,21 +13,23 @@
 void pp_retained_sky_table_say(char *text, size_t size,
                                const struct pp_retained_sky_rule *rule);
 
-/* Adds one line for each place. altitudes_rad: of a plane for each, INFINITY: none;
- * NULL: there are no planes. False: out of memory. */
+/* Adds one line for each place; that of index `deciding` is marked. altitudes_rad:
+ * altitude of the plane through each place; INFINITY: no plane there; NULL: no planes
+ * at all. False: out of memory. */
 bool pp_retained_sky_table_fill(struct pp_table *table,
                                 const struct pp_retained_sky *dues,
                                 enum pp_retained_sky_of of, int deciding,
                                 const double *altitudes_rad);
 
-/* Adds "windows" or "rooms", with one object each. */
+/* Adds "windows" or "rooms", an array with one object for each. */
 bool pp_retained_sky_table_json(struct json_object *object,
                                 const struct pp_retained_sky *dues,
                                 enum pp_retained_sky_of of, int deciding,
                                 const double *altitudes_rad);
 
-/* Prints below a table at which point the components of full-height windows are
- * calculated, if not at their centre; `width` columns. */
+/* Prints a note, `width` columns wide, for below a table: the point at which the
+ * vertical sky component of French windows is calculated, if that is not their
+ * centre. */
 void pp_retained_sky_table_point(const struct pp_retained_sky_rule *rule, int width,
                                  FILE *out);
 

@@ -1,4 +1,4 @@
-/* size_csv.h - sized windows, one room per line; factors in per cent. */
+/* size_csv.h - sized windows as CSV, one room per line; factors in per cent. */
 #ifndef PP_REPORTS_SIZE_CSV_H
 #define PP_REPORTS_SIZE_CSV_H
 

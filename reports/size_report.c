@@ -19,7 +19,7 @@ enum { LABEL = 15, TEXT_BYTES = 640 };
 
 static const double same_m = 1e-9;
 
-/* "2.00 %", with more digits for small values. */
+/* Appends "2.00 %", with more decimals for small values. */
 static void append_per_cent(char text[TEXT_BYTES], double share)
 {
     double value = 100.0 * share;
@@ -62,8 +62,8 @@ double pp_size_report_length(struct pp_opening_place place, enum pp_size_change 
     return place.width_m;
 }
 
-/* "a width of 1.238 m instead of 2.6 m", "widths 0.61 times as large", "3 windows
- * instead of 2". */
+/* Appends "a width of 1.238 m instead of 2.6 m", "widths 0.61 times as large" or "3
+ * windows instead of 2". */
 static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result *result,
                         enum pp_size_change change)
 {
@@ -121,7 +121,7 @@ static bool is_plural(const struct pp_size_room_result *result,
     return change == PP_CHANGE_NUMBER && more != 0 && windows + more != 1;
 }
 
-/* Appends the last line of the answer: the result, or the reason why there is none. */
+/* Appends the last part of the answer: the result, or the reason why there is none. */
 static void append_answer(char text[TEXT_BYTES],
                           const struct pp_size_room_result *result,
                           enum pp_size_change change, bool utf8)
@@ -183,7 +183,8 @@ static enum pp_status element_of(char **element,
 
 /* ---- Text ---- */
 
-/* Prints an element on the same lines as in the file, all with the same indent. */
+/* Prints an element with the line breaks that it has in the file; lines after the first
+ * are indented further. */
 static void put_element(const char *element, FILE *out)
 {
     for (bool more = true; more;) {

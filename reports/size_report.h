@@ -17,7 +17,7 @@ struct pp_size_results {
 
 enum pp_status pp_size_report(const struct pp_size_results *results, int width,
                               bool utf8, FILE *out, struct pp_error *err);
-/* The length (m) of an opening that is affected by a change. */
+/* The length (m) of an opening that the change alters, such as its width. */
 double pp_size_report_length(struct pp_opening_place place, enum pp_size_change change);
 
 enum pp_status pp_size_report_json(const struct pp_size_results *results, FILE *out,

@@ -1,8 +1,8 @@
 /* serve.h - the drawing board's web server: one page and a JSON interface.
  *
- * The server calls the library (pepperpot.h). Functions that the library lacks run as a
- * child process of pepperpot. docs/http.md describes the interface. Requests leave no
- * data behind, except weather files, in a temporary folder, and the results of jobs.
+ * The server calls the library (pepperpot.h). Functions that the library lacks are done
+ * by pepperpot as a child process. docs/http.md describes the interface. Requests leave
+ * no data behind, except weather files, in a temporary folder, and the results of jobs.
  */
 #ifndef PP_SERVE_SERVE_H
 #define PP_SERVE_SERVE_H
@@ -35,7 +35,7 @@ struct pp_serve_options {
 
 /* Serves until `stop` returns true; running work then has a second to finish.
  * PP_BAD_INPUT if the address is not numeric; PP_SYSTEM if the port is not available,
- * or without memory or threads. */
+ * memory runs out, or a thread cannot be started. */
 enum pp_status pp_serve_run(const struct pp_serve_options *options,
                             struct pp_error *err);
 

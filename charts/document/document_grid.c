@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Most lines of a cell; longer ones are cut, so that every row fits on a sheet. */
+/* Maximum number of lines of a cell and of a note; the rest is cut, so that every row
+ * fits on a sheet. */
 enum { LINES_MOST = 30, NOTE_LINES_MOST = 15 };
 
 /* ---- widths ---- */
@@ -178,8 +179,8 @@ static void draw_rule(const struct pp_document_grid *grid, double y, double weig
     cairo_stroke(grid->cr);
 }
 
-/* Places words in a box whose left edge is x, aligned to one of its sides; returns
- * their height. */
+/* Places words in a box whose left edge is x, aligned as in `set`; only measures unless
+ * `drawn`. Returns their height. */
 static double put_grid_words(const struct pp_document_grid *grid,
                              struct pp_lettering set, double x, double y, double width,
                              const char *words, bool drawn)
@@ -255,7 +256,8 @@ static double put_cells(const struct pp_document_grid *grid,
     return height;
 }
 
-/* Places a group's title, with some space above it, or a remark. */
+/* Places a group's title, with some space above it, or a remark, across all columns;
+ * only measures unless `drawn`. Returns the height. */
 static double put_across(const struct pp_document_grid *grid,
                          const struct pp_document_row *row, double y, bool drawn)
 {

@@ -10,8 +10,8 @@
 #include "charts/document/document_grid.h"
 #include "charts/sheet/page.h"
 
-/* Width (mm) of the chart sheet whose type size is used: a little larger than on a
- * chart, since the text is read. */
+/* Text has the type size of a chart sheet of this width (mm), a little larger than on
+ * an A4 chart, since there is more to read. */
 static const double type_of_mm = 240.0;
 
 /* Left, right and top margin of sheets; bottom margin with the foot line (mm). */
@@ -20,7 +20,7 @@ static const double margin_mm = 16.0, foot_mm = 18.0;
 /* Share of a sheet: if less is left, a chapter begins a new sheet. */
 static const double chapter_share = 0.6;
 
-/* Most lines of a user's text: a name, a command line. */
+/* Maximum number of lines of a user's text, such as a name or a command line. */
 enum { LINES_MOST = 12 };
 
 struct sheet_setter {
@@ -103,7 +103,8 @@ static double gap(const struct sheet_setter *setter, double mm)
     return at_top(setter) ? 0.0 : mm * setter->style.scale;
 }
 
-/* Places words `in` from the body's left edge; returns their height. */
+/* Places words `in` mm from the body's left edge; only measures unless `drawn`. Returns
+ * their height. */
 static double put_sheet_words(struct sheet_setter *setter, struct pp_lettering set,
                               double in, double y, const char *words, bool drawn)
 {
@@ -145,7 +146,7 @@ static double paragraph_height(struct sheet_setter *setter,
                              false);
 }
 
-/* Margin of a picture, not counted in its height, as it is empty. */
+/* Margin of a picture, which is empty and so not counted in its height. */
 static double picture_margin(const struct pp_canvas *picture)
 {
     return pp_page_style(picture).margin;
@@ -289,7 +290,7 @@ static void put_picture(struct sheet_setter *setter, int index)
     setter->y += height;
 }
 
-/* A line of the table of contents, with its sheet at the right. */
+/* Places a line of the table of contents, with the number of its sheet at the right. */
 static void put_contents_line(struct sheet_setter *setter, const char *words, int sheet,
                               double height)
 {
@@ -309,7 +310,8 @@ static void put_contents_line(struct sheet_setter *setter, const char *words, in
     setter->y += height;
 }
 
-/* The sheets of chapters are known when the sheets have been counted. */
+/* Places the table of contents. The sheets of the chapters are known from the first
+ * pass, which counts sheets. */
 static void put_contents(struct sheet_setter *setter, int index)
 {
     const struct pp_document *document = setter->document;

@@ -9,10 +9,10 @@
 #include "charts/sheet/page.h"
 #include "model/base/text.h"
 
-/* Most windows whose sums are listed. */
+/* Maximum number of windows whose sums are listed. */
 enum { SUMS_MOST = 8 };
 
-/* Share of white in shapes that hide the sky. */
+/* Grey level (0 black, 1 white) of shapes that hide the sky. */
 static const double hidden_grey = 0.72;
 
 /* Adds the outline of a region to the path. */

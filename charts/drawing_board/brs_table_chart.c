@@ -10,8 +10,8 @@
 #include "charts/sheet/labels.h"
 #include "model/base/text.h"
 
-/* Most readings that are numbered and listed; a window has four, and four more for each
- * obstruction. */
+/* Maximum number of readings that are numbered and listed; a window has four, and four
+ * more for each obstruction. */
 enum { READINGS_MOST = 36, LIST_COLUMNS = 2, TEXT_BYTES = 4096 };
 
 struct table_drawing {
@@ -248,7 +248,7 @@ static void mark_readings(const struct table_drawing *drawing)
 
 /* ---- words ---- */
 
-/* "1  line 9, sky, head left: h/d 0.840, w/d 0.142: + 0.64 %". */
+/* Writes "1 W1, sky, head left: h/d 0.840, w/d 0.142: + 0.64 %". */
 static void say_reading(char *text, size_t room, const struct pp_brs_sheet *sheet,
                         int index)
 {
@@ -359,8 +359,8 @@ static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,
                  sheet->point.x, sheet->point.y, sheet->point.z);
 }
 
-/* Fits the table into the box: one row and one column more than there are figures, for
- * the heads, and a line for the heads' name. */
+/* Fits the table into the box. The heads need one row and one column in addition to the
+ * figures, and their name needs a line. */
 static void lay_table(struct table_drawing *drawing, struct pp_box box)
 {
     double name = 1.0, heads = 1.0;

@@ -84,7 +84,7 @@ static void write_numbers(const struct pp_nomogram_curve_frame *drawing, int ste
     }
 }
 
-/* Heights (y) of the ends of a stem: of its values, or of its marks. */
+/* Finds the ends of a stem: y of its uppermost and of its lowest mark. */
 static void ends_of(const struct pp_nomogram_curve_frame *drawing, int stem,
                     double ends[2])
 {
@@ -196,8 +196,8 @@ static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
     return false;
 }
 
-/* Direction in which a reading avoids the line that leaves the stem: up (-1) or
- * down. */
+/* Direction in which a reading avoids the line that leaves the stem: up (-1) or down
+ * (1). */
 static double off_line(const struct pp_nomogram_curve_frame *drawing,
                        const struct pp_nomogram_window *window, int stem)
 {

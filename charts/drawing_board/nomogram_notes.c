@@ -228,7 +228,8 @@ void pp_nomogram_notes_value(char *text, size_t room,
         snprintf(text, room, "%d: %s", window + 1, number);
 }
 
-/* "F 1.2 by the depth (x/d 0.3, q 0.92)". */
+/* Appends "F 1.2 for the depth (H 0.3, q 0.92) and 1.1 along the wall (H 0.4, q
+ * 0.95);". */
 static void say_places(char *text, size_t room,
                        const struct pp_nomogram_place places[2])
 {
@@ -239,7 +240,8 @@ static void say_places(char *text, size_t room,
                 places[1].share, places[1].q);
 }
 
-/* "A 0.0155, B 0.522: C 0.54 %" and so on, of one window. */
+/* Appends the readings of one window: "Window W1: W/A = 1.25/80.60 = 0.0155; A 0.0155
+ * and B 0.522: C 0.54 %; ...". */
 static void say_window(char *text, size_t room, const struct pp_nomogram_sheet *sheet,
                        int index)
 {

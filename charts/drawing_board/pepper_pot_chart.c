@@ -189,14 +189,15 @@ static void pepper_pot_titles(const struct pp_pepper_pot_drawing *drawing, char 
              sheet->point.x, sheet->point.y, sheet->point.z, plane, sky);
 }
 
-/* Dots of less value are closer together, and need a larger drawing. */
+/* Default viewing distance (mm). Dots worth less are closer together, and need a larger
+ * drawing. */
 static double default_viewing(const struct pp_pepper_pot_sheet *sheet)
 {
     return sheet->worth < 0.0005 ? 60.0 : 30.0;
 }
 
-/* Largest common viewing distance, up to the default, at which all windows fit into
- * frames of that size. */
+/* Largest of the usual viewing distances (mm), up to the default, at which all windows
+ * fit into frames of that size. */
 static double choose_viewing(const struct pp_pepper_pot_sheet *sheet, double width,
                              double height)
 {

@@ -7,8 +7,8 @@
 #include "charts/drawing_board/board.h"
 #include "charts/sheet/page.h"
 
-/* Dots on a square whose side is the viewing distance, where dots are densest, if one
- * is worth 0.1 %. */
+/* Number of dots, where they are densest, on a square whose side is the viewing
+ * distance, if each dot is worth 0.1 %. */
 static const double densest = 90.0;
 
 /* One panel on paper. */

@@ -10,7 +10,7 @@
 #include "charts/sheet/lettering.h"
 #include "model/geometry/vec.h"
 
-/* Radius of the innermost semicircle, over that of the outermost. */
+/* Radius of the innermost semicircle divided by that of the outermost. */
 static const double innermost = 0.24;
 
 double pp_protractor_disc_border(const struct pp_style *style)
@@ -99,7 +99,7 @@ static void write_round(cairo_t *cr, const struct pp_style *style,
     pp_lettering_draw(cr, style, &set, xy[0], xy[1], words);
 }
 
-/* Degrees on the rim, from `low` to `high`; labels give the angle from 0. */
+/* Draws degrees on the rim, from `low` to `high`; labels give the angle from 0. */
 static void draw_rim(cairo_t *cr, const struct pp_style *style,
                      const struct pp_protractor_disc *disc, place_function *place,
                      int low, int high, int first_label)

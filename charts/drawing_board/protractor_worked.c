@@ -145,8 +145,8 @@ static void note_edges(struct sight_lines *sights,
     }
 }
 
-/* If scale is not NULL nothing is drawn, and only the largest possible scale of the
- * section is calculated. */
+/* Draws the section. If scale is not NULL, nothing is drawn, and only the largest
+ * possible scale of the section is calculated (1 to *scale). */
 static enum pp_status draw_section(const struct protractor_drawing *drawing,
                                    struct pp_box box, double *height, double *scale,
                                    struct pp_error *err)
@@ -266,7 +266,7 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
         jamb[k] = slant * tan(reading->jamb_rad[k]);
         widest = fmax(widest, fabs(jamb[k]));
     }
-    /* Words extend 20 mm about the line. */
+    /* Words extend up to 20 mm (on A4) beyond the line. */
     double words = 20.0 * style->scale;
     least = fmin((box.height - caption_mm(style) - 0.5 * words) / slant,
                  (box.width / 2.0 - 1.6 * words) / widest);

@@ -1,5 +1,5 @@
-/* skylight_indicator_chart.c - half a disc about the window: arcs of altitude, rays of
- * azimuth, the marks, and the obstructions; scales and sum below. */
+/* skylight_indicator_chart.c - a half disc around the window with arcs of altitude,
+ * rays of azimuth, the marks and the obstructions; scales and sum below. */
 #include "charts/drawing_board/skylight_indicator_chart.h"
 
 #include <math.h>
@@ -135,7 +135,7 @@ static double ratios_height(const struct pp_style *style)
     return 1.44 * style->scale + 2.8 * style->text[PP_TEXT_SMALL];
 }
 
-/* The scale of distance over height along the wall. */
+/* Draws the scale of distance divided by height, along the wall. */
 static void draw_ratios(const struct indicator_drawing *drawing)
 {
     const struct pp_style *style = &drawing->style;

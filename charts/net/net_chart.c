@@ -1,4 +1,4 @@
-/* net_chart.c - draws the pieces of a net: full lines are cut, dashed ones folded. */
+/* net_chart.c - draws the pieces of a net: solid lines are cut, dashed lines folded. */
 #include "charts/net/net_chart.h"
 
 #include <math.h>
@@ -335,7 +335,8 @@ static void number_edge(const struct net_drawing *drawing,
                                          paper[1], words));
 }
 
-/* Writes the note "The glass stands 6 mm outside the wall" for rooms with reveals. */
+/* Appends the note "Reveals are up to 6.0 mm deep; add them on the outside." for rooms
+ * with reveals. */
 static void say_reveals(char *foot, size_t room, const struct pp_model_net *model)
 {
     double deepest = 0.0;

@@ -46,7 +46,8 @@ static double common_area(struct unfolding *unfolding, const double (*a)[2],
     return area;
 }
 
-/* Corners of a panel in its piece; to be freed. */
+/* Corners of a panel in its piece; the caller frees them. NULL, with a status: out of
+ * memory. */
 static double (*corners_of(struct unfolding *unfolding,
                            const struct pp_net_panel *panel))[2]
 {
@@ -58,7 +59,8 @@ static double (*corners_of(struct unfolding *unfolding,
     return xy;
 }
 
-/* True if a polygon overlaps a panel of the piece, except panel `other`. */
+/* True if a polygon overlaps a panel of the piece other than panel `other_than` (-1:
+ * any). */
 static bool hits_panel(struct unfolding *unfolding, int piece, const double (*xy)[2],
                        int count, int other_than)
 {
@@ -118,7 +120,8 @@ static void lay_beside(const struct pp_net_panel *placed, int edge,
     panel->shift[1] = b[1] - panel->turn[1] * c[0] - panel->turn[0] * c[1];
 }
 
-/* Connects the neighbour at an edge, if it fits and overlaps nothing. */
+/* Connects the neighbour at an edge to the piece, if it fits and overlaps nothing.
+ * False: not connected. */
 static bool hang(struct unfolding *unfolding, int index, int edge)
 {
     struct pp_net_panels *panels = &unfolding->net->panels;
@@ -145,8 +148,8 @@ static bool hang(struct unfolding *unfolding, int index, int edge)
     return false;
 }
 
-/* Starts a piece with a panel, upright or, if it does not fit so, turned by 90
- * degrees. */
+/* Starts a piece with a panel, upright or, if it does not fit so, turned by 90 degrees.
+ * Then connects neighbours as long as any fits. */
 static void grow_piece(struct unfolding *unfolding, int first)
 {
     struct pp_net *net = unfolding->net;
@@ -215,7 +218,7 @@ static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
     return !hit && unfolding->status == PP_OK;
 }
 
-/* True if another edge with the same number already has a tab. */
+/* True if an edge of another panel with the same number already has a tab. */
 static bool is_served(const struct pp_net_panels *panels, int number, int other_than)
 {
     for (int i = 0; i < panels->count; i++)
@@ -226,7 +229,8 @@ static bool is_served(const struct pp_net_panels *panels, int number, int other_
     return false;
 }
 
-/* Adds a tab to one side of each glued edge: walls first, floors last. */
+/* Adds a tab to one side of each edge to be glued, in the order of the panels. An edge
+ * that has no space for a tab is taped. */
 static void put_tabs(struct unfolding *unfolding)
 {
     struct pp_net_panels *panels = &unfolding->net->panels;

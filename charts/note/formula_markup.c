@@ -22,7 +22,7 @@ void pp_formula_markup_words(char *markup, size_t room, const char *words)
             pp_text_append(markup, room, "%c", *words);
 }
 
-/* Number of bytes of the Latin or Greek letter at text; 0: it is none. */
+/* Number of bytes of the Latin or Greek letter at text; 0: there is none. */
 static int letter_length(const char *text)
 {
     unsigned char first = (unsigned char)text[0];
@@ -41,7 +41,7 @@ static bool is_function(const char *name, int length)
     return false;
 }
 
-/* Begins small type, lower or higher by a share of the size. A rise is in 1024ths of a
+/* Begins small type, raised by rise_mm (negative: lowered). Pango expects 1024ths of a
  * unit of the drawing. */
 static void begin_small(char *markup, size_t room, double rise_mm)
 {
@@ -49,7 +49,8 @@ static void begin_small(char *markup, size_t room, double rise_mm)
                    (int)lrint(1024.0 * rise_mm));
 }
 
-/* Adds the subscripts after a name, separated by commas; returns their bytes. */
+/* Appends the subscripts after a name, separated by commas. Returns the number of bytes
+ * of text that they take; 0 if there are none. */
 static int add_subscripts(char *markup, size_t room, const char *text, double size_mm)
 {
     int at = 1;
@@ -62,7 +63,8 @@ static int add_subscripts(char *markup, size_t room, const char *text, double si
     return at;
 }
 
-/* Adds a power, "^2"; returns its bytes. */
+/* Appends an exponent such as "^2" as a superscript. Returns the number of bytes of
+ * text that it takes; 0 if there is none. */
 static int add_power(char *markup, size_t room, const char *text, double size_mm)
 {
     int digits = text[0] == '^' ? (int)strspn(text + 1, "0123456789.") : 0;
@@ -73,7 +75,8 @@ static int add_power(char *markup, size_t room, const char *text, double size_mm
     return 1 + digits;
 }
 
-/* Adds a byte that belongs to no name or power; * becomes a multiplication sign. */
+/* Appends a character that is not part of a name or exponent; * becomes a
+ * multiplication sign. */
 static void add_sign(char *markup, size_t room, char sign)
 {
     char words[2] = {sign, '\0'};

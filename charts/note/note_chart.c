@@ -21,7 +21,7 @@ struct note_drawing {
     struct pp_style style;
     const struct pp_note_chart *note;
     struct pp_box lines, margin; /* areas of this sheet */
-    double y, margin_y;          /* heights of the next line and drawing */
+    double y, margin_y;          /* y of the next line and of the next drawing */
     int sheet;                   /* from 1 */
     bool shown[OPENINGS_MOST];   /* true for openings already drawn */
     enum pp_status status;

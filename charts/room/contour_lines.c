@@ -30,7 +30,8 @@ struct station {
     double x, y, dx, dy;
 };
 
-/* False: out of memory. The caller clears *track in either case. */
+/* Makes the track of a curve. False: out of memory. The caller clears *track in either
+ * case. */
 static bool lay_track(struct track *track, const struct pp_room_plan *plan,
                       const struct pp_curve *curve)
 {
@@ -89,8 +90,8 @@ static void path_between(cairo_t *cr, const struct track *track, double from, do
 }
 
 /* Midpoint and direction of the chord between the points half of `width` before and
- * after `at` on the track. *excess: relative amount by which the track between them is
- * longer than the chord, 0 on a straight line. */
+ * after `at` on the track. *excess: share of the track between them by which the chord
+ * is shorter; 0 on a straight line. */
 static struct station chord_at(const struct track *track, double at, double width,
                                double *excess)
 {
@@ -102,8 +103,8 @@ static struct station chord_at(const struct track *track, double at, double widt
                             (after.x - before.x) / chord, (after.y - before.y) / chord};
 }
 
-/* True if a label at this station, turned along the line, covers no place of other
- * owners. */
+/* True if a label at this station, turned along the line, covers no place noted for
+ * other owners. */
 static bool is_clear(const struct pp_labels *labels, int owner, struct station at,
                      double width, double height)
 {

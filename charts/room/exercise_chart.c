@@ -30,7 +30,7 @@ struct exercise_drawing {
                    * diagram */
 };
 
-/* Walls with openings that face the point, in order of their first openings. */
+/* Finds the walls whose openings face the point, in order of their first openings. */
 static void find_elevations(struct exercise_drawing *drawing)
 {
     const struct pp_world *world = drawing->exercise->world;
@@ -116,7 +116,8 @@ static struct pp_room_plan fitted_plan(const struct exercise_drawing *drawing,
     return plan;
 }
 
-/* Largest scale at which all elevations fit side by side; 1 m = mm_per_m. */
+/* Largest usual scale at which all elevations fit side by side; returns its
+ * denominator. */
 static double elevations_scale(const struct exercise_drawing *drawing,
                                struct pp_box box)
 {
@@ -196,7 +197,7 @@ static void dimension(const struct exercise_drawing *drawing, double x0, double 
 }
 
 /* Draws a chain of dimensions below the wall, at the jambs of its openings, and one on
- * its left, at sill and head of the lowest and highest. */
+ * its left, at the lowest sill and the highest head. */
 static void draw_elevation_dimensions(const struct exercise_drawing *drawing,
                                       const struct pp_room_elevation *elevation)
 {
@@ -277,7 +278,7 @@ static void draw_elevations(struct exercise_drawing *drawing, struct pp_box box)
     }
 }
 
-/* Draws words, and lines to write on. */
+/* Draws the labels of the answers, each with a line to write on. */
 static void draw_answers(const struct exercise_drawing *drawing, struct pp_box box)
 {
     const struct pp_style *style = &drawing->style;
@@ -301,8 +302,7 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
 }
 
 /* Height of the elevations (mm). Elevations drawn at the scale of a diagram keep that
- * scale on every sheet size; others are as high as the tallest one needs, but at most
- * two fifths of the sheet. */
+ * scale on every sheet size; others get two fifths of the height `most`. */
 static double elevations_height(const struct exercise_drawing *drawing, double most)
 {
     double tallest = 0.0, viewing = drawing->exercise->viewing_mm;

@@ -11,7 +11,8 @@
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
 
-/* Curves of style.c: a full line now, a dashed one before. */
+/* Curves of style.c: a solid line for the present state, a dashed one for the
+ * former. */
 enum { LINE_NOW = 0, LINE_BEFORE = 2 };
 
 /* Areas below this (m2) are within the tolerance of lines, and are not drawn as loss or

@@ -1,5 +1,5 @@
 /* plan_chart.c - draws the plan with its contours, their figures and the no-sky line,
- * and below the plan a scale bar, the legend and north. */
+ * and below it a scale bar, the legend and the north arrow. */
 #include "charts/room/plan_chart.h"
 
 #include <math.h>
@@ -26,7 +26,8 @@ struct plan_drawing {
     struct pp_key keys[8];
     const char *quantity; /* "daylight factor" */
     int key_count;
-    bool in_table; /* values are too close for the plan */
+    bool in_table; /* values are in a table, since they would be too close on the
+                    * plan */
 };
 
 /* Curve of style.c whose dash is used for the no-sky line. */
@@ -243,7 +244,7 @@ static void gather_keys(struct plan_drawing *drawing)
     }
 }
 
-/* Writes a share; shares below 0.01 % as none. */
+/* Writes a share in per cent; "under 0.01 %" if it is smaller. */
 static void say_percent(char *text, size_t room, double fraction)
 {
     if (fraction < 1e-4)
@@ -304,8 +305,8 @@ static const double table_most = 0.5;
 
 /* Places the plan in the field. If the values of points are too close to each other
  * they go into a table beside or below the plan, wherever the plan is larger. If the
- * table is too large, table and values are left out. The last key, of the points, says
- * so. */
+ * table is too large, table and values are left out. The last key, that of the points,
+ * mentions the table. */
 static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
 {
     const struct pp_plan_chart *chart = drawing->chart;
@@ -395,7 +396,8 @@ static double draw_summary(struct plan_drawing *drawing, struct pp_box box, bool
            + 3.0 * drawing->style.scale;
 }
 
-/* Places of the values, to be freed; NULL: values are not beside the points. */
+/* Finds the places of the values; the caller frees the list. NULL: values are not
+ * beside the points. */
 static struct pp_plan_figure *place_figures(struct plan_drawing *drawing)
 {
     const struct pp_plan_chart *chart = drawing->chart;

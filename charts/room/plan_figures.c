@@ -126,7 +126,7 @@ void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
 
 /* ---- of the plane ---- */
 
-/* "1.46 %", or "1.46 ± 0.02 %": two decimals, as df prints them. */
+/* Appends `what` and "1.46 %" or "1.46 ± 0.02 %", with two decimals as in df. */
 static void say_reading(char *text, size_t room, const char *what,
                         const struct pp_reading *reading, const char *end)
 {

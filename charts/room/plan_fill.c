@@ -16,8 +16,8 @@ static const double colours[STEPS][3] = {
 static const double lowest = 2e-3, highest = 0.15;
 static const double darkest_grey = 0.55;
 
-/* Sets the colour of a daylight factor. Few greys can be distinguished: they depend on
- * the area's number among `count`. */
+/* Sets the colour of a daylight factor. Few greys can be distinguished, so a grey
+ * depends only on the area's index among `count` areas. */
 static void set_colour(cairo_t *cr, enum pp_plan_fill fill, double factor, int area,
                        int count)
 {
@@ -35,7 +35,7 @@ static void set_colour(cairo_t *cr, enum pp_plan_fill fill, double factor, int a
     cairo_set_source_rgb(cr, rgb[0], rgb[1], rgb[2]);
 }
 
-/* Levels of the contours, each once, ascending; returns their number. */
+/* Lists the levels of the contours, each once, ascending; returns their number. */
 enum { LEVELS_MOST = 64 };
 
 static int levels_of(double levels[LEVELS_MOST],

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Names that are on paper, so that no other is put over them. */
+/* Maximum number of names whose boxes are noted, so that no other name covers them. */
 enum { NAMES_MOST = 200 };
 
 struct name_drawing {

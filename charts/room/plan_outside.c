@@ -54,7 +54,7 @@ static void trace_shade(cairo_t *cr, const struct pp_room_plan *plan,
 }
 
 /* True if a vertical surface stands on the edge of a slab of the same window, as a
- * parapet does: the slab's outline is drawn. */
+ * parapet does. Only the slab's outline is then drawn. */
 static bool is_on_slab(const struct pp_world *world, const struct pp_surface *upright)
 {
     struct pp_vec3 middle = pp_polygon_middle(&upright->outline);
@@ -95,7 +95,8 @@ static void draw_shades(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-/* Furniture that the plane does not cut; the cut lines of the rest are the plan's. */
+/* Draws the furniture that the working plane does not cut. The outlines of the rest are
+ * drawn as part of the plan. */
 static void draw_furniture(cairo_t *cr, const struct pp_style *style,
                            const struct pp_room_plan *plan)
 {

@@ -8,7 +8,7 @@
 #include "charts/room/plan_figures.h"
 #include "charts/sheet/lettering.h"
 
-/* Coordinates closer than this (m) are one row or column. */
+/* Coordinates that differ by less than this (m) share a row or column. */
 static const double same_place_m = 1e-3;
 
 struct plan_table {
@@ -39,7 +39,8 @@ static int keep_different(double *list, int count)
     return kept;
 }
 
-/* False: out of memory. The caller frees in either case. */
+/* Collects the points with values and their coordinates, and measures a cell. False:
+ * out of memory. The caller frees the lists in either case. */
 static bool gather_values(struct plan_table *table)
 {
     const struct pp_report *report = table->chart->report;
@@ -127,7 +128,8 @@ static void write_list(const struct plan_table *table, struct pp_box box, int ro
     }
 }
 
-/* The table in its box, measured or drawn. */
+/* Lays out the table as a grid or as a list, and draws it if `drawn`. Returns its
+ * box. */
 static struct pp_box lay_table(const struct plan_table *table, struct pp_box box,
                                bool drawn)
 {

@@ -67,7 +67,7 @@ void pp_room_elevation_hatch(cairo_t *cr, const struct pp_style *style)
     cairo_restore(cr);
 }
 
-/* Doors and dados of the wall. */
+/* Draws the doors and dados of the wall. */
 static void draw_covers(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_elevation *elevation)
 {

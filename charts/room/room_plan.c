@@ -90,7 +90,8 @@ void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan)
     }
 }
 
-/* Strokes outside the room only: the drawn wall's inner edge is its inside face. */
+/* Draws the walls. The stroke is clipped to the outside of the room, so that its inner
+ * edge is the inside face. */
 static void draw_walls(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan)
 {

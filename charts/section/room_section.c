@@ -82,7 +82,8 @@ static void stroke_cuts(const struct section_drawing *drawing, enum pp_cut_kind 
 }
 
 /* True if the opening is seen edge-on in the section, like glass in a slope that is cut
- * beside it. Its lowest and highest corners are then the ends of the visible part. */
+ * beside it. s, z: the two corners that are farthest apart, which are the ends of the
+ * visible line. */
 static bool is_edge_on(const struct section_drawing *drawing,
                        const struct pp_polygon *outline, double s[2], double z[2])
 {
@@ -303,7 +304,7 @@ static void draw_plane(const struct section_drawing *drawing)
     cairo_stroke(cr);
 }
 
-/* The ground outside, if it is near the floor. */
+/* Draws the ground outside, if it is near the floor. */
 static void draw_ground(const struct section_drawing *drawing)
 {
     const struct pp_room_section *section = drawing->section;
@@ -362,7 +363,8 @@ static void write_caption(const struct section_drawing *drawing, int behind)
         left = fmin(left,
                     fmax(section->most_x - set.width, section->x - section->left_mm));
     set.lines = section->no_angles ? 3 : 2;
-    /* A facade and the ground may continue below the floor. */
+    /* The caption has a white ground, since a facade and the ground outside may
+     * continue below the floor. */
     pp_lettering_draw_on_white(
         drawing->cr, drawing->style, &set, left,
         at_z(drawing, drawing->low) + 1.4 * drawing->style->scale

@@ -116,7 +116,7 @@ static enum pp_status sort_points(struct pp_section_plot *plot, struct pp_error 
     return PP_OK;
 }
 
-/* The axes along the lower and left side of the field. */
+/* Sets the axes along the lower and left side of the field. */
 static void lay_axes(struct pp_section_plot *plot, enum pp_section_scale scale)
 {
     const struct pp_style *style = &plot->style;

@@ -24,7 +24,7 @@ double pp_section_cut_s(const struct pp_section_cut *cut, struct pp_vec3 point)
            + (point.y - cut->origin[1]) * cut->along[1];
 }
 
-/* Distance of a point from the plane of the section. */
+/* Signed distance (m) of a point from the plane of the section. */
 static double off_plane(const struct pp_section_cut *cut, struct pp_vec3 point)
 {
     return (point.y - cut->origin[1]) * cut->along[0]
@@ -164,7 +164,7 @@ static bool cut_polygon(struct pp_section_cut *cut, const struct pp_polygon *out
     return good;
 }
 
-/* Removes the cut openings from the cuts of their faces. */
+/* Removes the cut openings from the cuts of their faces. False: out of memory. */
 static bool open_faces(struct pp_section_cut *cut, const struct pp_world *world)
 {
     for (int o = 0; o < cut->count; o++) {

@@ -19,7 +19,7 @@ struct outside_drawing {
     double out;
     double x, y;  /* middle of the window */
     double reach; /* width of the strip */
-    double run;   /* length of the line of sight on paper, across */
+    double run;   /* horizontal length of the line of sight on paper */
 };
 
 static double least_of(double a, double b, double c)
@@ -27,7 +27,8 @@ static double least_of(double a, double b, double c)
     return fmin(a, fmin(b, c));
 }
 
-/* Outermost place of the room's own wall on paper: its facade or reveal. */
+/* Distance on paper (mm) from the window to the outermost part of the room's own wall:
+ * its facade or reveal. */
 static double facade_mm(const struct outside_drawing *drawing)
 {
     const struct pp_section_cut *cut = drawing->section->cut;
@@ -70,8 +71,8 @@ static void draw_overhang(const struct outside_drawing *drawing)
                                drawing->y - 0.5 * style->scale, words);
 }
 
-/* True if the obstruction at the end of the line of sight is nearer on the sheet than
- * in truth. */
+/* True if the obstruction at the end of the line of sight is drawn nearer than its
+ * distance at the scale of the section. */
 static bool is_moved(const struct outside_drawing *drawing)
 {
     double distance = drawing->sight.distance_m;
@@ -110,7 +111,8 @@ static void draw_building(const struct outside_drawing *drawing)
     cairo_stroke(cr);
 }
 
-/* Two slanting strokes across the horizontal: the distance is shortened. */
+/* Draws two slanting strokes across the horizontal, which show that the distance is
+ * shortened. */
 static void draw_break(const struct outside_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
@@ -177,7 +179,8 @@ static void write_sight_words(const struct outside_drawing *drawing)
                                drawing->y + 1.6 * style->scale, words);
 }
 
-/* The line of sight to the obstruction's head, the horizontal, and the angle. */
+/* Draws the line of sight to the obstruction's head, the horizontal, and the angle
+ * between them. */
 static void draw_line_of_sight(const struct outside_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;

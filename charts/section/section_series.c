@@ -81,7 +81,7 @@ static bool has_samples(const struct pp_report *report)
 
 void pp_section_series_choose(struct pp_section_plot *plot)
 {
-    /* Full lines are used for simulated values; if there are any, hand figures are
+    /* Solid lines are reserved for simulated values; if there are any, hand figures are
      * dashed. */
     int lines = has_samples(plot->report) ? 1 : 0, sampled = 0;
     for (int i = 0; i < plot->report->column_count; i++) {

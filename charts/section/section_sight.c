@@ -62,7 +62,8 @@ static bool sees_sky(const struct pp_section_cut *section, const struct pp_world
     return true;
 }
 
-/* Steps in which the section is searched for sky: a quarter of a degree. */
+/* Number of steps, each a quarter of a degree, in which the section is searched for
+ * sky. */
 enum { SIGHT_STEPS = 360 };
 
 /* Sets both ends of the highest part in which sky is visible; the lower one stays 0 and
@@ -95,7 +96,8 @@ struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section
     double out = near ? -1.0 : 1.0;
     if (face < 0 || !middle_of_openings(section, world, face, &sight.z))
         return sight;
-    /* The head is the end of a cut next to the edge of the sky. */
+    /* The head of the obstruction is the end of a cut that is nearest to the edge of
+     * the sky. */
     double edge = find_sky(&sight, section, world, out) ? sight.angle_rad : 0.5 * PP_PI;
     double nearest = sight.overhang_rad < 0.5 * PP_PI ? 0.5 * PP_RAD : 0.5 * PP_PI;
     sight.angle_rad = 0.0;

@@ -40,8 +40,8 @@ struct pp_axis pp_axis_log(double low, double high, double from, double to,
     struct pp_axis axis = {.from = from, .to = to, .logarithmic = true, .decimals = -1};
     static const double steps[] = {1.0, 2.0, 5.0};
 
-    /* All of 1, 2, 5 for 2 to 5 decades if there is space for them, else powers of
-     * ten. */
+    /* Ticks at 1, 2 and 5 times each power of ten if there is space for them, else at
+     * powers of ten only. */
     double decades = log10(high / low);
     bool fine = fabs(to - from) / fmax(decades, 0.3) * 0.30 >= apart_mm;
     int first = (int)floor(log10(low) + 1e-9) - 1, last = (int)ceil(log10(high)) + 1;

@@ -146,9 +146,10 @@ static bool add_renamed(struct pp_bytes *svg, struct svg_span body, struct ids *
     return pp_bytes_add(svg, at, (size_t)(end - at));
 }
 
-/* The size is not set by cairo_svg_surface_set_document_unit: coordinates would then be
- * millimetres, which cairo rounds to 1/256 and outlines of letters to 1/64, so labels
- * would have other sizes and places than in PDF and PNG. */
+/* Adds the head of an SVG file, with its size. cairo_svg_surface_set_document_unit is
+ * not used for the size: coordinates would then be in millimetres, which cairo rounds
+ * to 1/256 (outlines of letters to 1/64), so labels would differ in size and place from
+ * those in PDF and PNG. */
 static bool add_head(struct pp_bytes *svg, const char *prefix, double width_mm,
                      double height_mm, const char *title, const char *description)
 {

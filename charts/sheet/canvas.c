@@ -303,7 +303,7 @@ void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *titl
 }
 
 /* cairo (1.16) rasterises some drawings unless the matrix between the two canvases is a
- * shift by whole units. */
+ * shift by whole units, so the position is rounded to points. */
 void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
                      double x_mm, double y_mm)
 {

@@ -63,7 +63,7 @@ void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
              type, asin(fmin(sky->sun.z, 1.0)) / PP_RAD, bearing / PP_RAD);
 }
 
-/* "0.9", or "0.6 to 0.9". */
+/* Writes "0.9" or, for different ends, "0.6 to 0.9"; returns text. */
 static const char *range_text(char *text, size_t room, double low, double high)
 {
     if (high - low < 5e-4)
@@ -103,7 +103,7 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
                     range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
 }
 
-/* Appends the note on internally reflected light. */
+/* Appends the note that reflected light is reduced by decorations, if it is. */
 static void say_decorations(char *text, size_t room, const struct pp_world *world)
 {
     if (world->decorations != 1.0)

@@ -55,7 +55,8 @@ static void draw_band(struct png_writer *writer, int first)
     cairo_surface_flush(writer->image);
 }
 
-/* cairo premultiplies colours by alpha, PNG does not. */
+/* One colour of a pixel as PNG stores it: cairo premultiplies colours by alpha, PNG
+ * does not. */
 static unsigned char colour(uint32_t pixel, int shift, uint32_t alpha)
 {
     uint32_t value = pixel >> shift & 0xff;

@@ -5,7 +5,7 @@
 
 #include "charts/sheet/lettering.h"
 
-/* Cells in a row, at least this wide (mm). */
+/* Least width of a cell (mm, on A4). */
 static const double cell_least_mm = 26.0;
 
 double pp_title_block_draw(cairo_t *cr, const struct pp_style *style,

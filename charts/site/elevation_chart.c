@@ -98,7 +98,7 @@ static void draw_wall(struct elevation_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* Draws doors white, with diagonal lines: the sky component on a door has no
+/* Draws doors white, with diagonal lines, since the sky component on a door has no
  * meaning. */
 static void draw_doors(struct elevation_drawing *drawing,
                        const struct pp_room_plan *frame,
@@ -276,7 +276,7 @@ static void say_title(struct elevation_drawing *drawing,
     pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, words);
 }
 
-/* x, y: upper left corner of the title, on paper. */
+/* Draws an elevation and its title. x, y: upper left corner of the title, on paper. */
 static void draw_elevation(struct elevation_drawing *drawing,
                            const struct pp_site_elevation *elevation, double x,
                            double y)

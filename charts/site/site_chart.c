@@ -27,7 +27,8 @@ static struct pp_bounds2 room_bounds(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* Extent of the rooms and their surroundings; for a plot, of the rooms and the plot. */
+/* Extent (m) of the rooms and their surroundings; if there is a plot, of the rooms and
+ * the plot only. */
 static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
 {
     struct pp_bounds2 rooms = room_bounds(sheet);
@@ -51,8 +52,8 @@ static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* A common scale, or 1:300, 1:400, 1:600 ... of triangular rules, which fill the sheet
- * better. */
+/* Usual scale of `least` or the next smaller one (1:`least`), or 1:300, 1:400, 1:600
+ * ... as on triangular scale rulers, which may fill the sheet better. */
 static double site_scale(double least)
 {
     static const double more[] = {3.0, 4.0, 6.0};
@@ -64,7 +65,8 @@ static double site_scale(double least)
     return scale;
 }
 
-/* Largest common scale at which the site fits, with a border for windows' figures. */
+/* Sets the largest usual scale at which the site fits, with a border for the figures of
+ * windows. */
 static void fit_site_scale(struct pp_site_drawing *drawing, struct pp_box room)
 {
     struct pp_room_plan *frame = &drawing->frame;
@@ -322,8 +324,9 @@ static void draw_site(struct pp_site_drawing *drawing)
 
 /* ---- the figures of windows ---- */
 
-/* Places the site in the field. Figures of windows that do not all fit their strips go
- * into a table beside or below the site; a table that is too large is left out. */
+/* Places the site in the field. If the figures of windows do not all fit into their
+ * strips, they go into a table beside or below the site; a table that is too large is
+ * left for the next sheet. */
 static void lay_site(struct pp_site_drawing *drawing, struct pp_box field)
 {
     double gap = 5.0 * drawing->style.scale;

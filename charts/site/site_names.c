@@ -57,7 +57,7 @@ static void write_near(struct pp_site_drawing *drawing, struct pp_box area, doub
     pp_labels_note_box(drawing->labels, found);
 }
 
-/* Box on paper of corners, cut off at the edge of the drawing. */
+/* Box on paper of a shape's corners, cut off at the edge of the drawing. */
 static struct pp_box shape_box(const struct pp_site_drawing *drawing,
                                const struct pp_site_shape *shape)
 {
@@ -76,7 +76,8 @@ static struct pp_box shape_box(const struct pp_site_drawing *drawing,
 
 /* ---- buildings ---- */
 
-/* True if it is the name of a room, which shapes of other rooms' outsides have. */
+/* True if a room has this name. Shapes that are rooms seen from outside by other rooms
+ * also have such names. */
 static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
 {
     for (int i = 0; i < sheet->shape_count; i++)
@@ -86,7 +87,7 @@ static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
     return false;
 }
 
-/* Area of a shape seen from above, and its centroid in `middle`. */
+/* Area of a shape seen from above (m2). middle: mean of its corners. */
 static double covered_m2(const struct pp_site_shape *shape, double middle[2])
 {
     double area = 0.0;
@@ -101,7 +102,7 @@ static double covered_m2(const struct pp_site_shape *shape, double middle[2])
     return fabs(area);
 }
 
-/* Properties of all shapes of one name together. */
+/* Properties common to all shapes of one name. */
 struct named_thing {
     double area_m2, middle[2]; /* of the largest shape */
     int largest;

@@ -48,7 +48,7 @@ static double row_mm(const struct pp_style *style)
     return 1.35 * style->text[PP_TEXT_SMALL];
 }
 
-/* Windows in one column of that height. */
+/* Number of windows in one column of that height, below its head; at least 1. */
 static int rows_in(const struct pp_site_drawing *drawing, double height)
 {
     int rows = (int)(height / row_mm(&drawing->style)) - 1;

@@ -1,6 +1,6 @@
 /* overlay_chart.c - a circle for the horizon, and in it rings of altitude, dots, cells
- * and paths; lines have a white edge, so that they are visible on dark and on light
- * ground. */
+ * and paths. Lines have white edges, so that they are visible on dark and on light
+ * photographs. */
 #include "charts/sky/overlay_chart.h"
 
 #include <math.h>
@@ -164,8 +164,8 @@ static void draw_cells(const struct overlay_plot *plot)
 
 /* ---- the sun's paths ---- */
 
-/* The paths to draw, one for each declination: the paths of later months are within 0.6
- * degrees of those of earlier months. */
+/* The paths to draw. Months in pairs share a path, since their paths differ by at most
+ * 0.6 degrees. */
 static const struct {
     int month;
     const char *words;
@@ -331,7 +331,7 @@ static void state_radius(const struct overlay_plot *plot, struct pp_box body)
                       words);
 }
 
-/* Centre and radius of the circle in the free space of the page. */
+/* Sets centre and radius of the circle in the free space of the page. */
 static enum pp_status lay_circle(struct overlay_plot *plot, struct pp_box body,
                                  struct pp_error *err)
 {
@@ -370,8 +370,9 @@ static void trace_mask(const struct overlay_plot *plot, const struct pp_sky_mask
     }
 }
 
-/* Draws the present obstruction in light grey, and the former one on it, so that new
- * parts remain hatched. */
+/* Draws the present obstruction in light grey. If there is a former state, hatches the
+ * present obstruction and draws the former one over it in grey, so that only new parts
+ * remain hatched. */
 static void draw_masks(const struct overlay_plot *plot)
 {
     const struct pp_overlay *overlay = plot->overlay;

@@ -173,8 +173,8 @@ static void draw_plans(const struct year_plot *plot, struct pp_box box)
 
 /* ---- the curve ---- */
 
-/* Share of the occupied hours in which a point reaches an illuminance; -1: mean of the
- * points. */
+/* Share of the occupied hours, in per cent, in which a point reaches an illuminance;
+ * point -1: in which the mean of the points does. */
 static double share_with(const struct pp_annual_sheet *sheet, int point, double lx)
 {
     double hours = 0.0;

@@ -1,4 +1,4 @@
-/* cmd_annual.c - the command annual: the daylight of every hour of a year. */
+/* cmd_annual.c - the command annual: daylight in every hour of a year. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +37,8 @@ struct annual_options {
     bool without_blinds, leap_day;
     const char *hourly, *coefficients;
     struct part_of_rooms {
-        int number, count; /* from 1; count 0: all rooms */
+        int number, count; /* part `number`, from 1, of `count` parts; count 0: all
+                            * rooms */
     } part;
     enum pp_format format;
 };
@@ -148,7 +149,8 @@ static bool annual_is_finished(const void *data)
     return true;
 }
 
-/* Writes another output file (for one room only), if the user named one. */
+/* Writes a further output file for the first room, if the user named one and the run
+ * was not interrupted. Options allow such files for one room only. */
 static enum pp_exit write_further(const struct annual_run *run, const char *name,
                                   void (*put)(const struct pp_annual_sheet *sheet,
                                               const char *name, FILE *out))

@@ -20,8 +20,8 @@ static struct pp_room_figures assessed_room_figures(void *data, int room)
     return (struct pp_room_figures){&one->report, &one->by_clock};
 }
 
-/* Simulates a room. Part of its time limit is reserved for the rooms with larger
- * facades (facade_sensitivity.h). */
+/* Simulates a room. Part of its time limit is reserved for its variant with a larger
+ * facade (facade_sensitivity.h). */
 static enum pp_status simulate_room(const void *data, int room,
                                     struct pp_report *report, bool *by_clock,
                                     struct pp_error *err)
@@ -131,7 +131,8 @@ static enum pp_status refuse_alone(const struct pp_criterion *criterion,
                    criterion->name);
 }
 
-/* Checks that the state to compare with is given if a selected criterion needs it. */
+/* Checks that the former state and the mirror image are given if a selected criterion
+ * needs them. */
 static enum pp_exit check_compared(const struct pp_assess_words *words,
                                    const char *command, bool has_before)
 {

@@ -13,12 +13,13 @@ struct pp_assess_run {
     const struct pp_rooms *rooms, *before; /* before: in their former state; may be
                                             * empty */
     const struct pp_rooms *cumulative;     /* in the cumulative state; may be empty */
-    const struct pp_rooms *mirrored; /* with the mirror image outside; may be empty */
+    const struct pp_rooms *mirrored; /* with the mirror image of the building outside;
+                                      * may be empty */
     struct pp_assessments all;
 };
 
-/* Rooms in the proposed state, in their former and their cumulative state, and with the
- * mirror image; must be all zero at first. */
+/* Rooms in the proposed, former and cumulative states, and with the mirror image
+ * outside. Initialise all members to zero. */
 struct pp_assess_rooms {
     struct pp_rooms rooms, before, cumulative, mirrored;
 };
@@ -30,7 +31,8 @@ enum pp_exit pp_assess_run_load(struct pp_assess_rooms *rooms,
                                 char **files, int file_count);
 void pp_assess_run_unload(struct pp_assess_rooms *rooms);
 
-/* Reads the median illuminance and the sunshine from --weather, if given. */
+/* Reads the median illuminance and the probability of sunshine from the file of
+ * --weather, if given. */
 enum pp_exit pp_assess_run_weather(struct pp_assess_words *words);
 
 /* Makes an empty run. The functions below have the types required by struct pp_job;
@@ -41,8 +43,8 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err);
 bool pp_assess_run_is_finished(const void *data);
 void pp_assess_run_clear(struct pp_assess_run *run);
 
-/* Assesses all rooms of the files and prints them by `print`, whose `data` is a struct
- * pp_assess_run. command: name of the command, for messages. */
+/* Assesses all rooms of the files and calls `print` for the results; its `data` is a
+ * struct pp_assess_run. command: name of the command, for messages. */
 enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
                            char **files, int file_count,
                            enum pp_status (*print)(const void *data, FILE *out,

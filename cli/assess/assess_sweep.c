@@ -15,8 +15,8 @@ struct assess_sweep {
     int file_count;
 };
 
-/* One run of the sweep. Functions of a struct pp_assess_run also accept a pointer to
- * it, since that is its first member. */
+/* One run of the sweep. A pointer to it is also a pointer to its first member, so
+ * functions that take a struct pp_assess_run accept it. */
 struct assess_sweep_run {
     struct pp_assess_run assess;
     struct pp_assess_rooms rooms;

@@ -33,26 +33,29 @@ struct pp_assess_words {
     const char *schedule; /* file for the schedule of windows; NULL: none */
     const char *before;   /* the file with the room in its former state; NULL: none */
     struct pp_boundary_words mirror_image;
-    const char *place; /* a capital of the standard's table; NULL: the room's site */
-    double median_lux; /* median illuminance given by the user, used instead of a
-                        * place's; 0: not given */
+    const char *place; /* a capital from the table of the standard; NULL: the room's
+                        * site */
+    double median_lux; /* median illuminance given by the user, which replaces that of
+                        * the place; 0: not given */
     struct pp_grid_choice grid;  /* of --spacing */
-    double least_altitude_rad;   /* of --least-altitude; 0: not given */
+    double least_altitude_rad;   /* from --least-altitude; 0: not given */
     struct pp_section_place cut; /* of the report's sections */
-    double french_m;     /* height of the point of French windows, m; 0: the middle */
+    double french_m;     /* height of the point on French windows, m; 0: the middle */
     const char *weather; /* weather file for the median; NULL: none */
     struct pp_sunshine sunshine;  /* from that file */
     struct pp_year_options light; /* that file, once loaded */
     struct pp_weather_year year;  /* its hours, if a criterion needs a simulated year */
     enum pp_format format;
     const char *report_format; /* report: as typed; NULL: by the file's name */
-    struct pp_project project; /* report: facts that replace those of the file */
+    struct pp_project project; /* report: project facts that replace those in the
+                                * file */
     bool full;                 /* report: all sections for every room */
-    bool of_averages;          /* report: averages are printed, and so need a simulated
-                                * error */
+    bool of_averages;          /* report: averages are printed, so the simulation must
+                                * reach its standard error for them too */
 };
 
-/* Lists for struct pp_option_group, with a struct pp_assess_words as values. */
+/* Lists for struct pp_option_group; the values are stored in a struct
+ * pp_assess_words. */
 extern const struct pp_option pp_assess_words_choice[]; /* choice of criteria */
 extern const struct pp_option pp_assess_words_table[];  /* table */
 

@@ -12,7 +12,7 @@
 #include "reports/assess/schedule_xlsx.h"
 #include "reports/page/document_html.h"
 
-/* Most columns of figures on an HTML page, and on landscape A4. */
+/* Maximum number of columns of figures on an HTML page, and on landscape A4. */
 enum { HTML_FIGURES = 9, PDF_FIGURES = 12 };
 
 enum schedule_format {
@@ -20,7 +20,7 @@ enum schedule_format {
     SCHEDULE_XLSX,
     SCHEDULE_HTML,
     SCHEDULE_PDF,
-    SCHEDULE_FORMATS /* their number: the ending is unknown */
+    SCHEDULE_FORMATS /* number of formats; also means an unknown ending */
 };
 
 static enum schedule_format format_of(const char *path)

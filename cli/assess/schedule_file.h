@@ -1,4 +1,5 @@
-/* schedule_file.h - the file of assess --schedule, in the format of its ending. */
+/* schedule_file.h - writes the file of assess --schedule, in the format that the ending
+ * of its name selects. */
 #ifndef PP_CLI_ASSESS_SCHEDULE_FILE_H
 #define PP_CLI_ASSESS_SCHEDULE_FILE_H
 
@@ -8,7 +9,7 @@
 enum pp_status pp_schedule_file_check(const char *path, struct pp_error *err);
 
 /* Writes the schedule of the rooms' windows to that file, complete or not at all.
- * PP_BAD_INPUT: no sky or sunlight of windows was assessed, or the format is not
+ * PP_BAD_INPUT: no skylight or sunlight at windows was assessed, or the format is not
  * available; PP_SYSTEM: the file cannot be written. */
 enum pp_status pp_schedule_file_write(const char *path,
                                       const struct pp_assessments *all,

@@ -17,8 +17,8 @@ static enum pp_status fail(const struct pp_atlas_file *file, struct pp_error *er
                    strerror(errno));
 }
 
-/* Number of the first line in which the file's head differs from `head`; 0: it is
- * equal. *empty: the file is empty or ends within the head, which must be written
+/* Number of the first line in which the file's head differs from `head`; 0 if they are
+ * equal. *empty: the file is empty or ends within the head, which must then be written
  * again. */
 static int compare_head(FILE *stream, const char *head, bool *empty)
 {
@@ -41,8 +41,8 @@ static int compare_head(FILE *stream, const char *head, bool *empty)
     return *head ? number : 0;
 }
 
-/* Reads the rest of the file after the head: counts complete rooms, and finds the end
- * of the last one. */
+/* Reads the rest of the file after the head and counts the complete rooms. Returns the
+ * position after the last one. */
 static long find_end(struct pp_atlas_file *file)
 {
     char *line = NULL;

@@ -18,13 +18,13 @@ struct pp_atlas_file {
     int rooms;        /* number of complete rooms in the file */
 };
 
-/* Creates the file, or continues it if it begins with the same head (comments and line
- * of names); PP_BAD_INPUT if its head differs. Only one run can have it open. On
- * success the caller closes it. */
+/* Creates the file, or continues it if it begins with the same head (comments and the
+ * line of column names); PP_BAD_INPUT if its head differs. Only one run can have it
+ * open. On success the caller closes it. */
 enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
                                   const char *head, struct pp_error *err);
 
-/* Appends the rows of the next room, and flushes them to the disk. */
+/* Appends the rows of the next room, and flushes them. */
 enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
                                  size_t length, struct pp_error *err);
 

@@ -14,7 +14,8 @@
 #include "studies/research/atlas/atlas_renewal.h"
 #include "studies/research/atlas/atlas_room.h"
 
-/* ---- head of an atlas: form, settings of rooms and tracing, names of columns ---- */
+/* ---- head of an atlas: version line, settings of rooms and tracing, names of columns
+ * ---- */
 
 static const char atlas_form[] =
     "# pepperpot-atlas-1: daylight factors, per cent of the open "
@@ -39,7 +40,7 @@ static char *atlas_head_text(const struct pp_atlas_making *making,
     return NULL;
 }
 
-/* Reads the settings from the second line. */
+/* Reads the settings from the second line of the head; false if they are invalid. */
 static bool read_making(struct pp_atlas_making *making, const char *line)
 {
     char sky[16];
@@ -79,8 +80,8 @@ static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char
 /* The data from which rows are made. */
 struct row_source {
     const struct pp_atlas_making *making;
-    const struct pp_atlas_table *table; /* source of simulated values to keep; NULL:
-                                         * they are simulated */
+    const struct pp_atlas_table *table; /* source of the simulated values, which are
+                                         * kept; NULL: they are simulated */
     struct pp_atlas_design design;
     struct pp_atlas_columns columns;
 };
@@ -135,7 +136,7 @@ static bool sweep_goes_on(void *data, double done)
     return !watch->look || watch->look(watch->data, done, NAN);
 }
 
-/* Computes the rooms [first, end). *next: the room after the last that was
+/* Computes the rooms [first, end). *next: index after that of the last room
  * collected. */
 static enum pp_status run_queue(struct sweep *sweep, int first, int end,
                                 const struct pp_room_options *options, int *next,
@@ -219,7 +220,8 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
 
 /* ---- renewing an atlas ---- */
 
-/* Writes head and rooms. *next: the room after the last. */
+/* Writes the head and the first `rooms` rooms. *next: index after that of the last room
+ * written. */
 static enum pp_status print_anew(FILE *out, const struct row_source *source, int rooms,
                                  const struct pp_room_options *options, int *next,
                                  struct pp_error *err)

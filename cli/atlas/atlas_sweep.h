@@ -13,13 +13,13 @@ struct pp_atlas_making {
     struct pp_atlas_trace trace;
 };
 
-/* Extends the output file to the first `rooms` rooms, after the rooms that it has
- * already. */
+/* Appends rooms to the output file until it has the first `rooms` rooms of the
+ * atlas. */
 enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
                                const struct pp_room_options *options);
 
-/* Writes the atlas of `path` with the present figures of the methods to the output, in
- * one step. */
+/* Recalculates the hand figures of the atlas in the file `path`, keeps its simulated
+ * values, and writes the result to the output in one step. */
 enum pp_exit pp_atlas_sweep_anew(const char *path,
                                  const struct pp_room_options *options);
 

@@ -87,7 +87,7 @@ static enum pp_status draw_atlas_map(const struct pp_atlas_map *map,
     return status;
 }
 
-/* Draws the map of the atlas to a PDF, SVG or PNG by the ending of `output`. */
+/* Draws a map of the atlas as PDF, SVG or PNG, depending on the ending of `output`. */
 static enum pp_exit write_map(const struct map_sheet *sheet, const char *path,
                               const char *output)
 {
@@ -113,8 +113,8 @@ static enum pp_exit write_map(const struct map_sheet *sheet, const char *path,
 
 /* ---- bands ---- */
 
-/* Source of bands: the compiled-in table, or the bands of an atlas and their test on
- * rooms held out. */
+/* Bands fitted to the atlas at `path`. table: they are printed as a table; false: the
+ * test of bands on rooms held out is printed. */
 struct bands_run {
     const char *path;
     bool table;
@@ -148,7 +148,7 @@ static enum pp_status print_bands(const void *data, FILE *out, struct pp_error *
     return PP_OK;
 }
 
-/* Writes the bands of an atlas in the form of tables/atlas_bands.csv; output NULL is
+/* Writes the bands of an atlas in the form of tables/atlas_bands.csv; output NULL:
  * standard output. */
 static enum pp_exit write_bands(const char *path, const char *output)
 {
@@ -159,8 +159,9 @@ static enum pp_exit write_bands(const char *path, const char *output)
     return result;
 }
 
-/* Prints the test of bands from half of an atlas's rooms on its other rooms;
- * PP_EXIT_INPUT if a regime deviates by more than chance allows. */
+/* Tests bands derived from half of an atlas's rooms on the other half, and prints the
+ * result. PP_EXIT_INPUT if the share of rooms inside the band differs from 95 % in any
+ * regime by more than chance explains. */
 static enum pp_exit try_bands(const char *path, const char *output)
 {
     struct bands_run run = {.path = path};

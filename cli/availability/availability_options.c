@@ -16,7 +16,8 @@
 
 /* ---- parsing ---- */
 
-/* Reads "8" or "17:30" at *text, and moves *text past it; hours. */
+/* Reads a time such as "8" or "17:30" at *text, in hours, and moves *text past it.
+ * False if it is invalid. */
 static bool read_clock(const char **text, double *hour)
 {
     int hours = 0, minutes = 0, used = 0;

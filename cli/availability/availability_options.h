@@ -1,5 +1,5 @@
-/* availability_options.h - options of the light outside, of the working hours, and of
- * the target illuminances. */
+/* availability_options.h - options for the light outside, the working hours and the
+ * target illuminances. */
 #ifndef PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 #define PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 
@@ -9,8 +9,8 @@
 #include "studies/climate/year_light.h"
 #include "model/room/world.h"
 
-/* Options of the light outside, the hours and the target illuminances, for struct
- * pp_option_group; their values are a struct pp_year_options. */
+/* Options for the light outside, the working hours and the target illuminances, for
+ * struct pp_option_group; the values are stored in a struct pp_year_options. */
 extern const struct pp_option pp_light_options[];
 extern const struct pp_option pp_working_time_options[];
 extern const struct pp_option pp_illuminance_options[];
@@ -23,8 +23,8 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 /* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options);
 /* Finds the median of the diffuse illuminance over the brightest 4380 hours and the
- * probability of sunshine in a loaded weather file; reports on standard error why it has no
- * median. */
+ * probability of sunshine in a loaded weather file; if it has no median, reports the
+ * reason on standard error. */
 enum pp_exit pp_availability_options_median(const struct pp_year_options *options,
                                             double *median_lx,
                                             struct pp_sunshine *sunshine);

@@ -32,7 +32,7 @@ struct availability_options {
     enum pp_format format;
 };
 
-/* State of a run. `outside`: the light of each room. */
+/* State of a run. `outside`: the light outside each room. */
 struct availability_run {
     struct availability_options *options;
     const struct pp_rooms *rooms;

@@ -111,7 +111,8 @@ static enum pp_status set_sky(struct pp_board_options *board, const char *words,
     return pp_sky_words_sky(&board->sky, &part, 0.0, err);
 }
 
-/* Chooses a protractor by glazing, slope and sky, if one of them was given. */
+/* Sets slope and glass, and selects a protractor by glazing, slope and sky if one of
+ * them was given. */
 static enum pp_status set_protractor(struct pp_board_options *board,
                                      const char *sky_words, struct pp_error *err)
 {

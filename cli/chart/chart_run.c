@@ -40,7 +40,8 @@ struct chart_task {
     const struct pp_room_options *room_options;
     const struct pp_chart_words *options;
     struct pp_rooms rooms, former;       /* former: in their former state */
-    const struct pp_study_room **before; /* for each room, as struct pp_chart_site's */
+    const struct pp_study_room **before; /* former state of each room, as in struct
+                                          * pp_chart_site */
     bool finished;                       /* false: a simulation was interrupted */
 };
 
@@ -51,8 +52,8 @@ static void clear_chart_task(struct chart_task *task)
     pp_rooms_clear(&task->rooms);
 }
 
-/* Number of rooms on the sheet that begins with room `first`: 1, or all rooms of its
- * file. */
+/* Number of rooms on the sheet that begins with room `first`: 1 or, for a chart of a
+ * site, all rooms of its file. */
 static int rooms_on_sheet(const struct chart_task *task, int first)
 {
     const struct pp_rooms *rooms = &task->rooms;
@@ -161,7 +162,7 @@ static enum pp_status draw_sheets(struct chart_task *task, struct pp_canvas *can
     return status;
 }
 
-/* Facts of the title block: those typed, else those of the room's file. */
+/* Facts for the title block: those typed, else those in the room's file. */
 static struct pp_project project_of(const struct chart_task *task,
                                     const struct pp_study_room *room)
 {
@@ -242,8 +243,8 @@ static char *numbered(const char *path, int number)
     return length < 0 ? NULL : made;
 }
 
-/* Draws a file for each of several sheets, in a format that has no pages. The files are
- * written when all are drawn, so that a chart that fails leaves no file. */
+/* Draws each sheet to its own numbered file, for a format without pages. The files are
+ * written after all sheets are drawn, so a chart that fails leaves no file. */
 static enum pp_status draw_numbered(struct chart_task *task, int sheets,
                                     struct pp_error *err)
 {

@@ -16,9 +16,9 @@ struct pp_chart_words {
     bool list, logarithmic, linear;
     const char *before;   /* a file with the former state of the rooms, or "existing";
                            * NULL: none */
-    bool before_is_state; /* the former rooms are those of the same file in its other
+    bool before_is_state; /* the former rooms are those of the same file in its existing
                            * state */
-    struct pp_project project; /* in place of the file's facts */
+    struct pp_project project; /* facts that replace those in the file */
     struct pp_chart_choice choice;
 };
 

@@ -322,7 +322,7 @@ struct chart_command {
     struct pp_chart_words chart;
     struct pp_moment_choice moment;
     struct pp_moment_source source;
-    const struct pp_chart_kind *kind; /* by the first word; NULL: none */
+    const struct pp_chart_kind *kind; /* the kind named by the first word; NULL: none */
 };
 
 #undef PLACE

@@ -185,7 +185,7 @@ static enum pp_status check_compare_options(void *values, char **files, int file
 /* ---- values ---- */
 
 /* Converts the other program's values to fractions, in the order of the indices in
- * `chosen`. lux: illuminance of a horizontal plane under the open sky; 0: unknown. */
+ * `chosen`. lux: horizontal illuminance under the open sky; 0: unknown. */
 static enum pp_status to_fractions(double *theirs, const struct pp_other_values *values,
                                    const int *chosen, int count,
                                    const struct compare_options *options, double lux,

@@ -163,7 +163,7 @@ static enum pp_status take_header(struct csv_reading *reading, char *text,
     return status == PP_OK ? check_header(reading, err) : status;
 }
 
-/* Converts decimal commas to points, if columns are not separated by commas. */
+/* Converts a decimal comma to a point, if columns are not separated by commas. */
 static void point_commas(const struct csv_reading *reading, char *word)
 {
     char *comma = reading->separators[0] == ',' ? NULL : strchr(word, ',');
@@ -233,8 +233,8 @@ static enum pp_status take_row(struct csv_reading *reading, char *text,
     return status == PP_OK ? add_other_value(reading, of, err) : status;
 }
 
-/* True if the first line is a single number: then there is no header, as in the output
- * of rtrace. */
+/* True if the first line is a single number, as in the output of rtrace: there is then
+ * no header. */
 static bool is_bare(const char *text)
 {
     double value;

@@ -44,14 +44,14 @@ struct pp_other_values {
     enum pp_other_unit unit; /* from the header's name; unknown if it has none */
 };
 
-/* PP_BAD_INPUT with file, line and reason. */
+/* Reads the file. PP_BAD_INPUT, with file, line and reason, if it is invalid. */
 enum pp_status pp_other_values_read(struct pp_other_values *values, const char *path,
                                     struct pp_error *err);
 void pp_other_values_clear(struct pp_other_values *values);
 
 /* Replaces the room's points by the points of the values; if there are more than
  * `most`, by a subset evenly spread over the list. *chosen, freed by the caller: index
- * of the value at each point, room->receiver_count of them. */
+ * of the value for each of the room->receiver_count points. */
 enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
                                      const struct pp_other_values *values,
                                      const char *path, int most, struct pp_error *err);

@@ -139,7 +139,8 @@ static enum pp_status print_formulae(const void *data, FILE *out, struct pp_erro
     return PP_OK;
 }
 
-/* Runs with the user's own tables for the lumen method, if given. */
+/* Lists the formulae, or runs the command with the user's own tables for the lumen
+ * method, if given. */
 static enum pp_exit run_df(void *values, char **files, int file_count)
 {
     struct pp_df_options *options = values;

@@ -41,7 +41,7 @@ static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
     return status;
 }
 
-/* Adds averages over the part of the plane inside its margin, by the same methods and
+/* Adds averages over the part of the plane inside its margin, from the same methods and
  * simulation. */
 static enum pp_status add_margin(struct pp_result *result,
                                  const struct pp_study_room *room,
@@ -195,8 +195,8 @@ struct df_sweep {
     int file_count;
 };
 
-/* One run of the sweep. Functions of a struct pp_df_run also accept a pointer to it,
- * since that is its first member. */
+/* One run of the sweep. A pointer to it is also a pointer to its first member, so
+ * functions that take a struct pp_df_run accept it. */
 struct df_sweep_run {
     struct pp_df_run df;
     struct pp_rooms rooms;

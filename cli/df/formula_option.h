@@ -11,7 +11,8 @@ struct pp_formula_words {
     struct pp_variant_list variants;
 };
 
-/* List for struct pp_option_group, with a struct pp_formula_words as values. */
+/* List for struct pp_option_group; the values are stored in a struct
+ * pp_formula_words. */
 extern const struct pp_option pp_formula_option[];
 
 /* Parses the variants, if any; `options` then points to them. */

@@ -11,7 +11,7 @@
 struct pp_doctor_check {
     const char *name;
     bool passes;
-    char result[600]; /* a figure or place; on failure the reason */
+    char result[600]; /* the value or path found; on failure the reason */
 };
 
 enum { PP_DOCTOR_CHECK_COUNT = 8 };
@@ -19,8 +19,8 @@ enum { PP_DOCTOR_CHECK_COUNT = 8 };
 /* Runs all checks. Takes about a second. */
 void pp_doctor_checks_run(struct pp_doctor_check list[PP_DOCTOR_CHECK_COUNT]);
 
-/* The test page as a file in memory: *canvas is destroyed by the caller; *bytes is
- * valid as long as it. */
+/* Draws the test page as a file in memory. The caller destroys *canvas, to which *bytes
+ * belongs. */
 enum pp_status pp_doctor_checks_page(struct pp_canvas **canvas,
                                      const unsigned char **bytes, size_t *length,
                                      enum pp_chart_format format, struct pp_error *err);

@@ -39,7 +39,7 @@ static bool find_file(const char *folder, const char *file, char *found)
 }
 
 /* Searches for a file in folders relative to the program's, then in `configured`;
- * prints the folder that has it. */
+ * prints the folder that has it, or `instead` if none has. */
 static void print_folder(const char *label, const char *file, const char *configured,
                          const char *instead, FILE *out)
 {

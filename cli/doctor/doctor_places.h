@@ -8,7 +8,7 @@
 /* Prints a line for each place: "  manual       /usr/share/doc/pepperpot/docs". */
 void pp_doctor_places_print(FILE *out);
 
-/* Prints a line for each of Radiance's programs that other commands run. */
+/* Prints a line for each Radiance program that other commands run. */
 void pp_doctor_places_print_radiance(FILE *out);
 
 /* Prints a label and a text, wrapped into further lines. */

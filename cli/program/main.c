@@ -136,8 +136,9 @@ static enum pp_exit run_program(int argc, char **argv, const struct pp_ranks *ra
     return fail_unknown_command(word);
 }
 
-/* Opens standard streams that were closed. Otherwise the next file opened would get
- * their number, and our messages. The replacements cannot be read or written. */
+/* Opens standard streams that were closed. Otherwise the next file opened would get the
+ * number of a closed stream, and receive our messages. The replacements cannot be read
+ * or written. */
 static void occupy_standard_streams(void)
 {
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)

@@ -8,11 +8,11 @@
 /* The folder of the running program, ending in '/'; empty if unknown. */
 void pp_program_place_own(char *folder, size_t room);
 
-/* Path of a program that is in PATH and executable by this user. False: there is none,
+/* Finds a program that is in PATH and executable by this user. False: there is none,
  * and path is "". */
 bool pp_program_place_on_path(const char *program, char *path, size_t room);
 
-/* Folder of temporary files: TMPDIR, else /tmp. */
+/* Folder for temporary files: TMPDIR, else /tmp. */
 const char *pp_program_place_temporary(void);
 
 #endif

@@ -12,7 +12,7 @@
 #include "model/base/read_file.h"
 #include "formats/radiance/write/rad_room.h"
 
-/* Default illuminance of the open horizontal ground. */
+/* Default illuminance on the open horizontal ground. */
 static const double DEFAULT_LUX = 10000.0;
 
 static const char about[] =
@@ -73,8 +73,8 @@ static bool is_taken(const char *folder, char *const *before, int count)
     return false;
 }
 
-/* True if the first character of text, `length` bytes long, is allowed in a folder's
- * name. */
+/* True if the first character of text, `length` bytes long, is allowed in the name of a
+ * folder. */
 static bool is_fit(const char *text, int length)
 {
     unsigned char c = (unsigned char)text[0];
@@ -83,7 +83,8 @@ static bool is_fit(const char *text, int length)
     return c > ' ' && c < 127 && !strchr("/\\:*?\"<>|'`$&;#", c);
 }
 
-/* Folder name for a room, different from those before; freed by the caller. */
+/* Folder name for a room, different from those in `before`; freed by the caller. NULL:
+ * out of memory. */
 static char *folder_of(const struct pp_rooms *rooms, int which, char *const *before)
 {
     const char *name = rooms->list[which].world->name;
@@ -110,8 +111,9 @@ static char *folder_of(const struct pp_rooms *rooms, int which, char *const *bef
     return strdup(fit);
 }
 
-/* Replaces a room's sky by sky and sun of the moment. Also gives the sky's illuminance,
- * and a comment with the Radiance command for a similar sky. */
+/* Replaces a room's sky by the sky and sun of the moment. *external_lux: horizontal
+ * illuminance from that sky. note: a comment with the Radiance command for a similar
+ * sky. */
 static enum pp_status take_moment(struct pp_study_room *room,
                                   const struct pp_moment_choice *choice,
                                   double *external_lux, char *note, size_t size,

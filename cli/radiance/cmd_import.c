@@ -31,7 +31,7 @@ static const char about[] =
     "A gbXML file, recognised by its first character, is converted to a room file. "
     "Missing data, and the defaults used instead, are listed on standard error.";
 
-/* Most paths of a point in each randomisation. */
+/* Maximum number of paths per point in each randomisation. */
 static const long MOST_SAMPLES = 1 << 26;
 
 /* Time (s) between checks of clock, interrupt and progress bar. */
@@ -41,8 +41,8 @@ struct import_options {
     struct pp_room_options room;
     const char *points_file; /* NULL: none */
     bool summary;
-    bool by_chance; /* concentrated sources are found by rays only, without next-event
-                     * estimation */
+    bool by_chance; /* concentrated sources are found only by rays that hit them,
+                     * without next-event estimation */
     enum pp_format format;
 };
 
@@ -73,7 +73,8 @@ static const struct pp_option import_options[] = {
 static const size_t FILE_MOST = (size_t)64 << 20;
 enum { POINTS_MOST = 100000 };
 
-/* Reads six numbers from a line, which is changed; returns the number of words. */
+/* Reads six numbers from a line, which is changed; returns the number of words, or -1
+ * if one is not a number or there are more than six. */
 static int read_sensor_numbers(char *line, double numbers[6])
 {
     int count = 0;

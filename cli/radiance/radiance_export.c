@@ -41,7 +41,7 @@ const char *const pp_radiance_files[] = {"materials.rad",
                                          "scene.oct",
                                          NULL};
 
-/* Adds a file of the room, with its description as a comment on top. */
+/* Adds a file of the room to the directory. */
 static enum pp_status add_file(struct pp_output_directory *directory,
                                const char *folder, const char *name, bool runs,
                                FILE **out, struct pp_error *err)
@@ -125,8 +125,8 @@ static const char script[] =
     "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, %s * grey / horizontal\n"
     "    }'\n";
 
-/* Writes the option of oconv that makes its smallest cells at most a centimetre,
- * although the ground is kilometres wide. Its default is a 16384th of the scene, and
+/* Writes the option that limits the smallest cells of oconv to a centimetre, although
+ * the ground is kilometres wide. By default they are a 16384th of the scene's size, and
  * oconv fails if a cell contains too many surfaces. */
 static void resolution_of(const struct pp_rad_room *rad, char *option, size_t size)
 {

@@ -5,14 +5,14 @@
 #include "cli/output_directory.h"
 #include "cli/rooms.h"
 
-/* Luminous efficacy of Radiance's units, lm/W [WS98]. */
+/* Luminous efficacy by which Radiance converts radiance to luminance, lm/W [WS98]. */
 #define PP_RADIANCE_EFFICACY 179.0
 
 /* Names of all files that an export may contain, including those made by running it. */
 extern const char *const pp_radiance_files[];
 
 /* Adds the files of a room, in `folder` (NULL: at the top). external_lux: illuminance
- * of the open horizontal ground by the sky. gloss: with the colour and gloss of
+ * on the open horizontal ground from the sky. gloss: include the colour and gloss of
  * finishes. sky_note: a comment on the sky; NULL: none. */
 enum pp_status pp_radiance_export(struct pp_output_directory *directory,
                                   const char *folder, const struct pp_study_room *room,

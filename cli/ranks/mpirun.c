@@ -27,7 +27,7 @@ static bool is_rank(void)
 }
 
 /* Searches relative to the running program, in the build tree and in an installed tree,
- * which may be staged or moved; then where it was configured to be installed. */
+ * which may be staged or moved; then in the folder set by configure. */
 bool pp_mpirun_module_path(char *path, size_t room)
 {
     static const char *const relative[] = {".libs", "../lib/pepperpot"};

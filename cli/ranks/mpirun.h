@@ -20,8 +20,8 @@ bool pp_mpirun_module_path(char *path, size_t room);
  * but 0 then print nothing. Reports errors. */
 enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun);
 
-/* Call this last. Returns the exit status for mpirun: that of a rank other than 0 is
- * success. */
+/* Call this last. Returns the exit status for mpirun: `status` on rank 0, success on
+ * other ranks. */
 enum pp_exit pp_mpirun_end(struct pp_mpirun *mpirun, enum pp_exit status);
 
 /* Function of the module that sends messages by MPI. mpirun.c loads the module only if

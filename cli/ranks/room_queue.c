@@ -79,8 +79,8 @@ static enum pp_status alone(const struct pp_room_queue *queue, int first,
     return status;
 }
 
-/* After a stop, a room not yet started gets the same result as in a single process: the
- * watch ends its simulation at once. */
+/* After an interrupt, a room not yet started gets the same result as in a single
+ * process, because the watch ends its simulation at once. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err)
 {

@@ -21,7 +21,7 @@ struct pp_room_queue {
     struct pp_room_figures (*figures)(void *data, int room);
 
     /* Adds the simulation's columns to the report, which may be a copy without any
-     * columns; nothing else is changed. */
+     * columns. Changes nothing else. */
     enum pp_status (*simulate)(const void *data, int room, struct pp_report *report,
                                bool *by_clock, struct pp_error *err);
     void *data;

@@ -102,8 +102,8 @@ static enum pp_exit show_file(const struct pp_render_choice *choice,
     return result;
 }
 
-/* Replaces the room file's sky by sky and sun of the moment, which also set the
- * illuminance outside. */
+/* Replaces the room file's sky by the sky and sun of the moment, and the illuminance
+ * outside by that of this sky. */
 static enum pp_exit take_moment(struct pp_study_room *room,
                                 struct pp_moment_choice *choice,
                                 struct pp_room_options *options)
@@ -184,7 +184,7 @@ static void init_render_options(void *values)
 }
 
 /* Checks the options for a moment: sunlight needs next-event estimation, and a picture
- * with the sun cannot show daylight factors. */
+ * for one moment cannot show daylight factors or come from a file. */
 static enum pp_status check_moment(const struct render_options *options,
                                    struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* make_picture.c - renders slice by slice, keeps checkpoints, and stops at an
+/* make_picture.c - renders in time slices, writes checkpoints, and stops at an
  * interrupt. */
 #include "cli/render/make_picture.h"
 
@@ -21,14 +21,15 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/opening_store.h"
 
-/* Duration of a slice of work, and time between two checkpoints. */
+/* Duration of a time slice, and time between two checkpoints. */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
 
-/* Most directions from a pixel to one window; also limited by the number of its
- * paths. */
+/* Maximum number of directions from a pixel to one window; also limited by the number
+ * of the pixel's paths. */
 enum { DIRECTIONS = 16 };
 
-/* Number of independent groups of a pixel's paths, for their standard error. */
+/* Number of independent groups of a pixel's paths, from which its standard error is
+ * estimated. */
 enum { RANDOMISATIONS = 32 };
 
 /* Largest checkpoint: 4 GiB. */
@@ -54,7 +55,8 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
     return status;
 }
 
-/* Reads the whole file; the caller frees *bytes. NULL: the file does not exist. */
+/* Reads the whole file; the caller frees *bytes, which is NULL if the file does not
+ * exist. */
 static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *length,
                                       struct pp_error *err)
 {
@@ -64,7 +66,7 @@ static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *le
     return pp_read_file(bytes, length, path, CHECKPOINT_MOST, err);
 }
 
-/* Adds the records of the checkpoint to the cache. */
+/* Adds the records of the checkpoint, if the file exists, to the cache. */
 static enum pp_status take_records(struct pp_irradiance_cache *cache, const char *path,
                                    struct pp_error *err)
 {
@@ -118,8 +120,8 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
     return PP_OK;
 }
 
-/* Number of randomisations: enough for a standard error, at most the number of paths;
- * 0: no standard error requested. */
+/* Number of randomisations: RANDOMISATIONS, at most the number of paths; 0: no standard
+ * error requested. */
 static int randomisations(const struct pp_render_choice *choice)
 {
     if (!choice->errors)
@@ -204,7 +206,8 @@ static enum pp_status save(const struct pp_made_picture *made, const char *path,
     return pp_output_close(&output, status, err);
 }
 
-/* Handles Ctrl-C: saves the finished part if a file name is given. */
+/* Handles Ctrl-C: saves the finished part if a checkpoint file is named. Always returns
+ * an error, PP_INTERRUPTED unless saving fails. */
 static enum pp_status interrupted(const struct pp_made_picture *made, const char *path,
                                   struct pp_error *err)
 {
@@ -259,8 +262,8 @@ static void scale_picture(struct pp_picture *picture, double scale)
         picture->rgb[i] = (float)(scale * picture->rgb[i]);
 }
 
-/* Horizontal illuminance outside: the given value, or that of the photographed sky, or
- * 10,000 lx. */
+/* Horizontal illuminance outside (lx): the given value, or that of the photographed
+ * sky, or 10,000 lx. */
 static double external_of(const struct pp_room_options *options,
                           const struct pp_sky *sky)
 {

@@ -1,5 +1,5 @@
-/* make_picture.h - renders a room's picture, with progress bar, checkpoints and
- * Ctrl-C. */
+/* make_picture.h - renders a picture of a room; shows a progress bar, writes
+ * checkpoints and handles Ctrl-C. */
 #ifndef PP_CLI_RENDER_MAKE_PICTURE_H
 #define PP_CLI_RENDER_MAKE_PICTURE_H
 
@@ -9,7 +9,8 @@
 
 struct pp_made_picture {
     struct pp_shown_picture shown;
-    struct pp_picture errors; /* standard errors of its pixels; empty: not requested */
+    struct pp_picture errors; /* standard errors of the picture's pixels; empty: not
+                               * requested */
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_opening_store *store;

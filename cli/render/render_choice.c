@@ -46,7 +46,7 @@ bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
            || choice->records;
 }
 
-/* First option given that applies to making a room's picture; NULL: none. */
+/* First option given that applies only to rendering a room; NULL: none. */
 static const char *making_said(const struct pp_render_choice *choice,
                                const struct pp_room_options *options)
 {
@@ -80,7 +80,8 @@ static const char *making_said(const struct pp_render_choice *choice,
     return NULL;
 }
 
-/* Sheet options need -o; raster options need -o FILE.png. */
+/* Checks the options of the sheet: they need a picture that is drawn on a sheet, and
+ * --dpi a PNG. */
 static enum pp_status check_sheet(const struct pp_render_choice *choice,
                                   const struct pp_picture_format *format,
                                   struct pp_error *err)
@@ -101,7 +102,8 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-/* Checks the size: a displayed picture must be smaller than a saved one. */
+/* Checks the size: the limit for a picture that is displayed is lower than for one
+ * stored as numbers. */
 static enum pp_status check_size(const struct pp_render_choice *choice, bool shown,
                                  struct pp_error *err)
 {
@@ -147,7 +149,7 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-/* Checks the options of standard errors: they need a numeric format and several
+/* Checks the options for standard errors: they need a numeric format and several
  * paths. */
 static enum pp_status check_errors(const struct pp_render_choice *choice,
                                    struct pp_error *err)

@@ -37,7 +37,7 @@ struct pp_levels {
 
 struct pp_exposure {
     enum pp_tone_way way;
-    double white; /* set by the user, in the quantity's unit */
+    double white; /* value shown as white, set by the user, in the quantity's unit */
     bool said;
 };
 
@@ -57,7 +57,8 @@ struct pp_paper_choice {
 
 /* Sampling of light through windows. */
 enum pp_window_light {
-    PP_WINDOWS_STORED, /* next-event estimation; light from surfaces outside is stored once */
+    PP_WINDOWS_STORED, /* next-event estimation; light from outside surfaces is
+                        * calculated once and stored */
     PP_WINDOWS_AIMED,  /* next-event estimation along each path */
     PP_WINDOWS_CHANCE, /* BRDF sampling alone */
 };
@@ -71,7 +72,7 @@ struct pp_render_choice {
 
     struct pp_quantity_choice quantity;
     enum pp_pixel_filter filter;
-    int samples; /* 0: not given, before the check */
+    int samples; /* before the check 0: not given */
     bool paths;  /* light paths only, without a cache */
     enum pp_window_light windows;
     struct pp_cache_choice cache;
@@ -96,8 +97,8 @@ struct pp_render_choice {
 struct pp_render_choice pp_render_choice_default(void);
 void pp_render_choice_clear(struct pp_render_choice *choice);
 
-/* Checks that the options are consistent for `file_count` room files (an illuminance
- * outside of 0: not given). Sets the samples and the options of the cache. */
+/* Checks that the options are consistent for `file_count` room files. Sets the samples
+ * and the options of the cache. */
 enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);

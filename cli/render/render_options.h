@@ -5,7 +5,8 @@
 #include "cli/options.h"
 #include "cli/render/render_choice.h"
 
-/* Lists for struct pp_option_group, with a struct pp_render_choice as values. */
+/* Lists for struct pp_option_group; the values are stored in a struct
+ * pp_render_choice. */
 extern const struct pp_option pp_render_view_options[];
 extern const struct pp_option pp_render_picture_options[];
 extern const struct pp_option pp_render_shown_options[];

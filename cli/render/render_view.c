@@ -103,8 +103,8 @@ static int side(double pixels)
     return (int)fmin(fmax(lrint(pixels), 1.0), PP_PICTURE_SIDE_MOST);
 }
 
-/* Computes the width and height of the view (m) and the picture's size, so that pixels
- * are square. */
+/* Computes the width and height of a parallel view (m) and the picture's size, so that
+ * pixels are square. */
 static void size_parallel(struct pp_picture_size *size, double *across, double *down,
                           const struct pp_render_choice *choice,
                           const struct pp_view_place *place)
@@ -127,7 +127,8 @@ static void size_parallel(struct pp_picture_size *size, double *across, double *
     *down = *across * asked;
 }
 
-/* Computes the horizontal and vertical angle of view, so that pixels are square. */
+/* Computes the horizontal and vertical angle of view (radians) and the picture's size,
+ * so that pixels are square. */
 static void size_angles(struct pp_picture_size *size, double *across, double *down,
                         const struct pp_render_choice *choice)
 {

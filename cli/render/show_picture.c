@@ -227,7 +227,7 @@ static void choose_levels(struct pp_picture_sheet *sheet,
             sheet->levels[sheet->level_count++] = all[i];
 }
 
-/* Adds the raster, the scale and contour lines. */
+/* Adds the false-colour raster, its scale and contour lines. */
 static enum pp_status lay_false_colours(struct pp_picture_sheet *sheet,
                                         const struct pp_shown_picture *shown,
                                         const struct pp_render_choice *choice,

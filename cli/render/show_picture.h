@@ -1,4 +1,4 @@
-/* show_picture.h - writes a picture to a file, in the format given by its name. */
+/* show_picture.h - writes a picture in a numeric format, as PNG, or on a sheet. */
 #ifndef PP_CLI_RENDER_SHOW_PICTURE_H
 #define PP_CLI_RENDER_SHOW_PICTURE_H
 
@@ -18,7 +18,8 @@ struct pp_shown_picture {
                          * owned; NULL: unknown */
     double (*marks)[2]; /* positions of cache records, in pixels; not owned */
     int mark_count;
-    char view[PP_HDR_VIEW_SIZE]; /* as in a picture's header; empty: unknown */
+    char view[PP_HDR_VIEW_SIZE]; /* view options as in the header of a picture file;
+                                  * empty: unknown */
     char words[256];             /* description of the view; empty: unknown */
     double external_lux;         /* illuminance outside, lx; 0: unknown */
 };

@@ -70,7 +70,8 @@ static const char *ending_of(const char *path)
     return name ? strrchr(name, '.') : NULL;
 }
 
-/* True if the report is a PDF: by --format, or by the ending of its name. */
+/* True if the report is a PDF, according to --format or else to the ending of its
+ * name. */
 static bool is_pdf(const struct pp_assess_words *words)
 {
     const char *ending = ending_of(words->room.output);
@@ -88,7 +89,7 @@ static bool is_safe(const char *word)
                   == '\0';
 }
 
-/* Prints a word after a space, with quotes if a shell needs them. */
+/* Prints a space and the word, quoted if a shell needs it. */
 static void put_word(const char *word, FILE *out)
 {
     fputc(' ', out);
@@ -102,7 +103,7 @@ static void put_word(const char *word, FILE *out)
     fputc('\'', out);
 }
 
-/* Prints an option and its value, if given. */
+/* Prints an option and its value `word`; nothing if it is NULL. */
 static void put_option(const char *option, const char *word, FILE *out)
 {
     if (!word)

@@ -66,8 +66,9 @@ static enum pp_status grow_pictures(struct pp_report_pictures *pictures,
                            : status;
 }
 
-/* Options for the drawings of a room. They are simulated if the room's figures are,
- * with twice the error, and in a tenth of the time limit. */
+/* Options for the drawings of a room. Drawings are simulated if the room's figures are,
+ * with twice the standard error and a tenth of the time limit; those of a whole site
+ * are not. */
 static struct pp_study_options drawing_options(const struct drawing_task *task,
                                                int room)
 {
@@ -143,9 +144,9 @@ static enum pp_status draw_site(struct drawing_task *task, int first, int count,
 
 /* ---- drawings of a room ---- */
 
-/* Line of the window with the least sun relative to a criterion's requirement, or the
- * least sun if nothing is required; 0: the criterion is of the room; -1: sunlight is
- * not assessed. */
+/* Line in the file of the window with the least sun relative to a criterion's
+ * requirement, or the least sun if nothing is required; 0: the criterion applies to the
+ * room; -1: sunlight is not assessed. */
 static int least_sunny(const struct pp_assessment *room)
 {
     int line = -1;

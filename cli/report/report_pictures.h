@@ -15,12 +15,12 @@ struct pp_report_pictures {
     int count;
 };
 
-/* Draws the pictures as SVG files, or for sheets. For a site (several rooms, objects
- * with a state, or blocks): plan and elevations. For every room: plan and section; if
- * there is a former state, also the area lit now and before; with a profile that
- * includes sunlight, the sun's paths at the window with the least sun. Drawings that
- * are not possible, such as the plan of a room that no hand method covers, are left
- * out. The caller clears the pictures in any case. */
+/* Draws the pictures as SVG, for a page or (to_place) to be placed on sheets. For a
+ * site (several rooms, objects with a state, or blocks): plan and elevations. For every
+ * room: plan and section; if there is a former state, also the area lit now and before;
+ * with a profile that includes sunlight, the sun's paths at the window with the least
+ * sun. Drawings that are not possible, such as the plan of a room that no hand method
+ * covers, are left out. The caller clears the pictures even after a failure. */
 enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,
                                        const struct pp_assess_run *run, bool full,
                                        bool to_place, struct pp_error *err);

@@ -125,8 +125,8 @@ static enum pp_status read_token(char **token, const char *file, struct pp_error
     return status;
 }
 
-/* Makes the key, 128 random bits, with which the page fetches the room that the server
- * was started with. */
+/* Makes a key of 128 random bits. The page needs it to fetch the room with which the
+ * server was started. */
 static bool make_key(char key[33])
 {
     unsigned char bytes[16];

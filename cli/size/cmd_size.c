@@ -33,8 +33,8 @@ static const char about[] =
     "rooms keep their share of the sky. --envelope finds the largest building on its "
     "plot. FILE is a room file; - is standard input.";
 
-/* Replaces the text of a room file by one for a copy at `path`: relative names of other
- * files are adapted. */
+/* Adapts the text of a room file for a copy at `path`: changes the relative names of
+ * other files. Replaces and frees *text, which is NULL after a failure. */
 static enum pp_status move_text(char **text, size_t *length, const char *file,
                                 const char *path, struct pp_error *err)
 {
@@ -48,7 +48,8 @@ static enum pp_status move_text(char **text, size_t *length, const char *file,
     return status;
 }
 
-/* Writes the room file with all sized openings. */
+/* Writes the room file with all openings that reach the target. PP_BAD_INPUT if none
+ * does. */
 static enum pp_status write_sized_file(const struct pp_size_results *results,
                                        const char *file, const char *path,
                                        struct pp_error *err)
@@ -98,9 +99,9 @@ struct size_run {
     struct pp_size_results results;
 };
 
-/* Sizes all rooms. If there are several, a room without windows gets a reason, and
- * rooms without the window given by --line or --wall are left out. It is an error if no
- * room has such a window. */
+/* Sizes all rooms. If there are several, a room that cannot be sized gets a reason in
+ * place of a size, or is left out if --window or --wall selects the window. It is an
+ * error if no room can be sized. */
 static enum pp_status compute_sizes(void *data, struct pp_error *err)
 {
     struct size_run *run = data;
@@ -182,8 +183,8 @@ struct size_sweep {
     int file_count;
 };
 
-/* One run of the sweep. Functions of a struct size_run also accept a pointer to it,
- * since that is its first member. */
+/* One run of the sweep. A pointer to it is also a pointer to its first member, so
+ * functions that take a struct size_run accept it. */
 struct size_sweep_run {
     struct size_run size;
     struct pp_rooms rooms;
@@ -236,7 +237,7 @@ static enum pp_exit size_sweep(struct pp_size_options *options, char **files,
         compute_sizes, NULL, print_size, print_size_table, clear_swept_run, &sweep});
 }
 
-/* ---- --obstruction and --envelope: height of a block, envelope of a plot ---- */
+/* ---- --obstruction: height of a block; --envelope: envelope on a plot ---- */
 
 enum { NAMES_MOST = 64 };
 

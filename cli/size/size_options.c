@@ -112,7 +112,7 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
     return status == PP_OK ? status : pp_fail(err, status, "--by: %s", fault.message);
 }
 
-/* PP_BAD_INPUT if options of windows are combined with --obstruction or --envelope. */
+/* PP_BAD_INPUT if options for windows are combined with --obstruction or --envelope. */
 static enum pp_status settle_block(struct pp_size_options *options,
                                    struct pp_error *err)
 {
@@ -174,8 +174,7 @@ const char *pp_size_options_block(const struct pp_size_options *options)
     return options->envelope ? options->envelope : options->obstruction;
 }
 
-/* Name of the first option of a block's rule that is given although no block is; NULL:
- * none. */
+/* Name of the first option given that needs --obstruction or --envelope; NULL: none. */
 static const char *stray_rule(const struct pp_size_options *options)
 {
     const struct pp_retained_sky_rule *rule = &options->rule;
@@ -189,7 +188,7 @@ static const char *stray_rule(const struct pp_size_options *options)
                                                   : NULL;
 }
 
-/* Checks a criterion, which has its own figures and points. */
+/* Checks the options for a criterion, which has its own target and points. */
 static enum pp_status settle_criterion(struct pp_size_options *options,
                                        struct pp_error *err)
 {

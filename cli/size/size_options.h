@@ -20,22 +20,22 @@ struct pp_size_options {
     const char *draw;     /* path for the drawing of the envelope; NULL: none */
     double highest_m;     /* upper limit of the block's height, or of the envelope's */
     struct pp_retained_sky_rule
-        rule; /* share that each window or room retains; its room is set by
+        rule; /* share of sky that each window or room retains; its room is set by
                * pp_size_options_settle */
     enum pp_format format;
 };
 
-/* Default share that windows and rooms retain [BR209]. */
+/* Default share of the former sky that windows and rooms retain [BR209]. */
 #define PP_SIZE_OPTIONS_KEEP 0.8
 
-/* Highest block considered: no building beside a house is higher. */
+/* Greatest height considered for a block: few buildings are higher. */
 #define PP_SIZE_OPTIONS_HIGHEST_M 300.0
 
 /* The block to be sized instead of a window; NULL: none. */
 const char *pp_size_options_block(const struct pp_size_options *options);
 
-/* The options of the command, except those of simulation and output; values are a
- * struct pp_size_options. */
+/* The options of the command, except those for simulation and output; the values are
+ * stored in a struct pp_size_options. */
 extern const struct pp_option pp_size_task_options[];
 extern const struct pp_option pp_size_write_option[];
 extern const struct pp_option pp_size_block_options[];

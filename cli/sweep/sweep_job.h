@@ -8,9 +8,9 @@
 #include "pepperpot.h"
 
 struct pp_sweep_job {
-    struct pp_room_options *room; /* room options, whose sweep gives the runs */
+    struct pp_room_options *room; /* room options, whose sweep defines the runs */
     enum pp_format format;
-    size_t run_bytes; /* size of a run, which is zeroed at first */
+    size_t run_bytes; /* size of a run, which starts zeroed */
     /* Loads the rooms of a run, with the current values of room->sweep. */
     enum pp_exit (*load)(void *run, const void *data);
     enum pp_status (*compute)(void *run, struct pp_error *err);

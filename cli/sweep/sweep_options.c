@@ -50,8 +50,8 @@ static enum pp_status refuse_values(struct pp_error *err)
         PP_SWEEP_RUNS_MOST);
 }
 
-/* FROM:TO:STEP. TO is a value if it is a whole number of steps from FROM, to a millionth
- * of a step. */
+/* Adds the values of a range FROM:TO:STEP. TO is included if it is a whole number of
+ * steps from FROM, to a millionth of a step. */
 static enum pp_status add_range(struct pp_sweep_axis *axis, const char *text,
                                 struct pp_error *err)
 {

@@ -5,7 +5,7 @@
 #include "cli/options.h"
 #include "studies/sweep.h"
 
-/* --set and --sweep; values are a struct pp_sweep. */
+/* --set and --sweep; the values are stored in a struct pp_sweep. */
 extern const struct pp_option pp_sweep_options[];
 
 /* PP_BAD_INPUT if there are more runs than PP_SWEEP_RUNS_MOST. */

@@ -185,7 +185,8 @@ static enum pp_status print_against_radiance(const void *data, FILE *out,
 
 /* ---- all rooms ---- */
 
-/* Prepares everything that needs no simulation. */
+/* Evaluates the hand methods, and warns if the room has an allowance for
+ * decorations. */
 static enum pp_status begin_against_run(struct against_run *run,
                                         const struct pp_study_room *room,
                                         struct pp_error *err)

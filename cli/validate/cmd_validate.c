@@ -73,7 +73,8 @@ static const struct pp_option page_option[] = {
     {0},
 };
 
-/* ---- the suite engines: a report a room, to which each engine adds its columns ---- */
+/* ---- the suite engines: one report per room, to which each engine adds its columns
+ * ---- */
 
 struct engines_run {
     const struct pp_room_options *options;

@@ -1,5 +1,5 @@
-/* rtrace_factors.c - exports the room, runs Radiance's script in the export, and reads what
- * it prints. */
+/* rtrace_factors.c - exports the room, runs the export's script for Radiance, and reads
+ * its output. */
 #include "cli/validate/rtrace_factors.h"
 
 #include <errno.h>
@@ -61,7 +61,8 @@ static enum pp_status run_script(const char *directory, char **text,
                                : pp_fail(err, PP_SYSTEM, "rtrace failed");
 }
 
-/* Reads the fourth word of each line: PP_RTRACE_REPEATS lines per point. */
+/* Reads the last word of each line, a daylight factor in per cent; there are
+ * PP_RTRACE_REPEATS lines per point. PP_SYSTEM if there are too few. */
 static enum pp_status read_factors(struct pp_reading *readings, int count, char *text,
                                    struct pp_error *err)
 {
@@ -84,7 +85,7 @@ static enum pp_status read_factors(struct pp_reading *readings, int count, char 
     return PP_OK;
 }
 
-/* Exports the room with each point repeated. */
+/* Exports the room with each point repeated PP_RTRACE_REPEATS times. */
 static enum pp_status export_repeated(const char *path,
                                       const struct pp_study_room *room,
                                       struct pp_error *err)

@@ -1,5 +1,5 @@
-/* rtrace_factors.h - daylight factors at a room's points by Radiance's rtrace, from the
- * export of the room and its script. */
+/* rtrace_factors.h - daylight factors at a room's points, calculated with Radiance's
+ * rtrace by the script in the room's export. */
 #ifndef PP_CLI_VALIDATE_RTRACE_FACTORS_H
 #define PP_CLI_VALIDATE_RTRACE_FACTORS_H
 
@@ -13,7 +13,7 @@
  * the scatter of the runs. */
 enum { PP_RTRACE_REPEATS = 16 };
 
-/* True if Radiance's oconv and rtrace are on PATH. */
+/* True if Radiance's oconv and rtrace are in PATH. */
 bool pp_rtrace_is_there(void);
 
 /* Computes the readings at the room's receivers, fractions. Works in a temporary

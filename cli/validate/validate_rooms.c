@@ -16,7 +16,7 @@
 #include "studies/research/validation/own_world.h"
 #include "studies/research/validation/room_cases.h"
 
-/* One report to simulate: of a room, or of a world of its methods. */
+/* One report to simulate: that of a room, or of a world that its methods assume. */
 struct traced_report {
     struct pp_report *report;
     int room;
@@ -47,7 +47,8 @@ static enum pp_status begin_rooms_run(struct rooms_run *run, struct pp_error *er
                : pp_fail_memory(err);
 }
 
-/* Evaluates the hand methods first: they take milliseconds. */
+/* Evaluates the hand methods, which take milliseconds, and lists the worlds that they
+ * assume. */
 static enum pp_status work_by_hand(struct rooms_run *run, struct pp_error *err)
 {
     struct pp_results *results = &run->results;

@@ -1,5 +1,5 @@
-/* validate_rooms.h - hand methods against the simulation, in the rooms of files: as a table
- * of bias and spread, or as a suite, figure by figure.
+/* validate_rooms.h - hand methods against the simulation, in the rooms of files: as a
+ * table of bias and spread, or as a suite of cases, one for each value.
  */
 #ifndef PP_CLI_VALIDATE_VALIDATE_ROOMS_H
 #define PP_CLI_VALIDATE_VALIDATE_ROOMS_H
@@ -9,7 +9,8 @@
 #include "reports/parts/format.h"
 
 /* Simulates the rooms and the worlds that their methods assume, over ranks if there are
- * any, and prints. The time for a room is shared by its worlds. */
+ * any, and prints. The time limit of a room is divided equally among it and its
+ * worlds. */
 enum pp_exit pp_validate_rooms(const struct pp_rooms *rooms,
                                const struct pp_room_options *options,
                                enum pp_format format);

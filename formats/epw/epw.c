@@ -76,7 +76,8 @@ static void step_on(struct record_reader *r)
         r->weekday = (r->weekday + 1) % 7;
 }
 
-/* Reads a whole number from low to high; adds a mistake if it is none. */
+/* Reads a whole number from `low` to `high`; for other text adds a mistake and returns
+ * false. */
 static bool read_whole(struct record_reader *r, int index, const char *name, int low,
                        int high, int *whole)
 {
@@ -106,7 +107,7 @@ static bool fail_order(struct record_reader *r, struct pp_month_day date, int ho
     return false;
 }
 
-/* Adds a mistake for a record after the last data period; stops reading. */
+/* True for a record after the last data period; adds a mistake and stops reading. */
 static bool is_after_last(struct record_reader *r)
 {
     if (r->period < r->header->period_count)
@@ -118,8 +119,9 @@ static bool is_after_last(struct record_reader *r)
     return true;
 }
 
-/* Decides whether a file has 29 February when it is due. A header or a leap year may
- * require it; if the file has none, 1 March is expected instead. */
+/* Settles whether the file has 29 February when it is due. The header may require it;
+ * unless the header or a leap year permits it, it is a mistake. If the file has none, 1
+ * March is expected instead. False, with a mistake, if file and header disagree. */
 static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
                             int year)
 {
@@ -238,7 +240,7 @@ static void read_values(struct record_reader *r, struct pp_epw_record *record)
         read_value(r, 18, "diffuse horizontal illuminance", 0.0, 250000.0, 999900.0);
 }
 
-/* Adds the record of a line; false when memory is out. */
+/* Adds the record of a line. False: out of memory. */
 static bool read_record(struct record_reader *r, char *text)
 {
     enum { FIELDS_NEEDED = 19 };

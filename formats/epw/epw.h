@@ -1,9 +1,9 @@
 /* epw.h - a weather file in EnergyPlus format: place, times and diffuse light.
  *
- * A file has header lines (LOCATION, ..., DATA PERIODS), followed by one record a line
- * in order of time, one or more an hour [EPW]. A record covers the time before the end
- * of its hour: hour 1 is 0:00 to 1:00, in local standard time without summer time. A
- * record has 35 fields. The reader uses time, dew point, irradiance and diffuse
+ * A file has header lines (LOCATION, ..., DATA PERIODS), followed by one record per
+ * line in order of time, one or more per hour [EPW]. A record covers the time before
+ * the end of its hour: hour 1 is 0:00 to 1:00, in local standard time without summer
+ * time. A record has 35 fields. The reader uses time, dew point, irradiance and diffuse
  * illuminance; fields after the 19th may be missing.
  *
  * Lines may end with LF, CR LF or CR. A byte order mark, blank lines, and white space
@@ -26,12 +26,13 @@ struct pp_epw_record {
     int year; /* in a typical year: the year of measurement */
     struct pp_month_day date;
     int weekday;         /* 0 Monday to 6 Sunday, or PP_WEEKDAY_UNKNOWN */
-    double start_h;      /* begin of the record, local standard time, 0 to 24 */
+    double start_h;      /* start of the record, hours of local standard time, 0 to
+                          * 24 */
     double dew_point_c;  /* degrees Celsius */
-    double global_w_m2;  /* irradiance of a horizontal plane */
-    double direct_w_m2;  /* irradiance of a plane normal to the sun, sun only */
-    double diffuse_w_m2; /* irradiance of a horizontal plane, sky only */
-    double diffuse_lx;   /* illuminance of a horizontal plane, sky only */
+    double global_w_m2;  /* irradiance on a horizontal plane */
+    double direct_w_m2;  /* irradiance on a plane normal to the sun, sun only */
+    double diffuse_w_m2; /* irradiance on a horizontal plane, sky only */
+    double diffuse_lx;   /* illuminance on a horizontal plane, sky only */
 };
 
 struct pp_epw {

@@ -22,7 +22,7 @@ struct header_reader {
 
 static const char *const weekdays[] = {"Monday", "Tuesday",  "Wednesday", "Thursday",
                                        "Friday", "Saturday", "Sunday"};
-/* The field of that index, "" where there is none. */
+/* The field with that index; "" if there is none. */
 static const char *field(const struct header_reader *r, int index)
 {
     return index < r->count && index < PP_EPW_FIELDS_MOST ? r->fields[index] : "";

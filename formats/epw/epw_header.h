@@ -28,8 +28,8 @@ struct pp_epw_header {
 };
 
 /* Reads header lines into epw and header up to the first record. *record is that
- * record, NULL if the file ends before it. Returns false after a mistake, or without
- * memory (err is set). */
+ * record, NULL if the file ends before it. Returns false after a mistake, or if memory
+ * runs out (err is then set). */
 bool pp_epw_header_read(struct pp_epw *epw, struct pp_epw_header *header,
                         struct pp_epw_lines *lines, char **record,
                         struct pp_mistakes *mistakes, struct pp_error *err);

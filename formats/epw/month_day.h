@@ -10,7 +10,7 @@ struct pp_month_day {
     int month, day; /* from 1 */
 };
 
-/* Reads "3/26" or "03/26", a day that some year has. */
+/* Reads "3/26" or "03/26"; false unless that day exists in some year. */
 bool pp_month_day_parse(const char *text, struct pp_month_day *date);
 
 /* Reads "M/D", "M/D/YEAR", "YEAR/M/D", or "21-Jun" as written by spreadsheets; *year is

@@ -34,7 +34,7 @@ static double envelope_off(const struct pp_gbxml_shell *shell,
                 share_off(shell->volume_m3, space->volume_m3));
 }
 
-/* Keeps the shell if it matches Area and Volume better than the present one; else
+/* Keeps the shell if it matches Area and Volume better than the one in `choice`; else
  * clears it. */
 static void offer(struct envelope_choice *choice, struct pp_gbxml_shell *shell,
                   enum envelope_source source, const struct pp_gbxml_space *space)
@@ -48,9 +48,10 @@ static void offer(struct envelope_choice *choice, struct pp_gbxml_shell *shell,
     *choice = (struct envelope_choice){*shell, source, off};
 }
 
-/* Makes a shell of the surfaces or of the ShellGeometry and offers it to `choice`. A
- * shell that had to be closed by added faces goes to `lacking`; it is used only if no
- * shell closes without added faces. *why keeps the reason of the first failure. */
+/* Makes a shell of the surfaces or of the ShellGeometry and offers it to `choice`.
+ * Shells that needed added faces to close are kept separately, in *lacking; the caller
+ * uses that one only if it matches Area and Volume better. *why keeps the reason of the
+ * first failure. */
 static enum pp_status try_polygons(struct envelope_choice *choice,
                                    struct envelope_choice *lacking, const char **why,
                                    const struct pp_gbxml_envelope_parts *parts,

@@ -17,7 +17,7 @@ struct pp_gbxml_envelope_parts {
 };
 
 /* Tries, in this order: surfaces, ShellGeometry, prism. Corners are welded within 2 mm,
- * then within 20 mm if that changes the volume by at most 1 %; then plane holes are
+ * then within 20 mm if that changes the volume by at most 1 %; then planar holes are
  * filled. The first envelope within 3 % of the space's Area and Volume, as far as
  * given, is used; if there is none, the one with the smallest deviation. A prism does
  * not replace an envelope with slopes. Notes the choice, moves of more than 5 mm, and

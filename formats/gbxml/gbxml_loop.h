@@ -24,7 +24,7 @@ void pp_gbxml_loop_find_origin(struct pp_gbxml_loop_reader *r,
 /* Reads a loop. The polygon is empty, with a note, if it has fewer than three corners,
  * or if a corner lacks a coordinate or is more than 100 km from the origin. An outline
  * that crosses or touches itself (two triangles in one, a wall joined to the outlines
- * of its holes) becomes the outer ring of its figure. Fails only without memory. */
+ * of its holes) becomes the outer ring of its figure. Fails only if memory runs out. */
 enum pp_status pp_gbxml_loop_read(struct pp_gbxml_polygon *polygon,
                                   struct pp_gbxml_loop_reader *r,
                                   const struct pp_xml_element *loop);

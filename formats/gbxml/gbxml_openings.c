@@ -28,7 +28,7 @@ static struct pp_vec3 face_corner(const struct pp_gbxml_room *room, int face, in
     return room->shell.corners[room->shell.faces[face].corners[i]];
 }
 
-/* Projects the corners on the plane through the origin; *figure is the result. */
+/* Projects the corners onto the plane through `origin`; *figure is the result. */
 static enum pp_status flatten_figure(struct pp_region *figure,
                                      const struct pp_vec3 *corners, int count,
                                      struct pp_vec3 origin, struct pp_vec3 along,
@@ -107,7 +107,8 @@ static int drop_repeated(struct pp_vec3 *corners, int count)
     return kept;
 }
 
-/* Adds the pieces of the figure as openings of the face; *placed_m2: their area. */
+/* Adds the pieces of the figure as openings of the face, and their area to
+ * *placed_m2. */
 static enum pp_status add_pieces(struct pp_gbxml_room *room, double *placed_m2,
                                  struct pp_gbxml_opening *opening, int face,
                                  const struct pp_region *figure,
@@ -137,7 +138,8 @@ static enum pp_status add_pieces(struct pp_gbxml_room *room, double *placed_m2,
     return status;
 }
 
-/* Places the remaining part of an opening in a face. */
+/* Places in a face the part of an opening that lies in it and is not yet taken by other
+ * openings. */
 static enum pp_status place_in_face(struct pp_gbxml_room *room,
                                     struct opening_left *left, int face,
                                     struct pp_clipper *clipper, struct pp_error *err)

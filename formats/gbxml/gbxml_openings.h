@@ -7,7 +7,7 @@
 #include "model/geometry/clipper.h"
 
 /* Adds the openings of the surfaces between the space and the outside to its finished
- * room. Each opening is projected on the parallel faces within 0.6 m, nearest first,
+ * room. Each opening is projected onto the parallel faces within 0.6 m, nearest first,
  * and cut at their edges and at larger openings of the same face. Lost areas are
  * noted. */
 enum pp_status pp_gbxml_openings_add(struct pp_gbxml_room *room,

@@ -13,7 +13,8 @@
  * file. */
 static const double uneven_m = 0.98e-3;
 
-/* Greatest distance of a corner from the face's plane. */
+/* Finds the greatest distance of a corner from the face's plane (m). xy: the corners in
+ * that plane. */
 static enum pp_status find_unevenness(double *uneven,
                                       const struct pp_gbxml_shell *shell,
                                       const struct pp_gbxml_face *face, double (*xy)[2],

@@ -247,8 +247,8 @@ static int count_same(const struct shell_edges *edges, int at)
 }
 
 /* Joins loose edges (edges of only one face) to a loop that begins with `at`, and marks
- * them by face -1. Count is 0 if they do not form a loop; corners are NULL without
- * memory. */
+ * them by face -1. Count is 0 if they do not form a loop; corners are NULL if memory
+ * runs out. */
 static struct pp_gbxml_face take_loop(struct shell_edges *loose, int at)
 {
     struct pp_gbxml_face loop = {.from = -1};
@@ -292,7 +292,7 @@ static bool is_plane(const struct pp_gbxml_shell *shell, int index)
     return length > 0.0;
 }
 
-/* Closes plane holes. *why as in pp_gbxml_shell_make. */
+/* Closes planar holes. *why as in pp_gbxml_shell_make. */
 static enum pp_status close_holes(struct pp_gbxml_shell *shell, const char **why,
                                   struct shell_edges *edges, struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* gbxml_shell.h - makes a closed envelope of the polygons around a space: corners
+/* gbxml_shell.h - makes a closed envelope from the polygons around a space: corners
  * within a tolerance are welded, edges are split at corners on them, gaps are closed,
  * and all faces are turned inwards. Inside formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_SHELL_H
@@ -28,7 +28,7 @@ struct pp_gbxml_shell {
 /* Corners nearer than this (m) are the same: exporters round to about a millimetre. */
 #define PP_GBXML_SAME_M 2e-3
 
-/* Makes a shell of `count` polygons, which are not changed. weld_m: tolerance,
+/* Makes a shell from `count` polygons, which are not changed. weld_m: tolerance,
  * PP_GBXML_SAME_M or more. *why: NULL, or the reason why the polygons give no shell, as
  * the end of a sentence about the space. The shell can be cleared even after a
  * failure. */

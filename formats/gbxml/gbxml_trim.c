@@ -1,4 +1,4 @@
-/* gbxml_trim.c - compares the faces of each two rooms whose extents overlap. */
+/* gbxml_trim.c - compares the faces of every two rooms whose extents overlap. */
 #include "formats/gbxml/gbxml_trim.h"
 
 #include <math.h>
@@ -231,7 +231,8 @@ static enum pp_status do_overlap(bool *overlap, const struct room_polygons *a,
     return status;
 }
 
-/* Index of the next room to leave out; -1: no rooms overlap. */
+/* Index of the next room to leave out, the one that overlaps most others; -1: no rooms
+ * overlap. */
 static int worst_room(const bool *overlaps, const struct pp_bounds3 *bounds, int count)
 {
     int worst = -1, most = 0;

@@ -56,7 +56,7 @@ static void put_words(struct pp_gbxml_writing *w, const char *name, const char *
     put_gbxml(w, "\"");
 }
 
-/* A length to 0.01 mm, without trailing zeros. */
+/* Writes a length in metres, rounded to 0.01 mm, without trailing zeros. */
 static void put_length(struct pp_gbxml_writing *w, const char *name, double value_m)
 {
     char text[40];

@@ -24,8 +24,8 @@ struct pp_gbxml_writing {
 };
 
 /* Writes the building: each room that is not NULL (one per space), then surfaces for
- * the shades and for the outer surfaces of spaces without a room. Fails only without
- * memory. */
+ * the shades and for the outer surfaces of spaces without a room. Fails only if memory
+ * runs out. */
 enum pp_status pp_gbxml_write(struct pp_gbxml_writing *writing,
                               struct pp_gbxml_model *model,
                               struct pp_gbxml_room *const *rooms, struct pp_error *err);

@@ -25,7 +25,7 @@ struct pp_rad_names {
     size_t count, room;
 };
 
-/* Defines the name from here on; fails only without memory. */
+/* Defines the name for the rest of the scene; fails only if memory runs out. */
 enum pp_status pp_rad_names_define(struct pp_rad_names *names, const char *text,
                                    size_t length, struct pp_rad_meaning meaning,
                                    struct pp_error *err);

@@ -1,4 +1,4 @@
-/* annual_csv.c - one line for each point, and one for the mean. */
+/* annual_csv.c - one line for each point, and one for the average. */
 #include "reports/annual/annual_csv.h"
 
 #include <math.h>

@@ -64,7 +64,8 @@ static void put_ill(const struct pp_annual_sheet *sheet, FILE *out)
     }
 }
 
-/* Version 1.0 of NumPy's format: a header of 128 bytes, then little-endian numbers. */
+/* Writes version 1.0 of NumPy's format: a header of 128 bytes, then little-endian
+ * numbers. */
 static void put_npy(const struct pp_annual_sheet *sheet, FILE *out)
 {
     enum { HEADER = 128, PREFIX = 10 };

@@ -19,7 +19,7 @@ enum pp_annual_hourly_format {
     PP_ANNUAL_HOURLY_NPY,
 };
 
-/* Format by the ending of a file's name. */
+/* Format that the ending of the file's name selects. */
 enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name);
 
 /* Writes the coefficients as a Radiance matrix: one row per point; a column for the

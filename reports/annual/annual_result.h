@@ -20,15 +20,15 @@ struct pp_annual_results {
 
 /* A figure and its name in reports: "udi-good", "per cent". */
 struct pp_annual_figure_name {
-    const char *name;  /* name in JSON and CSV; for autonomies without the target */
+    const char *name;  /* name in JSON and CSV; an autonomy's name lacks its target */
     const char *title; /* for readers; NULL: not in the table of points */
     int index;         /* index of the member in struct pp_annual_figures */
     double unit;       /* factor on the value for printing */
     int digits;        /* as printed */
 };
 
-/* All figures but autonomies, which have one for each illuminance; the last name is
- * NULL. */
+/* All figures except the autonomies, of which there is one for each illuminance; the
+ * last name is NULL. */
 extern const struct pp_annual_figure_name pp_annual_result_names[];
 
 /* Index of the autonomy, or the continuous autonomy, at a sheet's target i. */

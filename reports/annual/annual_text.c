@@ -44,7 +44,8 @@ static void print_share(const struct text_page *page, const char *label,
     print_annual_fact(page, label, text);
 }
 
-/* EN 17037, method 2: targets on half of the plane, minimum targets on 95 % of it. */
+/* Prints the level of EN 17037, method 2: targets on half of the plane, minimum targets
+ * on 95 % of it. */
 static void print_levels(const struct text_page *page)
 {
     const struct pp_annual_sheet *sheet = page->sheet;
@@ -183,7 +184,7 @@ static bool print_points(const struct text_page *page)
     return good;
 }
 
-/* The largest standard errors of the points. */
+/* Prints the largest standard errors of the points, and that of the mean autonomy. */
 static void print_errors(const struct text_page *page)
 {
     const struct pp_annual_sheet *sheet = page->sheet;

@@ -11,7 +11,8 @@
 #define FIGURE(name)                                                                   \
     ((int)(offsetof(struct pp_annual_figures, name) / sizeof(struct pp_annual_value)))
 
-/* Components of the illuminance in one hour. */
+/* Components of the illuminance at one moment, which is stored as a year of one
+ * hour. */
 static const struct {
     const char *name;
     int index;

@@ -2,7 +2,7 @@
  *
  * when: the time as typed; NULL: the sun was given without a time.
  *
- * JSON has the format of df, "pepperpot-df-1", with components in lux and without
+ * JSON has the format of df, "pepperpot-df-1", with components in lux. It has no
  * daylight factors, which are defined for standard skies only.
  */
 #ifndef PP_REPORTS_ANNUAL_MOMENT_REPORT_H

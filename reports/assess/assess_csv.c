@@ -65,7 +65,8 @@ enum pp_status pp_assess_csv(const struct pp_assessments *all, FILE *out,
 
 /* ---- rights of light ---- */
 
-/* Writes the areas of a room; empty fields if it is not judged. */
+/* Writes the areas of a room; empty fields if lit is NULL, since the room is not
+ * assessed. */
 static void put_areas(const struct pp_lit_change *lit, FILE *out)
 {
     const double areas[] = {

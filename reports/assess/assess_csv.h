@@ -8,8 +8,8 @@
 enum pp_status pp_assess_csv(const struct pp_assessments *all, FILE *out,
                              struct pp_error *err);
 
-/* Writes rights of light of the rooms of a site, if nothing else is assessed: one room
- * per line, with their sum on the last line. Otherwise as pp_assess_csv. */
+/* If only rights of light are assessed, writes one line per room of the site, and their
+ * sum on the last line. Otherwise like pp_assess_csv. */
 enum pp_status pp_assess_csv_of_site(const struct pp_assessments *all, FILE *out,
                                      struct pp_error *err);
 

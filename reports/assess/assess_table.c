@@ -13,7 +13,7 @@
 #include "studies/criteria/br209_count.h"
 #include "studies/criteria/site_table.h"
 
-/* Content of a column in a row. */
+/* Content of a cell in a table. */
 enum shown {
     ROOM,
     REF,
@@ -126,7 +126,7 @@ static void put_number(char cell[PP_CELL_BYTES], double value, int decimals)
         snprintf(cell, PP_CELL_BYTES, "%.*f", decimals, value + 0.0);
 }
 
-/* Writes the lit area of one room, or of all. */
+/* Writes an area or share of one room, or of the sum of all rooms. */
 static void put_lit(char cell[PP_CELL_BYTES], const struct pp_lit_change *of,
                     enum shown shown)
 {
@@ -210,7 +210,7 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         put_lit(cell, row->lit, shown);
 }
 
-/* Prints a table. sum: for a last line; NULL: none. */
+/* Prints a table. sum: areas for the last line; NULL: no such line. */
 static enum pp_status print_table(const char *title, const struct heading *headings,
                                   const struct pp_site_row *rows, int count,
                                   const struct pp_lit_change *sum, int width, FILE *out,
@@ -235,7 +235,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
             || (h->group == cumulative && !has_cumulative)
             || (h->group == mirror_image && !mirrored))
             continue;
-        /* Findings and bounds need the width: rooms are given by their references. */
+        /* Findings and bounds need the width, so rooms are identified by their
+         * references. */
         const bool by_ref = h->shown == ROOM && headings == of_others && all_have;
         const enum shown shown = by_ref ? REF : h->shown;
         struct pp_table_column *column =
@@ -260,8 +261,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-/* Prints a table of the rooms that exist before and one of those that are new, if there
- * are both. */
+/* Prints the existing rooms and the proposed rooms in separate tables, or one table if
+ * all rooms exist already. */
 static enum pp_status print_tables(const char *title, const struct heading *headings,
                                    const struct pp_site_row *rows, int count, int width,
                                    FILE *out, struct pp_error *err)
@@ -279,7 +280,7 @@ static enum pp_status print_tables(const char *title, const struct heading *head
                            : status;
 }
 
-/* Prints the criteria of the rows with their sources. */
+/* Prints the criteria of the rows with their sources, and notes on the mirror image. */
 static void print_foot(const struct pp_site_table *table, int width, FILE *out)
 {
     enum { LISTS = 6 };
@@ -316,7 +317,8 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
-/* Prints the count of windows and rooms, and the losses of windows in bands. */
+/* Prints the numbers of windows and rooms that meet BR 209, and of windows in each band
+ * of loss. */
 static void print_count(const struct pp_assessments *all, int width, FILE *out)
 {
     const struct pp_br209_count count = pp_br209_count_of(all->list, all->count);
@@ -368,7 +370,8 @@ static void put_group_cell(char cell[PP_CELL_BYTES], const struct pp_br209_count
     }
 }
 
-/* Prints the count of each floor and house with the losses of its windows in bands. */
+/* Prints, for each floor and house, the numbers that meet BR 209 and of windows in each
+ * band of loss. */
 static enum pp_status print_groups(const struct pp_assessments *all, int width,
                                    FILE *out, struct pp_error *err)
 {

@@ -1,5 +1,6 @@
 /* assess_table.h - the assessment of a site's rooms in one text table: windows and
- * their sky, rooms and the area that sees sky, and all other findings below. */
+ * their sky, rooms and the area with a view of the sky, and all other findings
+ * below. */
 #ifndef PP_REPORTS_ASSESS_ASSESS_TABLE_H
 #define PP_REPORTS_ASSESS_ASSESS_TABLE_H
 

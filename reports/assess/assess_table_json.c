@@ -102,7 +102,8 @@ static struct json_object *sum_object(const struct pp_lit_change *sum)
     return pp_json_whole(object, good);
 }
 
-/* Adds a line for each room, and the sum of the assessed ones. */
+/* Makes the object of rights of light: a row for each room, and the sum of the assessed
+ * rooms. */
 static struct json_object *rights_object(const struct pp_site_table *table)
 {
     struct json_object *object = json_object_new_object(),

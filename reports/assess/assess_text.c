@@ -25,8 +25,8 @@ struct layout {
 
 /* ---- cells ---- */
 
-/* Writes the verdict, with a probability that is rounded up to certainty only if it is
- * practically certain. */
+/* Writes the verdict and its probability, which is rounded down; "certain" from 99.995
+ * %. */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
     const char *word = pp_finding_own_word(finding);
@@ -82,8 +82,8 @@ static void lay_out_columns(struct layout *layout,
 
 /* ---- rows ---- */
 
-/* Number of bytes of the text that fit a line of `columns`, without the blank after
- * them; a line does not break between a number and its %. */
+/* Number of bytes of the text that fit on a line of `columns`, without the blank after
+ * them; a line is not broken between a number and its %. */
 static int fitting(const char *text, int columns)
 {
     int length = 0, fits = 0, used = 0;
@@ -145,7 +145,7 @@ static void print_finding(const struct pp_finding *finding, const char *note,
         put_note(note, layout, out);
 }
 
-/* Writes for how many findings a note is: "both: ", "all 3: "; nothing for one. */
+/* Writes to how many findings a note applies: "both: ", "all 3: "; nothing for one. */
 static void put_extent(char *words, size_t size, int findings)
 {
     if (findings == 2)
@@ -154,7 +154,7 @@ static void put_extent(char *words, size_t size, int findings)
         pp_text_append(words, size, "all %d: ", findings);
 }
 
-/* Prints a sentence on all findings of a criterion. */
+/* Prints a sentence about all findings of a criterion. */
 static void put_sentence(const char *text, const struct layout *layout, FILE *out)
 {
     fprintf(out, "%*s", INDENT, "");

@@ -32,8 +32,8 @@ static const char *unit_of(enum pp_figure kind, bool utf8)
 
 enum { DECIMALS_MORE = 4 }; /* most decimals added to the usual ones */
 
-/* Number of additional decimals with which figure and bound compare in print as they do
- * exactly: 0.2963 is less than 0.3, 0.30 is not. */
+/* Number of additional decimals needed for the printed figure and bound to compare as
+ * their exact values do: 0.2963 is less than 0.3, but 0.30 is not. */
 static int decimals_more(const struct pp_finding *finding, int decimals)
 {
     double scale = pp_figure_scale(finding->kind);

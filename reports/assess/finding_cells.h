@@ -1,5 +1,5 @@
 /* finding_cells.h - a finding's figure and bound as cells of a table, with enough
- * decimals that they compare in print as they do exactly. */
+ * decimals for the printed values to compare as the exact ones do. */
 #ifndef PP_REPORTS_ASSESS_FINDING_CELLS_H
 #define PP_REPORTS_ASSESS_FINDING_CELLS_H
 

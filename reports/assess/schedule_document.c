@@ -10,7 +10,7 @@
 #include "reports/page/project_table.h"
 #include "studies/criteria/br209_count.h"
 
-/* Quantities that stand in one table. */
+/* The quantities in one table. */
 struct schedule_part {
     const struct pp_window_schedule *schedule;
     enum pp_schedule_quantity quantities[PP_SCHEDULE_CHANGES];
@@ -18,8 +18,8 @@ struct schedule_part {
     bool compares; /* some window has an existing value */
 };
 
-/* Columns of each quantity: proposed; with a former state existing and loss; with a
- * cumulative state that. */
+/* Number of columns for each quantity: proposed; also existing and loss if there is a
+ * former state; also cumulative if there is a cumulative state. */
 static int columns_each(const struct schedule_part *part)
 {
     return (part->compares ? 3 : 1) + (part->schedule->has_cumulative ? 1 : 0);
@@ -140,7 +140,7 @@ static void put_part(struct pp_document *document, const struct schedule_part *p
     }
 }
 
-/* The known quantities, in as many tables as they need. */
+/* Adds the known quantities, in as many tables as they need. */
 static void put_parts(struct pp_document *document,
                       const struct pp_window_schedule *schedule, int most_figures)
 {

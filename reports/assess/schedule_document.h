@@ -9,7 +9,8 @@
 /* Makes a document with one line for each window, in the order of the schedule, below
  * the floor and house of its room. Quantities without any value are left out. A table
  * has at most `most_figures` columns of figures (4 or more); other quantities follow in
- * further tables. title: title of the building or the room. PP_SYSTEM: no memory. The caller clears the document in any case. */
+ * further tables. title: title of the building or the room. PP_SYSTEM: out of memory.
+ * The caller clears the document even after a failure. */
 enum pp_status pp_schedule_document(struct pp_document *document,
                                     const struct pp_window_schedule *schedule,
                                     const char *title, const struct pp_project *project,

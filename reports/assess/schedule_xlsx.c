@@ -29,7 +29,7 @@ enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
 
 enum { KEYS = 6, PARTS = 5, HEAD_ROWS = 2 };
 
-/* Cell formats: of heads, of figures, and of losses by band. */
+/* Cell formats for heads, figures, ratios, and losses in each band. */
 struct formats {
     lxw_format *head, *figure, *ratio;
     lxw_format *loss[PP_LOSS_BANDS];
@@ -76,7 +76,7 @@ static lxw_format *loss_format(const struct formats *formats, double loss)
     return formats->loss[band];
 }
 
-/* Number of columns of each quantity: the cumulative one is the last. */
+/* Number of columns for each quantity, of which the last is the cumulative one. */
 static int parts_of(const struct pp_window_schedule *schedule)
 {
     return schedule->has_cumulative ? PARTS : PARTS - 1;

@@ -1,4 +1,5 @@
-/* schedule_xlsx.h - the schedule of windows as an Excel workbook, by libxlsxwriter. */
+/* schedule_xlsx.h - the schedule of windows as an Excel workbook, written with
+ * libxlsxwriter. */
 #ifndef PP_REPORTS_ASSESS_SCHEDULE_XLSX_H
 #define PP_REPORTS_ASSESS_SCHEDULE_XLSX_H
 

@@ -14,8 +14,9 @@ enum { TEXT = 1600, REGIME = 400, NAMED_POINTS = 4 };
 /* Least deviation of a median ratio from 1 that is reported as a bias. */
 static const double bias_least = 0.05;
 
-/* "the average use exact+bre, corrected 2.2 %", "17 points (1.5,0.5: 3.1 %; ...) use
- * exact+bre, corrected so". */
+/* Appends "Use exact+bre for the average, corrected by the median of its range: 2.2 %"
+ * or "For 17 points (1.5,0.5: 3.1 %; ...) use exact+bre, corrected by the median of its
+ * range". */
 static void append_place(char text[TEXT], const struct pp_advice_item *item,
                          const struct pp_report *report)
 {
@@ -126,7 +127,7 @@ static bool add_advice_points(struct json_object *object,
     return good;
 }
 
-/* Adds the average as a number and the points as a list, per cent. */
+/* Adds the corrected average as a number, or those of points as a list, in per cent. */
 static bool add_corrected(struct json_object *object, const struct pp_advice_item *item)
 {
     if (!item->corrected)

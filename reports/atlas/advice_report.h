@@ -13,9 +13,9 @@ void pp_advice_report(const struct pp_advice *advice, const struct pp_report *re
                       int width, FILE *out);
 
 /* Adds "advice": a list of { "of", "points", "use", "regime", "rooms", "ratio",
- * "formula", "assumption", "others" }, where a ratio is [low, median, high] of
- * simulated value over figure; or "advice": null and the reason, "no-advice". False:
- * out of memory. */
+ * "formula", "assumption", "others" }, where "ratio" is [low, median, high] of the
+ * simulated value divided by the method's; or "advice": null and the reason,
+ * "no-advice". False: out of memory. */
 bool pp_advice_report_json(struct json_object *object, const struct pp_advice *advice);
 
 #endif

@@ -7,7 +7,8 @@
 
 #include "studies/bands/atlas_bands.h"
 
-/* A line for the span of each feature, then one for each regime of each column. */
+/* Writes a line for the span of each feature, then one for each regime of each
+ * column. */
 void pp_atlas_bands_csv(const struct pp_atlas_bands *bands, FILE *out);
 
 #endif

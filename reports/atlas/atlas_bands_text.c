@@ -1,4 +1,4 @@
-/* atlas_bands_text.c - prints the trials of bands, column by column. */
+/* atlas_bands_text.c - prints the tests of bands, column by column. */
 #include "reports/atlas/atlas_bands_text.h"
 
 #include <math.h>
@@ -18,7 +18,8 @@ static void put_trial(const struct pp_band_trial *trial, FILE *out)
             regime->ratio.median, regime->ratio.high, words);
 }
 
-/* Counts of regimes, and the mean of the columns' shares. */
+/* Numbers of regimes, of regimes outside their tolerance, and of columns, and the sum
+ * of the columns' shares of figures inside their bands. */
 struct sum {
     int regimes, outside, columns;
     double inside;

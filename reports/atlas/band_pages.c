@@ -78,7 +78,8 @@ static bool same_band_entry(const struct pp_band_record *a,
            && strcmp(a->column, b->column) == 0;
 }
 
-/* skies: those of the rooms in the table's run. */
+/* Prints the bands of one component. skies: name of the skies of the rooms in the
+ * table. */
 static void put_component(enum pp_component component,
                           const struct pp_band_table *table, const char *skies,
                           FILE *out)

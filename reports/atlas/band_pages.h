@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 /* Prints Markdown: one section per method or pair, with tables of its regimes at points
- * and on average; daylight factors first, then components. */
+ * and for the average; daylight factors first, then components. */
 void pp_band_pages(FILE *out);
 
 #endif

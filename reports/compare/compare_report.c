@@ -18,7 +18,8 @@ static const struct pp_cause *cause_of(const struct pp_compare_result *result,
     return result->causes[set->causes[index]];
 }
 
-/* "bounces=2", "ground=0.4", "factor=1.12". */
+/* Appends a cause and its value, if it has one: "bounces=2", "ground=0.4",
+ * "factor=1.12". */
 static void append_word(char *text, size_t room, const struct pp_compare_result *result,
                         const struct pp_cause_set *set, int index)
 {
@@ -180,7 +181,7 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
                        " Some plausible combinations of causes were not simulated.");
 }
 
-/* Appends whether the other program's noise explains the remainder. */
+/* Appends a sentence unless the other program's noise explains the remainder. */
 static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
 {
     if (pp_left_over_is_noise(over))

@@ -19,10 +19,12 @@ struct pp_compare_result {
                  * not owned */
     const struct pp_cause *const *causes;
     int cause_count;
-    struct pp_compared compared; /* without a file: only ours, errors and count */
+    struct pp_compared compared; /* without a file only our values, their errors and the
+                                  * count are set */
 };
 
-/* Least noise (logarithm) of the remainder for which advice is given. */
+/* Least noise of the remainder (standard deviation of the logarithm) for which advice
+ * is given. */
 #define PP_COMPARE_NOISY 0.015
 
 void pp_compare_report(const struct pp_compare_result *result, int width, FILE *out);

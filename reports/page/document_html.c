@@ -116,7 +116,7 @@ static void put_paragraph(const struct pp_document_block *block, FILE *out)
     fputs(block->tone == PP_TONE_CODE ? "</code></p>\n" : "</p>\n", out);
 }
 
-/* chapters: of those so far; the anchor of each is its number. */
+/* *chapters: number of chapters so far; the anchor of each chapter has its number. */
 static void put_heading(const struct pp_document_block *block, int *chapters, FILE *out)
 {
     if (block->level == 2) {

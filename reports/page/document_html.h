@@ -12,8 +12,8 @@ struct pp_svg_picture {
     size_t length;
 };
 
-/* In print each chapter but the first begins a new sheet; pictures are as wide as the
- * page. pictures: indexed by their numbers. */
+/* Writes the page. In print each chapter but the first begins on a new sheet; pictures
+ * are as wide as the page. pictures: indexed by their numbers. */
 void pp_document_html(const struct pp_document *document, const char *title,
                       const struct pp_svg_picture *pictures, FILE *out);
 

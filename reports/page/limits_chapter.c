@@ -23,7 +23,7 @@ static bool has_factors(const struct pp_assessments *all)
     return false;
 }
 
-/* Least and greatest reflectance of the ground outside. */
+/* Finds the least and greatest reflectance of the ground outside. */
 static void find_ground(double range[2], const struct pp_assessments *all)
 {
     range[0] = INFINITY;

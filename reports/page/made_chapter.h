@@ -1,12 +1,12 @@
 /* made_chapter.h - the last chapter of a report: program, methods and sources, so that
- * the report can be made again. Inside reports/page/ only. */
+ * the report can be reproduced. Inside reports/page/ only. */
 #ifndef PP_REPORTS_PAGE_MADE_CHAPTER_H
 #define PP_REPORTS_PAGE_MADE_CHAPTER_H
 
 #include "reports/page/site_report.h"
 
-/* Adds the chapter. It lists the works that the document names by keys in square
- * brackets, and so must be the last. */
+/* Adds the chapter. It must be the last chapter, since it lists the works that the
+ * document cites by keys in square brackets. */
 enum pp_status pp_made_chapter(struct pp_document *document,
                                const struct pp_site_report *report,
                                struct pp_error *err);

@@ -63,7 +63,7 @@ static void put_facts(struct pp_document *document, const struct pp_assessment *
 
 /* ---- averages ---- */
 
-/* True if any of the averages has a standard error, or a band. */
+/* True if any average daylight factor has a standard error. */
 static bool any_sampled(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++)

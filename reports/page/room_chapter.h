@@ -13,8 +13,8 @@ void pp_room_chapter(struct pp_document *document, const struct pp_site_report *
 void pp_room_chapter_pictures(struct pp_document *document,
                               const struct pp_site_report *report, int room);
 
-/* Adds a cell with a number (a dash if it is not finite), or with a verdict ("no target",
- * or a dash, for a figure that is only stated). */
+/* Adds a cell with a number (a dash if it is not finite) or with a verdict ("no target"
+ * or a dash for a figure without a criterion). */
 void pp_room_chapter_number(struct pp_document *document, double value, int decimals);
 void pp_room_chapter_verdict(struct pp_document *document,
                              const struct pp_finding *finding);

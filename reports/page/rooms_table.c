@@ -6,7 +6,8 @@
 #include "methods/allowance.h"
 #include "reports/page/room_chapter.h"
 
-/* Mean reflectance of the envelope's faces of that role, by area. */
+/* Area-weighted mean reflectance of the envelope's faces of that role; NAN: there are
+ * none. */
 static double reflectance_of(const struct pp_world *world, enum pp_role role)
 {
     double area = 0.0, sum = 0.0;
@@ -28,7 +29,8 @@ static double glass_m2(const struct pp_world *world)
     return area;
 }
 
-/* The simulated average, or by the first hand method that has one. */
+/* The simulated average, or else the one by the first hand method that has one; NAN:
+ * none. */
 static double average_of(const struct pp_report *report)
 {
     double average = NAN;

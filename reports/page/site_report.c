@@ -24,7 +24,7 @@ static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
 
 enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
 
-/* Number of a room's findings with that verdict, without optional levels: the numbers of
+/* Number of a room's findings with that verdict, without optional levels, as counted by
  * pepperpot assess. */
 static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict)
 {
@@ -37,7 +37,8 @@ static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verd
     return count;
 }
 
-/* Windows and rooms that meet BR 209, if any are assessed, and the number of verdicts. */
+/* Adds the numbers of windows and rooms that meet BR 209, if any are assessed, and of
+ * each verdict. */
 static void say_sum(struct pp_document *document, const struct pp_assessments *all)
 {
     char words[160] = "", br209_words[PP_BR209_WORDS];
@@ -139,7 +140,8 @@ struct site_columns {
     bool mirrored;   /* with the mirror image */
 };
 
-/* The verdict of another finding in the line; empty if there is none. */
+/* Adds a cell with the verdict of another finding in the row; empty if there is
+ * none. */
 static void put_other_verdict(struct pp_document *document,
                               const struct pp_finding *finding)
 {
@@ -208,8 +210,8 @@ static void put_rows_of(struct pp_document *document, const char *title,
         put_site_row(document, &rows[i], columns);
 }
 
-/* Writes a table of the existing rooms and one of the proposed ones. of: title of the
- * second column; NULL: no such column. */
+/* Writes a table of the existing rooms and one of the proposed ones, or only one if all
+ * are of one kind. of: title of the second column; NULL: no such column. */
 static void put_rows(struct pp_document *document, const char *title, const char *of,
                      const char *unit, const struct pp_site_row *rows, int count)
 {
@@ -306,8 +308,8 @@ static void put_loss_row(struct pp_document *document, const char *words,
         pp_document_cell(document, PP_TONE_PLAIN, "%d", count->losses[i]);
 }
 
-/* Windows by the loss of their vertical sky component, by floor and house, if any has a
- * former one. */
+/* Adds a table of the windows in each band of loss of their vertical sky component, by
+ * floor and house, if any has a former value. */
 static enum pp_status put_losses(struct pp_document *document,
                                  const struct pp_assessments *all, struct pp_error *err)
 {

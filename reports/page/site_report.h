@@ -18,7 +18,7 @@ enum { PP_SITE_WHOLE = -1 };
 struct pp_site_report {
     const struct pp_assessments *all;       /* judged */
     const struct pp_project *project;       /* facts of the title block */
-    bool full;                              /* every room with all sections; false: a
+    bool full;                              /* all sections for every room; false: a
                                              * short form */
     const char *title;                      /* title of the building or the room */
     const char *made_by;                    /* the command line */

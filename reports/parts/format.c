@@ -52,8 +52,8 @@ void pp_format_csv_number(double number, FILE *out)
         fprintf(out, "%.10g", number + 0.0);
 }
 
-/* Code of the first character, or -1 for a byte that starts none; *length: its
- * bytes. */
+/* Code of the first character, or -1 for a byte that does not start one; *length:
+ * number of its bytes. */
 static int32_t decode(const char *text, int *length)
 {
     int32_t code = -1;
@@ -62,8 +62,8 @@ static int32_t decode(const char *text, int *length)
     return code;
 }
 
-/* True for a control character (C0, DEL or C1), and for a code that is not a
- * character. */
+/* True for a control character (C0, DEL or C1), a line or paragraph separator, and a
+ * code that is not a character. */
 static bool is_unfit(int32_t code)
 {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028

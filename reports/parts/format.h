@@ -13,15 +13,15 @@ extern const char *const pp_component_names[PP_COMPONENT_COUNT];
 /* Titles for readers: "sky component". */
 extern const char *const pp_component_titles[PP_COMPONENT_COUNT];
 
-/* Writes a number by a printf format, right-aligned in this many columns, or a dash if
- * there is none. */
+/* Writes a number by a printf format, or a dash if it is not finite, right-aligned in
+ * `width` columns. */
 void pp_format_cell(double value, const char *format, int width, FILE *out);
 
 /* Fields of CSV [RFC4180]. */
 
 /* Writes a CSV field, in quotes if it contains a separator; NULL is written as an empty
  * field. An apostrophe is put before a text that a spreadsheet would run as a formula:
- * one that begins with = + - or @ and is no number. Bytes that are not UTF-8 are
+ * one that begins with = + - or @ and is not a number. Bytes that are not UTF-8 are
  * replaced by U+FFFD. */
 void pp_format_csv_field(const char *text, FILE *out);
 
@@ -31,8 +31,8 @@ void pp_format_csv_number(double number, FILE *out);
 
 /* Text from users (names, paths), made safe to print. */
 
-/* Number of bytes of the first character; 1 for a byte that starts no valid one; 0 at
- * the end. */
+/* Number of bytes of the first character; 1 for a byte that does not start a valid one;
+ * 0 at the end. */
 int pp_format_utf8_length(const char *text);
 
 /* Width of text on a terminal, in columns, as printed by pp_format_utf8_put. */

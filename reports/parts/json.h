@@ -1,7 +1,7 @@
 /* json.h - functions from which all JSON of the program is built.
  *
- * Each adds to an object and returns false if memory runs out; they are chained by
- * &&.
+ * Functions that add to an object return false if memory runs out, so that calls can be
+ * chained by &&.
  */
 #ifndef PP_REPORTS_PARTS_JSON_H
 #define PP_REPORTS_PARTS_JSON_H
@@ -25,7 +25,7 @@ bool pp_json_number(struct json_object *object, const char *key, double number);
 /* Returns the object if it is complete; otherwise frees it and returns NULL. */
 struct json_object *pp_json_whole(struct json_object *object, bool good);
 
-/* Appends `value` to an array; takes ownership of it, as pp_json_add. */
+/* Appends `value` to an array, and takes ownership of it like pp_json_add. */
 bool pp_json_append(struct json_object *array, struct json_object *value);
 
 /* Adds an array of numbers, each as by pp_json_number, on one line. */
@@ -44,7 +44,8 @@ bool pp_json_simulation(struct json_object *object,
 
 struct pp_mistakes;
 
-/* Adds "warnings", a list of texts with their lines, if there are any; NULL is none. */
+/* Adds "warnings", a list of texts with their lines, if there are any; doubts NULL:
+ * none. */
 bool pp_json_warnings(struct json_object *object, const struct pp_mistakes *doubts);
 
 /* Prints an object on several lines, and frees it; NULL: out of memory. */

@@ -104,7 +104,8 @@ static struct json_object *skyline_of(const struct pp_world *world, int index)
     return pp_json_whole(object, good);
 }
 
-/* left, right, up and down: extent beyond its wall, as drawn from outside. */
+/* Object of a facade. left, right, up and down: its extent beyond its wall, seen from
+ * outside. */
 static struct json_object *facade_of(const struct pp_world *world, int index)
 {
     const struct pp_facade *facade = &world->facades[index];
@@ -134,8 +135,9 @@ static bool add_list(struct json_object *object, const char *key, int count,
     return good;
 }
 
-/* Areas of the floor, of all inside surfaces and of the glass, and the area-weighted mean
- * reflectance of the surfaces without the openings. */
+/* Adds the areas of the floor, of all inside surfaces, of the openings and of their
+ * glass, the area-weighted mean reflectance of the surfaces without the openings, and
+ * the room's height. */
 static bool add_sums(struct json_object *object, const struct pp_world *world)
 {
     double all_m2 = 0.0, reflecting_m2 = 0.0, opaque_m2 = 0.0;
@@ -161,8 +163,8 @@ static bool add_sums(struct json_object *object, const struct pp_world *world)
            && pp_json_number(object, "height", world->height_m);
 }
 
-/* Adds the outlines of the working plane: x and y of their corners, one after the other;
- * the outer one counter-clockwise. */
+/* Adds the outlines of the working plane as lists of corners, { "x", "y" }; the outer
+ * outline is counter-clockwise. */
 static bool add_plane(struct json_object *object, const struct pp_region *plane)
 {
     struct json_object *list = json_object_new_array();

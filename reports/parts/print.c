@@ -207,7 +207,7 @@ static void describe_opening(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, ", curtains transmit %.3g", opening->curtains);
 }
 
-/* Openings with the same description are grouped. */
+/* Passes on the openings; those with the same description are grouped. */
 static void tell_openings(const struct pp_world *world, const struct listener *listener)
 {
     for (int i = 0; i < world->opening_count; i++) {

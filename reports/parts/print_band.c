@@ -8,8 +8,9 @@
 #include "model/base/text.h"
 #include "reports/parts/print.h"
 
-/* Bands whose upper end is below this are not printed: half a unit of the last printed
- * decimal is practically zero, and 0.0021 % had 0.00207 to 0.00208 %. */
+/* Bands whose upper end is below this, half a unit of the last decimal of a daylight
+ * factor, are not printed. Such values are practically zero, and rounding makes their
+ * bands look too narrow: 0.0021 % had a band of 0.00207 to 0.00208 %. */
 static const double LEAST_END = 5e-5;
 
 static bool is_shown(struct pp_band_ends band)

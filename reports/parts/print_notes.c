@@ -160,8 +160,8 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
-/* True if a method gives the daylight factor in one step, and so ignores the
- * decorations. */
+/* True if a method gives the daylight factor in one step and so ignores the allowance
+ * for decorations, which is not 1. */
 static bool leaves_decorations(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++) {
@@ -189,7 +189,8 @@ static bool says_something(const struct pp_report *report)
     return false;
 }
 
-/* If no selected method gives a value, suggests one for any sky and any opening. */
+/* If no selected hand method gives a daylight factor, suggests a pair of methods for
+ * any sky and any opening. */
 static void print_hint(const struct pp_report *report, int width, FILE *out)
 {
     bool any_df = false;

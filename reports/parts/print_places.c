@@ -75,8 +75,8 @@ static int axis_from_wall(const struct pp_report *report, const struct pp_surfac
     return -1;
 }
 
-/* True if the coordinate gets a column: if it differs between points; if none does, x
- * and y. */
+/* True if the coordinate gets a column: it differs between points or, if all points
+ * have the same position, it is x or y. */
 static bool is_shown(const struct pp_report *report, int axis)
 {
     bool one_place = axis < 2 && is_constant(report, 0) && is_constant(report, 1)

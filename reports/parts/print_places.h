@@ -9,8 +9,8 @@
 #include "model/results/report.h"
 
 /* Adds the key columns: the coordinates that differ between points and, for points on a
- * line, the distance from the wall with all windows. Constant coordinates are printed
- * at once in a sentence above the table. False: out of memory. */
+ * line, the distance from the wall with all windows. Prints the constant coordinates in
+ * a sentence, which will be above the table. False: out of memory. */
 bool pp_print_places(struct pp_table *table, const struct pp_report *report, int width,
                      FILE *out);
 

@@ -8,8 +8,8 @@
 
 #include "studies/reliability.h"
 
-/* Prints notes, each after a dash: methods with another ground reflectance, and where
- * the figures cannot be relied on; nothing if there is neither. */
+/* Prints notes, each after a dash, on methods that assume another ground reflectance,
+ * and on figures that are not reliable; nothing if there are neither. */
 void pp_print_reliability(const struct pp_reliability *reliability, int width,
                           FILE *out);
 

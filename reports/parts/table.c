@@ -97,7 +97,7 @@ static int cells_width(const struct pp_table *table,
     return width;
 }
 
-/* Sets the columns' widths: the widest cell, or the longest part of the heading. */
+/* True if both columns belong to the same group. */
 static bool same_group(const struct pp_table_column *a, const struct pp_table_column *b)
 {
     return a->group == b->group;

@@ -1,5 +1,5 @@
-/* table.h - a table of text: columns in groups, as wide as needed, side by side up to
- * the line's width and then in a further panel below. */
+/* table.h - a table of text: columns in groups, as wide as needed. Groups that do not
+ * fit on the line are printed in further panels below. */
 #ifndef PP_REPORTS_PARTS_TABLE_H
 #define PP_REPORTS_PARTS_TABLE_H
 

@@ -82,7 +82,8 @@ static bool add_place_column(struct pp_table *table, const struct df_rows *rows)
     return true;
 }
 
-/* The method's column of the table, from index `first` on; added if there is none. */
+/* The method's column among those from index `first` on; it is added if it does not
+ * exist. NULL: out of memory. */
 static struct pp_table_column *method_column(struct pp_table *table, int first,
                                              const char *name)
 {

@@ -9,7 +9,7 @@
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 
-/* The output of one run; the caller frees *text. */
+/* Prints one run to memory; the caller frees *text. */
 static enum pp_status print_run(char **text, pp_sweep_output_run *print,
                                 const void *data, int run, struct pp_error *err)
 {

@@ -7,7 +7,7 @@
 #include "model/base/error.h"
 #include "studies/sweep.h"
 
-/* Prints the results of one run, in the format of a run alone. */
+/* Prints the results of one run, in the format used without --sweep. */
 typedef enum pp_status pp_sweep_output_run(const void *data, int run, FILE *out,
                                            struct pp_error *err);
 

@@ -22,8 +22,8 @@ enum { ROWS = 3 };
 
 static const char *const rows[ROWS] = {"difference", "assumption", "formula"};
 
-/* Least expected value (fraction of the open sky) to which a relative difference is
- * meaningful. */
+/* Least expected value (fraction of the open-sky illuminance) for which a relative
+ * difference is meaningful. */
 static const double LEAST = 1e-4;
 
 static double dots_of_case(const struct pp_known_case *one, int row)
@@ -56,7 +56,8 @@ static double median_of(double *values, int count)
     return (values[(count - 1) / 2] + values[count / 2]) / 2.0;
 }
 
-/* Dots of equal values are spread over seven heights, by the order of the cases. */
+/* Writes a dot. Consecutive cases are spread over seven heights, so that dots of equal
+ * values remain distinct. */
 static void put_dot(double share, int number, int middle, FILE *out)
 {
     double y = middle + 2.0 * (number * 3 % 7 - 3);

@@ -10,7 +10,7 @@
 #include "reports/validate/validate_dots.h"
 
 /* Bins of difference over limit (pp_known_case_share), from -1.5 to 1.5; values beyond
- * are in the last. */
+ * are in the first and last bins. */
 enum { BINS = 31 };
 
 static const double BIN_MOST = 1.5;

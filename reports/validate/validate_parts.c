@@ -117,7 +117,8 @@ void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE 
 
 /* ---- JSON and CSV ---- */
 
-/* Adds the parts under names that start with `begin` ("assumption" and so on). */
+/* Adds the known parts under keys that start with `begin`, "average-" or "":
+ * "average-assumption", for example. */
 static bool add_parts(struct json_object *object, const char *begin,
                       const struct pp_error_parts *parts)
 {
@@ -138,7 +139,7 @@ static bool add_parts(struct json_object *object, const char *begin,
     return good;
 }
 
-/* Parts without errors, which are not computed over several rooms. */
+/* Parts without standard errors, which are not calculated over several rooms. */
 static struct pp_error_parts without_errors(double assumption, double formula)
 {
     return (struct pp_error_parts){assumption, NAN, formula, NAN};

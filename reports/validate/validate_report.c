@@ -82,8 +82,8 @@ static void print_component(const struct pp_comparison *list, int count,
     }
 }
 
-/* Prints "- bre: why", once for each reason; a reason may begin with its method's
- * name. */
+/* Prints each reason for missing values once, as "- bre: why"; the method's name is not
+ * repeated if the reason begins with it. */
 static void print_refusals(const struct pp_comparison *list, int count, int width,
                            FILE *out)
 {

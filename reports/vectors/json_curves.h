@@ -10,12 +10,12 @@
 
 /* Each function adds a value under a key; false: out of memory. */
 
-/* Metres, each to 0.1 mm. */
+/* Lengths in metres, each rounded to 0.1 mm. */
 bool pp_json_curves_lengths(struct json_object *object, const char *key,
                             const double *lengths, int count);
 
-/* [{ "level": 2, "closed": true, "xy": [x, y, x, y, ...] }]; the level times `scale`. With
- * scale 0 there is no level. */
+/* [{ "level": 2, "closed": true, "xy": [x, y, x, y, ...] }]; the level is multiplied by
+ * `scale`. With scale 0 there is no level. */
 bool pp_json_curves_list(struct json_object *object, const char *key,
                          const struct pp_curve_list *curves, double scale);
 

@@ -160,7 +160,8 @@ static void fail_mistakes(struct pp_task *task, const struct pp_asked_room *aske
     pp_task_answer_json(task, MHD_HTTP_UNPROCESSABLE_CONTENT, object);
 }
 
-/* Creates the study of the room of that name (NULL: the first room). */
+/* Creates the study of the room with that name (NULL: the first room). PP_BAD_INPUT if
+ * there is none. */
 static enum pp_status choose_room(struct pp_asked_room *asked, const char *name,
                                   const char *sky, struct pp_error *err)
 {

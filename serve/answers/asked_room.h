@@ -43,7 +43,7 @@ void pp_asked_room_clear(struct pp_asked_room *asked);
  * no files. Options are not checked. If false, the error answer is set. */
 bool pp_asked_room_check(struct pp_task *task);
 
-/* List of the mistakes of the room; NULL without memory. */
+/* List of the mistakes in the room; NULL: out of memory. */
 struct json_object *pp_asked_room_mistakes(const struct pp_asked_room *asked);
 
 #endif

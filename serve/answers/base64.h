@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 /* Encodes bytes by RFC 4648, section 4. Returns a NUL-terminated string that the caller
- * frees; NULL without memory. */
+ * frees; NULL: out of memory. */
 char *pp_base64_of(const char *bytes, size_t length);
 
 #endif

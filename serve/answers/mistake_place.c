@@ -108,7 +108,8 @@ static struct text_span attribute_in(struct text_span tag, const char *name,
     return (struct text_span){tag.to, tag.to};
 }
 
-/* Word between `before` and the next quote in the sentence; empty if there is none. */
+/* Text between `before` and the next quotation mark in the sentence; empty if there is
+ * none. */
 static struct text_span quoted_behind(const char *sentence, const char *before)
 {
     const char *found = strstr(sentence, before);

@@ -10,9 +10,9 @@ struct pp_mistake_place {
     int line, column, end_line, end_column;
 };
 
-/* Position of the attribute or element that the message names, of a mistake on `line`.
- * If none is found, the whole line. An element may begin on an earlier line. text: the
- * room file, UTF-8. */
+/* Finds the attribute or element that the message `sentence` names, for a mistake on
+ * `line`; the whole line if it is not found. An element may begin on an earlier line.
+ * text: the room file, UTF-8. */
 struct pp_mistake_place pp_mistake_place_find(const char *text, size_t length, int line,
                                               const char *sentence);
 

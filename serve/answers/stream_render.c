@@ -22,8 +22,8 @@ struct render {
     int pass, width, height;
 };
 
-/* Reads the option size ("640x480"), within limits, and removes it from the options. If
- * false, the error answer is set. */
+/* Reads the option size ("640x480"; the default), within limits, and removes it,
+ * samples and format from the options. If false, the error answer is set. */
 static bool take_size(struct render *render, struct pp_task *task)
 {
     struct json_object *size, *options = NULL;

@@ -205,7 +205,8 @@ static uint64_t client_of(struct MHD_Connection *connection)
     return hash;
 }
 
-/* Body as a JSON object; for other media types { "bytes": "..." }. */
+/* Parses the body as a JSON object; a body of another media type becomes { "bytes":
+ * "..." }. NULL if it is not a JSON object, or memory runs out. */
 static struct json_object *body_object(const struct http_request *request)
 {
     enum { DEPTH_MOST = 8 };

@@ -81,7 +81,7 @@ static char *new_name(void)
     if (name && getrandom(random, sizeof random, 0) == (ssize_t)sizeof random) {
         for (size_t i = 0; i < sizeof random; i++)
             snprintf(name + 2 * i, 3, "%02x", random[i]);
-        name[NAME_DIGITS] = '\0'; /* the longest final part of a path */
+        name[NAME_DIGITS] = '\0'; /* longest variable part of a path (struct pp_task) */
         return name;
     }
     free(name);

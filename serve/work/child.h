@@ -1,4 +1,4 @@
-/* child.h - runs the program as a child process, for functions that pepperpot.h lacks.
+/* child.h - runs pepperpot as a child process, for functions that pepperpot.h lacks.
  * Inside serve/ only.
  *
  * The child's standard input is a given text; its output and error output are returned.

@@ -141,7 +141,7 @@ void pp_task_fail_with(struct pp_task *task, const struct pp_error *err)
                  "%s", err->message);
 }
 
-/* Appends to the unsent bytes. Needs the lock. False without memory. */
+/* Appends to the unsent bytes. Needs the lock. False: out of memory. */
 static bool append_bytes(struct pp_task *task, const char *bytes, size_t length)
 {
     if (task->taken > 0) {

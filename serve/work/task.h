@@ -37,7 +37,7 @@ struct pp_task {
     unsigned status;  /* HTTP's */
     const char *type; /* media type, not owned */
     char *bytes;
-    size_t length, taken; /* taken: bytes of a stream that were sent */
+    size_t length, taken; /* taken: number of bytes of a stream already sent */
     bool is_stream, is_done, is_suspended, is_cancelled;
     struct MHD_Connection *connection; /* NULL: none, or closed */
     int socket;
@@ -48,7 +48,8 @@ struct pp_task {
     uint64_t turn;
 };
 
-/* Creates a task without a connection; NULL without memory. Takes ownership of body. */
+/* Creates a task without a connection; NULL: out of memory. Takes ownership of body
+ * even then. */
 struct pp_task *pp_task_create(struct pp_server *server, pp_task_run *run,
                                const char *command, struct json_object *body);
 void pp_task_release(struct pp_task *task); /* NULL is allowed */

@@ -29,7 +29,8 @@ static void join_line(struct pp_work_line *line, struct pp_task *task)
     line->waiting_count++;
 }
 
-/* Removes the task with the lowest turn, the first of equal ones. Needs the lock. */
+/* Removes and returns the task with the lowest turn; of several, the one that was added
+ * first. Needs the lock. */
 static struct pp_task *leave_line(struct pp_work_line *line)
 {
     struct pp_task **best = &line->waiting;

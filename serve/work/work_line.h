@@ -3,7 +3,7 @@
  *
  * Start-time fair queueing: the turn of a task is 1 + the last turn of the same client
  * in the queue, or of the task begun last. The task with the lowest turn is next. A
- * client with many tasks therefore does not delay one with few. An unfinished task
+ * client with many tasks therefore does not delay a client with few. An unfinished task
  * returns to the queue after each slice.
  */
 #ifndef PP_SERVE_WORK_WORK_LINE_H
@@ -15,7 +15,7 @@ struct pp_work_line;
 
 enum { PP_WORK_LINE_MOST = 512, PP_WORK_LINE_CLIENT_MOST = 256 };
 
-/* Starts the workers; NULL without memory or threads. */
+/* Starts the workers; NULL if memory runs out or no thread can be started. */
 struct pp_work_line *pp_work_line_create(int workers);
 
 enum pp_work_line_verdict {

@@ -1,4 +1,4 @@
-/* rad_genbox.c - builds the box of polygons, cylinders and spheres.
+/* rad_genbox.c - builds the box from polygons, cylinders and spheres.
  *
  * Option -b bevels edges, -r rounds them. Rounded edges are cylinders and spheres. With
  * -n, and in boxes that face inwards, they are flat segments instead: N per quarter

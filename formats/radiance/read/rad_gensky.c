@@ -1,4 +1,4 @@
-/* rad_gensky.c - Radiance's sky generator, by its formulae [WS98].
+/* rad_gensky.c - the formulae of Radiance's sky generator [WS98].
  *
  * Position of the sun, for latitude phi, solar declination delta and solar time t:
  *
@@ -42,8 +42,8 @@ static bool complain(char *wrong, size_t room, const char *what, const char *wor
     return false;
 }
 
-/* Reads "9", "9.5" or "9:30"; a "+" before it means solar time, a zone may follow
- * it. */
+/* Reads "9", "9.5" or "9:30". A "+" before it means solar time; a time zone may follow
+ * it. False if it is invalid. */
 static bool read_hour(struct gensky_options *asked, const char *word)
 {
     static const struct {
@@ -109,7 +109,7 @@ static bool read_place(struct gensky_options *asked, char *const *words, int cou
     return true;
 }
 
-/* Sets an option that has one number. */
+/* Sets an option that has one number; false if the number is invalid. */
 static bool set_number(struct gensky_options *asked, char letter, double number)
 {
     switch (letter) {
@@ -197,8 +197,8 @@ static double round_the_circle(double x, double period)
     return x - period * floor(x / period);
 }
 
-/* Declination by the low-precision formula of the almanac [MIC88]; *solar_time follows
- * from standard time. */
+/* Solar declination (rad) by the low-precision formula of the almanac [MIC88]. Sets
+ * *solar_time (h) from standard time, unless the time given is solar time. */
 static double declination_of_year(const struct gensky_options *asked,
                                   double *solar_time)
 {

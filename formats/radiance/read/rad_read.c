@@ -87,8 +87,8 @@ static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long c
     return next;
 }
 
-/* Finds the parsed xform of a command. Each is parsed only once, although an xform
- * before another one runs for each copy that the second one makes. */
+/* Finds the parsed xform of a command. Each is parsed only once, although an xform that
+ * is piped into a second one is evaluated for each copy that the second one makes. */
 static enum pp_status find_xform(const struct pp_rad_xform **found,
                                  const struct pp_rad_reader *reader,
                                  struct pp_rad_pipe *pipe, int which,
@@ -176,7 +176,7 @@ static enum pp_status run_xform(struct pp_rad_reader *reader, struct pp_rad_pipe
     return status;
 }
 
-/* Adds the primitives that command `which` of the pipe would print to the scene. */
+/* Adds to the scene the primitives that command `which` of the pipe would print. */
 static enum pp_status run_command(struct pp_rad_reader *reader,
                                   struct pp_rad_pipe *pipe, int which,
                                   const struct pp_rad_context *context,

@@ -1,5 +1,5 @@
-/* rad_sky.h - Radiance's skies, as printed by gensky into a scene and from the command
- * itself. Inside formats/radiance/ only. */
+/* rad_sky.h - Radiance's skies: those that gensky has printed into a scene, and those
+ * of the command itself. Inside formats/radiance/ only. */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_SKY_H
 #define PP_FORMATS_RADIANCE_READ_RAD_SKY_H
 
@@ -7,7 +7,7 @@
 #include "formats/radiance/read/rad_reader.h"
 
 /* Reads "void brightfunc NAME" of skybr, as written by gensky; *taken is false if the
- * primitive is no brightfunc. */
+ * primitive is not a brightfunc. */
 enum pp_status pp_rad_sky_read(struct pp_rad_reader *reader,
                                const struct pp_rad_primitive *primitive,
                                const struct pp_rad_context *context, bool *taken,

@@ -2,7 +2,7 @@
  *
  * Words are separated by white space. "#" begins a comment to the end of the line; a
  * line that begins with "!" is a command. Words point into the text and are found on
- * demand, so that a file of any size needs no memory beyond its own.
+ * demand, so that only the text itself needs memory.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_WORDS_H
 #define PP_FORMATS_RADIANCE_READ_RAD_WORDS_H

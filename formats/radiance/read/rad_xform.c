@@ -70,7 +70,8 @@ enum pp_status pp_rad_xform_read(struct pp_rad_xform *xform,
     return PP_OK;
 }
 
-/* Applies a step `times` times, by squaring: a million times take twenty products. */
+/* Applies a step `times` times, by squaring: a million applications take twenty
+ * rounds. */
 static struct pp_rad_transform repeated(struct pp_rad_transform step, long times)
 {
     struct pp_rad_transform all = pp_rad_transform_identity();

@@ -5,8 +5,8 @@
 
 #include <stdio.h>
 
-/* Writes the shortest of 15 to 17 digits that reads back as the same double; `text` has
- * space for 32 characters. */
+/* Writes the number with the fewest digits, 15 to 17, that read back as the same
+ * double; `text` has space for 32 characters. */
 void pp_rad_numbers_text(double number, char *text);
 
 /* Rounds to 15 significant digits. */

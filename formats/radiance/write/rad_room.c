@@ -232,7 +232,7 @@ static enum pp_status add_sky(struct rad_room_builder *b)
  * hole with the section of the room.
  */
 
-/* Radius of the disc over the distance of the farthest object. */
+/* Radius of the disc divided by the distance of the farthest object. */
 static const double WIDE = 100.0;
 /* Least distance between the hole and the inner edge of the disc. */
 static const double MARGIN_M = 1.0;
@@ -286,7 +286,7 @@ static enum pp_status add_ground_triangle(struct rad_ground_builder *b, double x
                                             b->err);
 }
 
-/* Adds a square less the room's section, as triangles. */
+/* Adds a square around the room, without the room's section, as triangles. */
 static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
                                  const struct pp_region *room)
 {
@@ -315,8 +315,8 @@ static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
     return status;
 }
 
-/* Adds a disc with a hole inside the square; where disc and square overlap, they are in
- * one plane. */
+/* Adds the square, and the disc, whose hole lies inside the square. Where they overlap
+ * they are in one plane. */
 static enum pp_status add_round(struct rad_ground_builder *b,
                                 const struct pp_region *room)
 {

@@ -35,7 +35,7 @@ struct pp_rad_room {
     int first[PP_RAD_GROUPS + 1]; /* shapes of group g: first[g] to first[g + 1] - 1 */
 };
 
-/* Makes the scene. horizontal: irradiance of the open horizontal ground, above 0.
+/* Makes the scene. horizontal: irradiance on the open horizontal ground, above 0.
  * PP_BAD_INPUT for a room that Radiance cannot describe; the message begins with the
  * line of the room file, if there is one. */
 enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,

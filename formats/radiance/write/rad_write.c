@@ -11,8 +11,9 @@
 /* ---- names ---- */
 
 /* Makes a valid Radiance name. Letters, digits, "-", "." and characters beyond ASCII
- * stay; each run of others becomes one "_", none at the end. Radiance's reserved words
- * get a number. `fit` has space for two characters more than PP_RAD_NAME_MOST. */
+ * stay; each run of others becomes one "_", or nothing at either end. Radiance's
+ * reserved words get a number. `fit` has space for two characters more than
+ * PP_RAD_NAME_MOST. */
 static void make_fit(char *fit, const char *name)
 {
     int count = 0;
@@ -200,7 +201,7 @@ static void write_polygon(const struct pp_rad_writer *writer,
     }
 }
 
-/* Radiance type by kind and by the side that is the front. */
+/* Radiance type of a shape, from its kind and the side that is its front. */
 static const char *type_of(const struct pp_shape *shape)
 {
     switch (shape->kind) {

@@ -68,7 +68,7 @@ static void say_grain(struct rad_primitive_text *said, struct pp_vec3 grain)
     snprintf(said->strings, sizeof said->strings, "4 %s %s %s .", x, y, z);
 }
 
-/* Ratio of two colours if it is equal in all channels; otherwise negative. */
+/* Ratio of two colours if it is the same in all channels; otherwise -1. */
 static double ratio_of(struct pp_rgb part, struct pp_rgb whole)
 {
     double most = pp_rgb_most(whole);
@@ -88,8 +88,8 @@ static bool is_mirror(const struct pp_material *m)
            && m->roughness[0] == 0.0 && m->roughness[1] == 0.0;
 }
 
-/* Radiance's `mirror` is black from behind, so a mirror seen from both sides is a
- * metal. */
+/* Describes an opaque material; false if no Radiance type can. Radiance's `mirror` is
+ * black from behind, so a mirror seen from both sides is written as a metal. */
 static bool say_opaque(struct rad_primitive_text *said, const struct pp_material *m,
                        bool both_sides)
 {
