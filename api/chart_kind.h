@@ -41,8 +41,8 @@ struct pp_board_options {
     bool fine;               /* pepper-pot diagram: dots of 0.01 % */
     enum pp_yes_no vertical; /* vertical receiver of a blank pepper-pot diagram;
                               * default no */
-    double viewing_mm;       /* pepper-pot diagram: distance from eye to drawing; 0: 30
-                              * mm, or 60 mm if fine */
+    double viewing_mm;       /* pepper-pot diagram: distance from eye to drawing; 0:
+                              * 30 mm, or 60 mm if fine */
     struct pp_sky sky;       /* sky of a blank form; set by the caller */
     struct pp_sky_picture *picture; /* photograph of the sky; reference held; NULL:
                                      * none */
@@ -91,11 +91,11 @@ struct pp_chart_site {
 
 /* Options for the content of a chart. */
 struct pp_chart_choice {
-    struct pp_chart_site site; /* for kinds that compare states (only the first room is
-                            * drawn) or draw a site (all rooms are drawn); set for each
-                            * sheet */
-    bool line_said;            /* plan: lit area instead of contours */
-    enum pp_lit_line line;     /* boundary of the lit area, if line_said */
+    struct pp_chart_site
+        site;              /* for kinds that compare states (the first room is drawn) or
+                            * draw a site (all rooms are drawn); set for each sheet */
+    bool line_said;        /* plan: lit area instead of contours */
+    enum pp_lit_line line; /* boundary of the lit area, if line_said */
 
     const struct pp_report *known; /* the room's averages, which a plan prints in place
                                     * of its own; NULL: not known; not owned */
