@@ -83,7 +83,7 @@ struct pp_model_options {
 /* Rooms of one file, each with its former state. */
 struct pp_chart_site {
     const struct pp_study_room *rooms;
-    const struct pp_study_room *const *before; /* count entries; NULL: new room, or
+    const struct pp_study_room *const *before; /* one for each room; NULL: new room, or
                                                 * former state unknown */
     int count;
     double french_m; /* French windows: point height, m; see vertical_sky.h */
@@ -99,7 +99,7 @@ struct pp_chart_choice {
 
     const struct pp_report *known; /* the room's averages, which a plan prints in place
                                     * of its own; NULL: not known; not owned */
-    struct pp_section_place cut;   /* of a section, and its mark on a plan */
+    struct pp_section_place cut;   /* place of a section, and of its mark on a plan */
     enum pp_section_scale scale;   /* scale of the daylight factors in a section */
     enum pp_plan_fill fill;        /* filling between the contours of a plan */
     struct pp_board_options board; /* for diagrams of the drawing board */

@@ -13,7 +13,7 @@
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/windows/opening_words.h"
 
-/* Visible sky and sunlit hours of a window, at present or before. */
+/* Visible sky and sunlit hours of a window, in the present or the former state. */
 struct window_sun {
     struct pp_sky_mask mask;
     struct pp_sunlit_year hours;
@@ -110,7 +110,7 @@ static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
     return pp_overlay_chart_draw(canvas, &overlay, err);
 }
 
-/* Finds the sun of the same window in the room before; PP_BAD_INPUT if the rooms
+/* Finds the sun at the same window of the former room; PP_BAD_INPUT if the rooms
  * differ. */
 static enum pp_status find_before(struct window_sun *sun, const struct pp_world *world,
                                   const struct pp_world *before, int window,

@@ -14,7 +14,7 @@ struct atlas_plot {
     struct pp_style style;
     const struct pp_atlas_map *map;
     struct pp_box field;
-    struct pp_axis up; /* axis of ratios, in maps by one number */
+    struct pp_axis up; /* axis of ratios, in maps by one feature */
 };
 
 /* ---- edges of classes ---- */
@@ -302,7 +302,7 @@ static void draw_by_two(struct atlas_plot *plot)
 
 /* ---- the sheet ---- */
 
-/* True if any value is beyond the scale of a map by one number. */
+/* True if any value is beyond the scale of a map by one feature. */
 static bool is_beyond(const struct pp_atlas_map *map)
 {
     for (int k = 0; k < map->across.count; k++)

@@ -34,8 +34,8 @@ static bool is_known(const struct pp_output_directory *directory, const char *na
     return false;
 }
 
-/* Checks that the directory contains only replaceable files. *entries counts its
- * entries. */
+/* Counts the directory's entries in *entries, and checks that all are files that may be
+ * replaced. Without `replace` it stops at the first entry. */
 static enum pp_status check_replaceable(const struct pp_output_directory *directory,
                                         const char *path, int depth, int *entries,
                                         struct pp_error *err)

@@ -20,7 +20,7 @@ struct pp_rooms {
 };
 
 /* Reads all files and resolves all their rooms, with the sky and points of the options.
- * All errors of all files are reported on standard error; then nothing is loaded. */
+ * All errors in all files are reported on standard error; nothing is then loaded. */
 enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
                            int file_count, const struct pp_room_options *options);
 

@@ -21,7 +21,7 @@ static void print_availability_fact(const char *label, const char *text, int wid
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
 }
 
-/* Per cent of the working hours: "87", "0.4", "0". */
+/* Writes a share of the working hours in per cent: "87", "0.4", "0". */
 static void put_share(char cell[PP_CELL_BYTES], double share)
 {
     double per_cent = 100.0 * share;

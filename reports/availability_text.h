@@ -7,7 +7,7 @@
 
 #include "reports/availability_result.h"
 
-/* Text `width` columns wide (60 or more); utf8: uses the character ±. */
+/* Writes text `width` columns wide (60 or more); utf8: uses the character ±. */
 enum pp_status pp_availability_text(const struct pp_availability_results *results,
                                     int width, bool utf8, FILE *out,
                                     struct pp_error *err);

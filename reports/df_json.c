@@ -68,10 +68,10 @@ static bool add_contents(struct json_object *object, const char *name)
     return pp_json_text(object, "contains", contents);
 }
 
-/* { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }, with "band": [1.1,
- * 1.6] if known. name: of the column. truth: reading of the reference engine at the
- * same place, or NULL; adds "apart", the difference from it in standard errors of the
- * difference. With external_lux above 0, adds the illuminance. */
+/* Makes { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }, with "band":
+ * [1.1, 1.6] if known. name: of the column. truth: reading of the reference engine at
+ * the same place, or NULL; adds "apart", the difference from it in standard errors of
+ * the difference. With external_lux above 0, adds the illuminance. */
 static struct json_object *entry(const struct pp_world *world,
                                  const struct pp_reading *reading, const char *name,
                                  const struct pp_reading *truth,

@@ -25,7 +25,7 @@ enum {
 
 /* ---- formulae ---- */
 
-/* "      IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", broken at blanks. */
+/* Prints " IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", broken at blanks. */
 static void print_formula(const struct pp_calculation_step *step, int width, bool utf8,
                           FILE *out)
 {

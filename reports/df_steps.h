@@ -7,8 +7,8 @@
 
 #include "model/results/report.h"
 
-/* Prints the steps of the figures at the report's first point, method by method, one
- * step per line; nothing if no steps were requested. */
+/* Prints the steps of the figures at the report's first point, method by method;
+ * nothing if no steps were requested. */
 void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
 #endif

@@ -38,7 +38,7 @@ static const char band_title[] = "95 % band";
 
 /* ---- printed numbers ---- */
 
-/* Per cent with two decimals; a dash where there is no value. */
+/* Writes a value in per cent with two decimals; a dash if there is none. */
 static void put_value(char cell[PP_CELL_BYTES], const struct pp_reading *reading)
 {
     if (isfinite(reading->value))
@@ -85,7 +85,8 @@ static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* Lux, with three significant digits or as a whole number. */
+/* Writes lux, with three significant digits or as a whole number; a dash if there is no
+ * value. */
 static void put_lux(char cell[PP_CELL_BYTES], double lux)
 {
     if (!isfinite(lux)) {
@@ -252,7 +253,7 @@ static bool is_interpolated(const struct pp_report *report,
     return false;
 }
 
-/* "traced: by simulation, ± one standard error, seed 1" */
+/* Appends "traced: by simulation, ± one standard error, seed 1", for example. */
 static void say_engine(char *text, size_t size, const struct pp_report *report,
                        const struct pp_column *column,
                        const struct pp_study_options *options, bool utf8)

@@ -8,7 +8,7 @@
 
 #include "reports/df_result.h"
 
-/* Text `width` columns wide if possible (60 or more); utf8: uses the character
+/* Writes text `width` columns wide if possible (60 or more); utf8: uses the character
  * ±. */
 enum pp_status pp_df_text(const struct pp_results *results, int width, bool utf8,
                           FILE *out, struct pp_error *err);

@@ -14,8 +14,8 @@ enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
                                        const struct pp_plot_envelope_task *task,
                                        int width, FILE *out, struct pp_error *err);
 
-/* Writes cells with their heights, with the attributes of a block in a room file as
- * columns. */
+/* Writes one line for each cell, with its height; the columns are the attributes of a
+ * block in a room file. */
 enum pp_status pp_plot_envelope_report_csv(const struct pp_plot_envelope *found,
                                            const struct pp_plot_envelope_task *task,
                                            FILE *out, struct pp_error *err);

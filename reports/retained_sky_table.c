@@ -18,7 +18,7 @@ void pp_retained_sky_table_say(char *text, size_t size,
         pp_text_append(text, size, ", or %.3g %%", 100.0 * rule->enough);
 }
 
-/* Factor of the printed unit: VSC in per cent, areas in m2. */
+/* Factor for printing: VSC in per cent, areas in m2. */
 static double unit_of(enum pp_retained_sky_of of)
 {
     return of == PP_RETAINED_SKY_VSC ? 100.0 : 1.0;

@@ -96,7 +96,7 @@ static void ends_of(const struct pp_nomogram_curve_frame *drawing, int stem,
     }
 }
 
-/* Letter and tag of a stem above its upper end. */
+/* Writes the letter and the tag of a stem above its upper end. */
 static void write_stem_head(const struct pp_nomogram_curve_frame *drawing, int stem,
                             double top)
 {

@@ -123,7 +123,8 @@ static void say_position_letters(char *text, size_t room)
                 "for dirt. Add the results of several windows.\n");
 }
 
-/* The formulae to be calculated on paper, in the printed units. */
+/* Appends the formulae to be calculated on paper, in the printed units, and their
+ * symbols. */
 static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet *sheet)
 {
     for (int i = 0; sheet->formulae[i]; i++) {

@@ -9,7 +9,7 @@
 #include "charts/drawing_board/protractor_disc.h"
 #include "charts/drawing_board/protractor_worked.h"
 
-/* Least height of title, notes and ruler together. */
+/* Least height of title, notes and ruler together (mm). */
 static double taken_mm(const struct pp_style *style)
 {
     return 50.0 * style->scale;

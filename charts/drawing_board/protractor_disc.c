@@ -33,7 +33,7 @@ void pp_protractor_disc_section(const struct pp_protractor_disc *disc, double an
 void pp_protractor_disc_plan(const struct pp_protractor_disc *disc, double angle_rad,
                              double distance, double xy[2])
 {
-    /* Seen from inside, right of the normal: clockwise on paper. */
+    /* An angle to the right of the normal, seen from inside, is clockwise on paper. */
     double c = cos(angle_rad), s = sin(angle_rad);
     xy[0] = disc->x + distance * (c * disc->plan[0] - s * disc->plan[1]);
     xy[1] = disc->y + distance * (s * disc->plan[0] + c * disc->plan[1]);

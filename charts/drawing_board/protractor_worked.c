@@ -266,7 +266,7 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
         jamb[k] = slant * tan(reading->jamb_rad[k]);
         widest = fmax(widest, fabs(jamb[k]));
     }
-    /* Words extend up to 20 mm (on A4) beyond the line. */
+    /* Size of the words (mm), for which space is left around the line. */
     double words = 20.0 * style->scale;
     least = fmin((box.height - caption_mm(style) - 0.5 * words) / slant,
                  (box.width / 2.0 - 1.6 * words) / widest);

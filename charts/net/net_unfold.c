@@ -46,8 +46,8 @@ static double common_area(struct unfolding *unfolding, const double (*a)[2],
     return area;
 }
 
-/* Corners of a panel in its piece; the caller frees them. NULL, with a status: out of
- * memory. */
+/* Corners of a panel in its piece; the caller frees them. NULL, with unfolding->status
+ * set: out of memory. */
 static double (*corners_of(struct unfolding *unfolding,
                            const struct pp_net_panel *panel))[2]
 {

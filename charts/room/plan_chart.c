@@ -300,7 +300,7 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-/* Part of the field that a table of values may take in one direction. */
+/* Largest share of the field's width or height that a table of values may take. */
 static const double table_most = 0.5;
 
 /* Places the plan in the field. If the values of points are too close to each other
@@ -365,7 +365,7 @@ static void blank_fittings(const struct plan_drawing *drawing)
     }
 }
 
-/* Draws everything on the plane, clipped to it. */
+/* Draws everything on the plane. Areas are clipped to it; lines are not. */
 static void draw_plane(struct plan_drawing *drawing)
 {
     const struct pp_plan_chart *chart = drawing->chart;

@@ -37,7 +37,7 @@ void pp_room_plan_place(struct pp_room_plan *plan, const struct pp_style *style,
 double pp_room_plan_usual_scale(double least)
 {
     static const struct {
-        double step, from; /* common from this power of ten on */
+        double step, from; /* the step is used from this power of ten on */
     } steps[] = {{1.0, 1}, {1.25, 100}, {2.0, 1}, {2.5, 10},
                  {5.0, 1}, {7.5, 10},   {10.0, 1}};
     double power = pow(10.0, floor(log10(fmax(least, 1.0))));

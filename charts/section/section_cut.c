@@ -8,8 +8,8 @@
 
 #include "model/base/array.h"
 
-/* Largest distance of receivers from their line (m): their coordinates are decimal
- * numbers. */
+/* Largest distance of receivers from their line (m), which allows for rounded
+ * coordinates. */
 #define OFF_LINE_M 1e-3
 
 void pp_section_cut_clear(struct pp_section_cut *cut)

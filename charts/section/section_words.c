@@ -11,7 +11,7 @@ double pp_section_words_mm(const struct pp_style *style)
     return 4.6 * style->scale;
 }
 
-/* Lowest and highest z of the room's faces at s; false: there is only one or none. */
+/* Finds the lowest and highest z of the room's faces at s; false unless they differ. */
 static bool heights_at(const struct pp_section_cut *cut, double s, double *low,
                        double *high)
 {

@@ -103,7 +103,7 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
                     range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
 }
 
-/* Appends the note that reflected light is reduced by decorations, if it is. */
+/* Appends the note on the allowance for decorations, if there is one. */
 static void say_decorations(char *text, size_t room, const struct pp_world *world)
 {
     if (world->decorations != 1.0)

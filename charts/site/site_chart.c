@@ -52,8 +52,9 @@ static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* Usual scale of `least` or the next smaller one (1:`least`), or 1:300, 1:400, 1:600
- * ... as on triangular scale rulers, which may fill the sheet better. */
+/* Denominator of a scale, `least` or the next larger one: of the usual scales or of
+ * 1:300, 1:400, 1:600 ... as on triangular scale rulers, which may fill the sheet
+ * better. */
 static double site_scale(double least)
 {
     static const double more[] = {3.0, 4.0, 6.0};
@@ -185,8 +186,8 @@ static bool strip_fits(const struct pp_site_drawing *drawing,
            < strip - 0.4;
 }
 
-/* Words in a window's strip: its name, with its figure unless that is in the table; if
- * both do not fit, the figure. */
+/* Writes the words for a window's strip: its name and, unless it is in the table, its
+ * figure; only the figure if both do not fit. */
 static void window_words(const struct pp_site_drawing *drawing,
                          const struct pp_site_window *window, char *words, size_t room)
 {

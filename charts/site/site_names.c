@@ -107,7 +107,7 @@ struct named_thing {
     double area_m2, middle[2]; /* of the largest shape */
     int largest;
     double top_m;
-    bool first; /* true if this shape is the first of them */
+    bool first; /* true if this shape is the first of that name */
 };
 
 static struct named_thing gather_named(const struct pp_site_sheet *sheet, int index)
@@ -236,7 +236,8 @@ static bool same_stack(const struct pp_site_window *a, const struct pp_site_wind
     return pp_vec_dot(a->out, b->out) > 0.999 && hypot(off[0], off[1]) < 1.0;
 }
 
-/* The names of a stack, from the lowest storey up; returns its highest storey. */
+/* Lists the names of the windows of a stack, from the lowest storey up; returns its
+ * highest storey. */
 static int stack_names(const struct pp_site_sheet *sheet,
                        const struct pp_site_window *lowest, char *words, size_t room)
 {

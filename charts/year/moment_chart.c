@@ -18,7 +18,7 @@ static const struct pp_colour_scale lux_classes = {
 /* Overlap of neighbouring rows, so that rounding leaves no line between them. */
 static const double OVERLAP_MM = 0.03;
 
-/* Distance of the lines that mark direct sunlight, mm on A4. */
+/* Distance between the lines that mark direct sunlight, mm on A4. */
 static const double SUN_HATCH_MM = 1.6;
 
 struct moment_drawing {
@@ -32,7 +32,8 @@ struct moment_drawing {
 
 /* ---- parts of cells ---- */
 
-/* Class of a part, for runs of equal parts; -1: outside the plane. */
+/* Finds the class of a part; adjoining parts of one class are drawn together. -1:
+ * outside the plane. */
 typedef int class_of_part(const struct pp_moment_plan *plan, size_t part);
 
 static int colour_of_part(const struct pp_moment_plan *plan, size_t part)
@@ -156,7 +157,8 @@ static void draw_points(const struct moment_drawing *drawing)
 
 /* ---- words ---- */
 
-/* Mean illuminance over the plane, and its components. */
+/* Appends the mean illuminance over the plane with its components, the extremes, and
+ * the share of the plane in direct sunlight. */
 static void say_summary(char *text, size_t room, const struct pp_moment_plan *plan)
 {
     const struct pp_annual_figures *mean = &plan->cells.mean;

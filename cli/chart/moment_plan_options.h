@@ -7,7 +7,7 @@
 #include "cli/moment_choice.h"
 
 /* Takes --when, --weather and --sky perez,... from the options of a plan; other kinds
- * keep their weather file and sky. PP_BAD_INPUT if parts are missing, or do not apply
+ * keep their weather file and sky. PP_BAD_INPUT if options are missing, or do not apply
  * to the kind or to illuminances. */
 enum pp_status pp_moment_plan_options_settle(struct pp_moment_choice *moment,
                                              struct pp_chart_words *chart,

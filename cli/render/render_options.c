@@ -1,4 +1,4 @@
-/* render_options.c - reads the options of the command render, and their lists. */
+/* render_options.c - reads the options of the command render; their tables. */
 #include "cli/render/render_options.h"
 
 #include <math.h>

@@ -252,8 +252,7 @@ static int list_suites(const char *names[SUITES_MOST])
     return count;
 }
 
-/* PP_BAD_INPUT for a mistyped name of a suite: not a file, and similar to one of
- * them. */
+/* PP_BAD_INPUT for a word that is not a file and resembles the name of a suite. */
 static enum pp_status check_word(const char *word, struct pp_error *err)
 {
     const char *names[SUITES_MOST];

@@ -20,7 +20,7 @@
 struct traced_report {
     struct pp_report *report;
     int room;
-    int own; /* index of the world; -1: the room's */
+    int own; /* index of the world; -1: the room itself */
 };
 
 struct rooms_run {

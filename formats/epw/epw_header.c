@@ -9,7 +9,7 @@
 #include "model/base/text.h"
 #include "model/geometry/vec.h"
 
-/* The state of reading the header. */
+/* State of the reader while it reads the header. */
 struct header_reader {
     struct pp_epw *epw;
     struct pp_epw_header *header;

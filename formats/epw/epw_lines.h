@@ -12,7 +12,7 @@ enum {
     PP_EPW_BYTES_MOST = 512 << 20,    /* a year of records for every minute has 100
                                        * MiB */
     PP_EPW_LINE_BYTES_MOST = 1 << 16, /* "DESIGN CONDITIONS" has 1,000 */
-    PP_EPW_FIELDS_MOST = 512,         /* fields a line is split into */
+    PP_EPW_FIELDS_MOST = 512,         /* maximum number of fields of a line */
     PP_EPW_MISTAKES_MOST = 20,
 };
 

@@ -126,7 +126,8 @@ static enum pp_status list_rooms(struct gbxml_placed *placed,
     return PP_OK;
 }
 
-/* Trims the rooms, finishes them, and leaves out those that overlap. */
+/* Trims and finishes the rooms, adds their openings, and leaves out rooms that still
+ * overlap. */
 static enum pp_status finish_rooms(struct gbxml_work *work, struct pp_error *err)
 {
     struct gbxml_placed placed;

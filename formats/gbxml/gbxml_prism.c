@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 /* level_m: tolerance for a horizontal polygon, and for walls on a floor. storey_m:
- * slabs up to this height above the lowest corner are floor. gap_m: gaps up to this
- * width between slabs are floor. grid_m: corners of slabs are rounded to this. */
+ * slabs up to this height above the lowest corner belong to the floor. gap_m: so do
+ * gaps up to this width between slabs. grid_m: corners of slabs are rounded to this. */
 static const double level_m = 0.02, storey_m = 1.0, gap_m = 0.6, grid_m = 1e-3;
 
 static void find_prism_extent(double *low, double *high,

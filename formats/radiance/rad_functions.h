@@ -42,7 +42,8 @@ enum {
 };
 
 /* Arguments of a glazing: diffuse reflectance of the front and of the back and diffuse
- * transmittance (0), three channels each; panes, n, KL, scale, clear share, dirt. */
+ * transmittance (always 0), three channels each; panes, n, KL, scale, clear share,
+ * dirt. */
 enum { PP_RAD_PANE_NUMBERS = 15 };
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "reports/parts/json.h"
 
-/* "name": {"value": 1, "se": 2}, on one line. */
+/* Adds "name": {"value": 1, "se": 2}, on one line. */
 static bool add_annual_figure(struct json_object *object, const char *key,
                               const struct pp_annual_value *figure, double unit)
 {

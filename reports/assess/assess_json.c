@@ -10,9 +10,9 @@
 #include "reports/parts/print_reliability.h"
 #include "reports/gains_report.h"
 
-/* Object { "of": "W1, south", "line": 9, "label": "W1", "wall": "south", "figure": 30.1,
- * "unit": "%", "wanted": 27, "bound": "least", "verdict": "met" } with any further
- * members. */
+/* Makes the object { "of": "W1, south", "line": 9, "label": "W1", "wall": "south",
+ * "figure": 30.1, "unit": "%", "wanted": 27, "bound": "least", "verdict": "met" } with
+ * any further members. */
 static struct json_object *finding_object(const struct pp_finding *finding,
                                           const struct pp_world *world,
                                           double external_lux)

@@ -4,8 +4,8 @@
 
 #include "reports/assess/assess_text.h"
 
-/* { "format": "pepperpot-site-1", "windows": [...], "rooms": [...], "others": [...] },
- * each row on one line. */
+/* Writes { "format": "pepperpot-site-1", "windows": [...], "rooms": [...], "others":
+ * [...] }, each row on one line. */
 enum pp_status pp_assess_table_json(const struct pp_assessments *all, FILE *out,
                                     struct pp_error *err);
 

@@ -30,7 +30,7 @@ static const char *unit_of(enum pp_figure kind, bool utf8)
     return "";
 }
 
-enum { DECIMALS_MORE = 4 }; /* most decimals added to the usual ones */
+enum { DECIMALS_MORE = 4 }; /* maximum number of decimals added to the usual ones */
 
 /* Number of additional decimals needed for the printed figure and bound to compare as
  * their exact values do: 0.2963 is less than 0.3, but 0.30 is not. */

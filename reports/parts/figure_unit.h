@@ -7,7 +7,8 @@
 /* Factor for printing a figure: factors and shares in per cent, angles in degrees. */
 double pp_figure_scale(enum pp_figure kind);
 
-/* "%", "degrees", "m2"; "" for a dimensionless number. Static. */
+/* Unit in which a figure is printed: "%", "degrees", "m2"; "" for a dimensionless
+ * number. The string is static. */
 const char *pp_figure_unit(enum pp_figure kind);
 
 #endif

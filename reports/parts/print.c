@@ -128,7 +128,7 @@ static void tell_size(const struct pp_world *world, const struct listener *liste
          all_m2);
 }
 
-/* "floor 0.20", or "floor 0.20 to 0.35" where its faces differ. */
+/* Appends "floor 0.20", or "floor 0.20 to 0.35" if the faces differ. */
 static void append_reflectance(const struct pp_world *world, enum pp_role role,
                                const char *name, char text[TEXT_BYTES])
 {

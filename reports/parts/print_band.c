@@ -9,8 +9,8 @@
 #include "reports/parts/print.h"
 
 /* Bands whose upper end is below this, half a unit of the last decimal of a daylight
- * factor, are not printed. Such values are practically zero, and rounding makes their
- * bands look too narrow: 0.0021 % had a band of 0.00207 to 0.00208 %. */
+ * factor, are not printed. Such values are practically zero, and their bands would
+ * mislead: 0.0021 % had a band of 0.00207 to 0.00208 %. */
 static const double LEAST_END = 5e-5;
 
 static bool is_shown(struct pp_band_ends band)

@@ -8,7 +8,7 @@
 #include "model/results/report.h"
 #include "reports/parts/json.h"
 
-/* "0.82-1.31" in per cent, without a unit; empty if the band is unknown. */
+/* Writes "0.82-1.31", in per cent without a unit; nothing if the band is unknown. */
 void pp_print_band(char *text, size_t size, struct pp_band_ends band);
 
 /* The band of a point (0 to `count` - 1) of a column, or of the average (`count`). */

@@ -46,7 +46,7 @@ static const char *why_at(const struct pp_report *report,
     return reading && !isfinite(reading->value) ? reading->why : NULL;
 }
 
-/* The reasons of a report, each once, in the order of its columns; borrowed. */
+/* The reasons in a report, each once, in the order of its columns; not owned. */
 struct reasons {
     const char **list;
     int count;
@@ -110,8 +110,8 @@ static bool names_itself(const char *names, const char *why)
     return is_listed(names, first);
 }
 
-/* "- brs-table, brs-table+bre: the table holds vertical openings only (3 of 17
- * points)" */
+/* Prints a reason, such as "- brs-table, brs-table+bre: the table holds vertical
+ * openings only (3 of 17 points)". */
 static void print_note(const struct pp_report *report, const char *why, int width,
                        FILE *out)
 {
@@ -140,7 +140,8 @@ static void print_note(const struct pp_report *report, const char *why, int widt
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
-/* Prints "- average-df: decorations are not counted ...", if there are decorations. */
+/* Prints "- average-df: the allowance for decorations (0.9) is not applied ...", with
+ * the methods that give the daylight factor in one step; nothing if there are none. */
 static void note_decorations(const struct pp_report *report, int width, FILE *out)
 {
     char text[512] = "";

@@ -17,7 +17,8 @@ enum pp_status pp_sweep_output_csv(const struct pp_sweep *sweep,
                                    pp_sweep_output_run *print, const void *data,
                                    FILE *out, struct pp_error *err);
 
-/* {"format": "pepperpot-sweep-1", "runs": [{"set": {ADDRESS: VALUE}, "result": ...}]} */
+/* Writes {"format": "pepperpot-sweep-1", "runs": [{"set": {ADDRESS: VALUE}, "result":
+ * ...}]}. */
 enum pp_status pp_sweep_output_json(const struct pp_sweep *sweep,
                                     pp_sweep_output_run *print, const void *data,
                                     FILE *out, struct pp_error *err);

@@ -10,18 +10,20 @@
 #include "reports/size_report.h"
 #include "studies/sweep.h"
 
-/* One row for each run and room, and with --points for each point: the average, or the
- * point, by each method. `runs` has the results of each run. */
+/* Writes one row for each run and room, or with --points for each point, with the
+ * average, or the value at the point, by each method. `runs` has the results of each
+ * run. */
 enum pp_status pp_sweep_df_text(const struct pp_sweep *sweep,
                                 const struct pp_results *const *runs, int width,
                                 bool utf8, FILE *out, struct pp_error *err);
 
-/* One row for each finding, one column for each run. */
+/* Writes one row for each finding, with one column for each run. */
 enum pp_status pp_sweep_assess_text(const struct pp_sweep *sweep,
                                     const struct pp_assessments *const *runs, int width,
                                     bool utf8, FILE *out, struct pp_error *err);
 
-/* One row for each run and room: the size, its value, the simulated value. */
+/* Writes one row for each run and room: the size, its value, and the simulated
+ * value. */
 enum pp_status pp_sweep_size_text(const struct pp_sweep *sweep,
                                   const struct pp_size_results *const *runs, int width,
                                   bool utf8, FILE *out, struct pp_error *err);

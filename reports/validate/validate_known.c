@@ -12,7 +12,8 @@
 
 enum { NAME_WIDTH = 40 };
 
-/* Prints figures in columns; a longer name is on a line of its own before them. */
+/* Prints a case: its name and figures in columns, or the name on its own line above if
+ * it is too long. */
 static void print_case(const struct pp_known_case *one, FILE *out)
 {
     bool fits = strlen(one->what) <= NAME_WIDTH;

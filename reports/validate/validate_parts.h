@@ -17,7 +17,7 @@ bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *
 /* Prints the same tables over all rooms. */
 void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE *out);
 
-/* Note on the contents of the tables, for the end of a text that has any. */
+/* Note that explains the tables, for the end of a text that has any. */
 extern const char pp_validate_parts_note[];
 
 /* Adds the known parts to the object of a comparison; false: out of memory. */
@@ -26,7 +26,7 @@ bool pp_validate_parts_json(struct json_object *object,
 bool pp_validate_parts_json_all(struct json_object *object,
                                 const struct pp_overall *one);
 
-/* The fields at the end of a line, each after a comma, and their names. */
+/* Names of the fields at the end of a line, and the fields, each after a comma. */
 extern const char pp_validate_parts_csv_names[];
 void pp_validate_parts_csv(const struct pp_comparison *one, FILE *out);
 

@@ -34,8 +34,9 @@ bool pp_asked_room_number(double *number, struct pp_task *task, const char *name
                           double usual, double least, double most);
 
 /* Reads the room, with the options "room" (a name), "sky" and "points". The room file
- * must not refer to other files and must keep the limits of the server. On failure
- * returns false and sets the error answer. The caller clears *asked in any case. */
+ * must not refer to other files, and must be within the limits of the server. On
+ * failure returns false and sets the error answer. The caller clears *asked in any
+ * case. */
 bool pp_asked_room_open(struct pp_asked_room *asked, struct pp_task *task);
 void pp_asked_room_clear(struct pp_asked_room *asked);
 

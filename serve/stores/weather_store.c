@@ -70,7 +70,8 @@ const char *pp_weather_store_path(struct pp_weather_store *store, const char *ha
     return file ? file->path : NULL;
 }
 
-/* Writes the file in place of the least recently used one. Needs the lock. */
+/* Writes the file in place of the least recently used one, unless it is stored already.
+ * Needs the lock. */
 static bool keep_file(struct pp_weather_store *store, const char *hash,
                       const char *bytes, size_t length)
 {

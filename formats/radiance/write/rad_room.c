@@ -253,7 +253,8 @@ static void measure_ground(struct rad_ground_builder *b, const struct pp_world *
     b->middle.z = level;
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        /* The wall of a skyline is half as long as the disc's diameter. */
+        /* The wall of a skyline is half as long as the disc's diameter, so only its
+         * distance counts. */
         if (surface->role == PP_SKYLINE)
             b->reach_m = fmax(b->reach_m, world->skylines[surface->owner].distance_m);
         else
