@@ -1,6 +1,5 @@
-/* availability_chart.c - draws the curves of availability_chart.h: curves of the
- * working hours' illuminances, drawn as steps, their names, the lines of target
- * illuminances, and both scales. */
+/* availability_chart.c - draws the curves of availability_chart.h as steps, with their
+ * names, the lines of target illuminances, and both scales. */
 #include "charts/availability_chart.h"
 
 #include <math.h>

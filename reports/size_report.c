@@ -1,5 +1,5 @@
-/* size_report.c - prints the windows found, as text and as JSON of format pepperpot-
- * size-1. */
+/* size_report.c - prints the windows found, as text and as JSON of format
+ * pepperpot-size-1. */
 #include "reports/size_report.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* atlas_sweep.h - makes the rooms of an atlas, and renews its hand figures. */
+/* atlas_sweep.h - makes the rooms of an atlas, and recalculates its hand figures. */
 #ifndef PP_CLI_ATLAS_ATLAS_SWEEP_H
 #define PP_CLI_ATLAS_ATLAS_SWEEP_H
 

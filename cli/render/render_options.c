@@ -1,4 +1,5 @@
-/* render_options.c - reads the options of the command render; their tables. */
+/* render_options.c - the tables of the options of the command render, and their
+ * readers. */
 #include "cli/render/render_options.h"
 
 #include <math.h>

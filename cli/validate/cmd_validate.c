@@ -1,5 +1,5 @@
-/* cmd_validate.c - the command validate: formulae against simulation, and the program
- * against known results. */
+/* cmd_validate.c - the command validate: compares formulae with simulation, and the
+ * program's results with known ones. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
-/* gbxml_envelope.h - the closed envelope that describes a space best, made of its
- * bounding surfaces, of its ShellGeometry, or as a prism over its floor. Inside
+/* gbxml_envelope.h - the closed envelope that describes a space best, made from its
+ * bounding surfaces, from its ShellGeometry, or as a prism over its floor. Inside
  * formats/gbxml/ only. */
 #ifndef PP_FORMATS_GBXML_GBXML_ENVELOPE_H
 #define PP_FORMATS_GBXML_GBXML_ENVELOPE_H

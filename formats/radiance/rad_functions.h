@@ -6,9 +6,9 @@
  *     pp_through,  clear glazings of any number of panes, with their frame and dirt:
  *     pp_mirrored  transmittance and reflectance by angle, as in glass.h
  *
- * Materials that differ by side are a mixfunc by "if(Rdot,1,0)". The writer
- * (rad_write.h) uses these functions; the reader recognises their names and uses its
- * own formulae.
+ * Materials that differ by side are written as a mixfunc with "if(Rdot,1,0)". The
+ * writer (rad_write.h) uses these functions; the reader recognises their names and uses
+ * its own formulae.
  */
 #ifndef PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H
 #define PP_FORMATS_RADIANCE_RAD_FUNCTIONS_H

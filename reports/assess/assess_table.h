@@ -1,6 +1,5 @@
-/* assess_table.h - the assessment of a site's rooms in one text table: windows and
- * their sky, rooms and the area with a view of the sky, and all other findings
- * below. */
+/* assess_table.h - the assessment of a site's rooms as text tables: windows and their
+ * sky, rooms and the area with a view of the sky, and all other findings below. */
 #ifndef PP_REPORTS_ASSESS_ASSESS_TABLE_H
 #define PP_REPORTS_ASSESS_ASSESS_TABLE_H
 
