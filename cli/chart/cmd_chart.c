@@ -282,7 +282,7 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     return NULL;
 }
 
-/* Checks that options of the light outside are given only for charts that use it, and
+/* Checks that options for the light outside are given only for charts that use it, and
  * are complete if there is no room. */
 static enum pp_status check_light(const struct pp_year_options *light,
                                   struct pp_room_options *options,

@@ -197,7 +197,7 @@ static void write_picture_words(struct pp_picture_sheet *sheet,
     note_decorations(sheet, shown);
 }
 
-/* Adds a note if pixels are beyond the ends of the scale. */
+/* Sets `off_scale` if pixels are below or above the scale. */
 static void look_beyond(struct pp_picture_sheet *sheet,
                         const struct pp_picture *picture, double unit)
 {
