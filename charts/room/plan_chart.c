@@ -304,7 +304,7 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
 static const double table_most = 0.5;
 
 /* Places the plan in the field. If the values of points are too close to each other
- * they go into a table beside or below the plan, wherever the plan is larger. If the
+ * they go into a table beside or below the plan, whichever leaves a larger plan. If the
  * table is too large, table and values are left out. The last key, that of the points,
  * mentions the table. */
 static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
