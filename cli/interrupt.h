@@ -8,8 +8,8 @@
  * program as usual. A signal that was ignored stays ignored. */
 void pp_interrupt_watch(void);
 
-/* A signal ends the program from now on, as before pp_interrupt_watch: for a write that
- * may wait for its reader without end. */
+/* From now on, a signal ends the program at once, as before pp_interrupt_watch; for a
+ * write that may wait forever for its reader. */
 void pp_interrupt_end_at_once(void);
 
 bool pp_interrupt_came(void);

@@ -114,8 +114,8 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-/* Writes directly to an open file, perhaps a pipe that nobody reads, and closes it. The
- * result of closing counts, since some file systems report errors only then. */
+/* Writes directly to an open file, which may be a pipe that nobody reads, and closes
+ * it. The result of closing counts, since some file systems report errors only then. */
 static int write_through(int file, const struct pp_output *output)
 {
     if (file < 0)

@@ -142,7 +142,8 @@ static enum pp_status check_place(const struct pp_assess_words *options,
                            options->place);
 }
 
-/* A simulated year needs a weather file and the simulation. */
+/* Checks that there are a weather file and a simulation, as a simulated year needs
+ * both. */
 static enum pp_status check_year(const struct pp_assess_words *options,
                                  struct pp_error *err)
 {
