@@ -154,8 +154,8 @@ static struct pp_vec3 horizon_corner(const struct pp_cache_hemisphere *h, int k,
     }
 }
 
-/* A part of the horizon counts half its angle: with the corner at (x, y) seen under
- * azimuth phi, grad phi = (y, -x)/r^2 when the place moves. */
+/* A segment of the horizon contributes half its angle. phi is the azimuth of a corner
+ * at (x, y): as the place moves, grad phi = (y, -x)/r^2. */
 static void add_horizon(struct pp_irradiance_change *change,
                         const struct pp_cache_hemisphere *h)
 {

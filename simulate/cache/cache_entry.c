@@ -4,11 +4,12 @@
 
 #include <math.h>
 
-/* 1 - cos of the turn at which a record's weight is 0: 20 degrees. */
+/* A record's weight is 0 where the surface normal is turned by 20 degrees; this is 1 -
+ * cos of that angle. */
 static const double MOST_TURN = 0.0603;
 
-/* A displacement out of the record's plane counts as this many times as much along the
- * smaller axis. Chosen by trial, like BEHIND. */
+/* A displacement along the record's normal counts as one along its smaller axis that is
+ * this many times as long. Chosen by trial, like BEHIND. */
 static const double STEP = 4.0;
 
 /* Distance behind the record, over its smaller radius, beyond which a place may not see
@@ -19,7 +20,7 @@ static const double NEVER = 1e30;
 
 int pp_cache_entry_sector(double along_a, double along_b)
 {
-    /* Diamond angle instead of a true one: any monotone measure of azimuth is
+    /* The diamond angle instead of the true angle: any monotone measure of azimuth is
      * enough. */
     double sum = fabs(along_a) + fabs(along_b);
     if (!(sum > 0.0))

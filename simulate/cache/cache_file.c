@@ -103,8 +103,8 @@ static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
     return true;
 }
 
-/* Hash of the light outside; for a description (no environment) it is part of the
- * scene's hash. */
+/* Hash of the light outside; 0 for a scene from a description (no environment), whose
+ * own hash includes it. */
 static uint64_t hash_of_light(const struct pp_irradiance_cache *cache)
 {
     return cache->environment ? pp_environment_hash(cache->environment) : 0;
@@ -135,7 +135,7 @@ enum pp_status pp_cache_file_pack(const struct pp_irradiance_cache *cache, char 
     return PP_OK;
 }
 
-/* Checks all but the records. */
+/* Checks everything except the records. counts: the number of records of each depth. */
 static enum pp_status check_cache_header(const struct pp_irradiance_cache *cache,
                                          const unsigned char *bytes, size_t length,
                                          const char *title,

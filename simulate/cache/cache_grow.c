@@ -1,12 +1,12 @@
 /* cache_grow.c - requests, and records made batch by batch until all requests are
  * covered.
  *
- * Requests come in a scattered order, so that the first records are far apart and later
- * ones between them. They are processed in chunks. A batch is chosen from the requests
- * of a chunk that no record covers, with its members not too near to each other. All
- * are calculated from the current cache and entered in order, then the rest of the
- * chunk is examined again. Records of surfaces that light the visible ones come first,
- * then those of visible surfaces. */
+ * Requests are processed in a scattered order, so that the first records are far apart
+ * and later ones lie between them. They are divided into chunks. A batch is chosen from
+ * the requests of a chunk that no record covers, so that its places are not too close
+ * together. Its records are all calculated from the current cache and entered in order,
+ * then the rest of the chunk is examined again. Records on surfaces that light the
+ * visible surfaces come first, then those on the visible surfaces. */
 #include "simulate/cache/cache_grow.h"
 
 #include <math.h>
@@ -21,14 +21,15 @@
 
 enum {
     CHUNK = 1 << 16,
-    LOOK = 1 << 10,       /* open requests examined before a batch is chosen */
+    LOOK = 1 << 10,       /* open requests examined at a time, as a batch is chosen */
     RAY_CHUNK = 1 << 12,  /* rays that are followed before their requests are kept */
-    MOST_AHEAD = 1 << 20, /* requests that have room before their rays are followed */
-    /* Most rays that search for the surfaces that light the requests. Surfaces that
-     * they miss are lit by paths. */
+    MOST_AHEAD = 1 << 20, /* most requests for which memory is reserved before rays are
+                           * followed */
+    /* Most rays that search for the surfaces that light the requested places. Light of
+     * surfaces that they miss is calculated by paths. */
     EXPANSION_RAYS = 8192,
-    /* Most surfaces requested by one ray of a picture: at a pane its frame, on either
-     * side, the mirrored surface, and the surface behind. */
+    /* Most requests by one ray of a picture. At a pane it may request its frame, on
+     * either side, the mirrored surface, and the surface behind. */
     RAY_REQUESTS = 6,
 };
 
@@ -41,7 +42,7 @@ static const double FIRST_GUESS = 1.0 / 32.0;
 
 /* ---- requests ---- */
 
-/* Room for `count` more requests. */
+/* Reserves memory for `count` more requests. */
 static enum pp_status reserve(struct pp_cache_layer *layer, int count,
                               struct pp_error *err)
 {
@@ -49,7 +50,7 @@ static enum pp_status reserve(struct pp_cache_layer *layer, int count,
                             layer->request_count + count, sizeof *layer->requests, err);
 }
 
-/* Appends a request, for which there is room. */
+/* Appends a request; memory must have been reserved. */
 static void append_cache_request(struct pp_cache_layer *layer,
                                  const struct pp_cache_place *place)
 {
@@ -57,7 +58,7 @@ static void append_cache_request(struct pp_cache_layer *layer,
         (struct pp_cache_request){.place = *place};
 }
 
-/* Frees requests that are covered when new ones arrive. */
+/* Drops the old requests before new ones are added, if all are covered. */
 static void forget(struct pp_irradiance_cache *cache)
 {
     if (!pp_cache_grow_done(cache))
@@ -67,7 +68,7 @@ static void forget(struct pp_irradiance_cache *cache)
     cache->expanded = 0;
 }
 
-/* Shuffles the requests from `first` on: the same way each time. */
+/* Shuffles the requests from `first` on, in the same way each time. */
 static void scatter(struct pp_cache_layer *layer, int first)
 {
     size_t count = (size_t)(layer->request_count - first);
@@ -146,14 +147,14 @@ static bool trace_one(void *data, int worker, int i)
     return true;
 }
 
-/* Appends the requests of depth `depth` that rays make, scattered. */
+/* Appends the requests of depth `depth` that rays make, in scattered order. */
 static enum pp_status request_along(struct pp_irradiance_cache *cache,
                                     pp_cache_ray *ray_of, const void *list,
                                     size_t count, int depth, struct pp_error *err)
 {
     struct pp_cache_layer *layer = &cache->layers[depth];
     int before = layer->request_count;
-    /* Room for one request a ray; most rays make one. */
+    /* Reserves memory for one request per ray; most rays make one. */
     enum pp_status status =
         reserve(layer, count < MOST_AHEAD ? (int)count : MOST_AHEAD, err);
     if (status != PP_OK)
@@ -203,7 +204,7 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
     return status;
 }
 
-/* Requests from whose hemispheres rays search for lighting surfaces. */
+/* Requests; rays from their hemispheres search for the surfaces that light them. */
 struct looked_over {
     const struct pp_irradiance_cache *cache;
     const struct pp_cache_request *requests;
@@ -342,8 +343,9 @@ static bool stands_apart(const struct pp_cache_request *request,
     return true;
 }
 
-/* Chooses the first open requests that are far enough apart, and removes those covered
- * by now from the list. Examines hardly more of the list than a batch needs. */
+/* Chooses the first open requests that are far enough apart, and removes from the list
+ * those that are covered by now. Examines little more of the list than a batch
+ * needs. */
 static int choose_open_requests(struct pp_irradiance_cache *cache,
                                 struct pp_cache_layer *layer,
                                 const struct pp_cache_request *chosen[])
@@ -398,7 +400,7 @@ static bool compute_one(void *data, int worker, int i)
     return true;
 }
 
-/* Adds one batch of the open requests. */
+/* Calculates and adds a batch of records for open requests. */
 static enum pp_status batch(struct pp_irradiance_cache *cache, int depth,
                             struct pp_error *err)
 {
@@ -432,7 +434,8 @@ static int depth_at_work(const struct pp_irradiance_cache *cache)
     return -1;
 }
 
-/* A batch of records, or the next chunk of requests. */
+/* One step of the growth: adds a batch of records, or examines the next chunk of
+ * requests. */
 static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     int depth = depth_at_work(cache);
@@ -458,8 +461,9 @@ static enum pp_status step(struct pp_irradiance_cache *cache, struct pp_error *e
         return PP_OK;
     if (!layer->again)
         return pp_cache_smooth_layer(layer, cache->pool, err);
-    /* Neighbours have limited each other's radii, so requests may be uncovered again.
-     * This terminates, since each can get a record of its own. */
+    /* New records have reduced the radii of their neighbours, so requests may no longer
+     * be covered. The repetition ends, since each request can get a record of its
+     * own. */
     layer->again = false;
     layer->next = 0;
     return pp_cache_layer_rebuild_tree(layer, err);

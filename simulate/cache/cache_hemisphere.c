@@ -12,7 +12,7 @@
  * distance, so that gradients stay finite. */
 static const double NEAREST_M = 1e-6;
 
-/* Target standard error of an irradiance, relative; and the most passes over all cells.
+/* Target relative standard error of an irradiance, and the most passes over all cells.
  * Pictures with 0.05 are as smooth as with 0.03, for half the computing time: the
  * office by --engine cache takes 0.7 s instead of 1.5. */
 static const double ERROR = 0.05;
@@ -54,9 +54,9 @@ static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
 }
 
 /* Assigns the cells' first paths in random order. Successive paths of a sequence are
- * spread evenly, so that a small contribution follows a large one. If neighbouring
- * cells had such paths, estimates from a cell's neighbours would depend on its own
- * ray. */
+ * spread evenly, so that a small contribution tends to follow a large one. If
+ * neighbouring cells had such paths, estimates from a cell's neighbours would depend on
+ * its own ray. */
 static void shuffle(struct pp_cache_hemisphere *h, uint64_t seed)
 {
     for (uint32_t k = 0; k < (uint32_t)(h->side * h->side); k++) {
@@ -66,8 +66,9 @@ static void shuffle(struct pp_cache_hemisphere *h, uint64_t seed)
     }
 }
 
-/* Contrast of the neighbours' luminances. The cell's own is left out: more samples of a
- * cell because its first came out high would bias the mean down. */
+/* Contrast among the luminances of cell k's neighbours. The cell's own luminance is
+ * left out: if a high first sample brought a cell more samples, the mean would be
+ * biased low. */
 static double contrast_about(const struct pp_cache_hemisphere *h, int k)
 {
     int n = h->side, i = k % n, j = k / n, count = 0;
@@ -106,10 +107,11 @@ static void supersample(struct pp_cache_hemisphere *h, struct pp_radiance_state 
     }
 }
 
-/* Passes over all cells that reduce the irradiance's standard error to about ERROR,
- * estimated from the first rays of every second row, from `first` on: by the
- * differences between neighbouring cells of a row. Real changes across the hemisphere
- * count too, so that the error is overestimated rather than underestimated. */
+/* Number of passes over all cells that reduces the irradiance's standard error to about
+ * ERROR. The error is estimated from the first rays of every second row, from `first`
+ * on, by the differences between neighbouring cells of a row. Real changes across the
+ * hemisphere count too, so that the error is overestimated rather than
+ * underestimated. */
 static int passes_by(const struct pp_cache_hemisphere *h, int first)
 {
     int n = h->side;
@@ -123,7 +125,7 @@ static int passes_by(const struct pp_cache_hemisphere *h, int first)
             double step = own - pp_rgb_luminance(h->cells[j * n + i - 1].radiance);
             squares += 0.5 * step * step;
         }
-    /* The other half of the rows has the same sum and squares. */
+    /* The other half of the rows is assumed to have the same sum and squares. */
     double more = sum > 0.0 ? sqrt(0.5 * squares) / sum / ERROR : 0.0;
     return (int)fmax(fmin(more * more, PASSES_MOST), 1.0);
 }

@@ -16,7 +16,7 @@ struct newcomer {
     struct pp_cache_entry *entry;
 };
 
-/* Limits a radius to the other record's radius plus the distance to it. */
+/* Limits each radius to that of the record `by` plus the distance to it. */
 static void limit(struct pp_cache_entry *entry, const struct pp_cache_entry *by,
                   double distance_m)
 {

@@ -22,7 +22,7 @@ void pp_cache_record_ellipse(const double curvature[3], double error, double mos
     double mean = 0.5 * (curvature[0] + curvature[2]);
     double half = 0.5 * (curvature[0] - curvature[2]);
     double root = hypot(half, curvature[1]);
-    /* The eigenvalue of greater size, and its direction. */
+    /* The eigenvalue of greater magnitude, and its direction. */
     double sign = mean < 0.0 ? -1.0 : 1.0;
     double greater = mean + sign * root, smaller = mean - sign * root;
     double x = sign * half + root, y = sign * curvature[1];
@@ -47,7 +47,8 @@ void pp_cache_record_ellipse(const double curvature[3], double error, double mos
     radii_m[1] = fmin(radii_m[1], LONGEST * radii_m[0]);
 }
 
-/* The direction between sector s - 1 and sector s, along a and b; of any length. */
+/* Direction of the border between sectors s - 1 and s, along a and b; its length is
+ * arbitrary. */
 static void sector_border(int s, double u[2])
 {
     enum { QUARTER = PP_CACHE_SECTORS / 4 };
@@ -71,7 +72,7 @@ static double plane_distance(const struct pp_cache_hemisphere_cell *cell,
     return towards < 0.0 && off < 0.0 ? off / towards : INFINITY;
 }
 
-/* Least distance along the surface, over the sector, to the plane that the cell's ray
+/* Least distance along the surface, within the sector, to the plane that the cell's ray
  * met. */
 static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
 {
@@ -86,7 +87,8 @@ static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
 }
 
 /* Finds the clear distance along the surface in each sector from the surfaces that low
- * rays met: in a ray's own sector and in both neighbours, which may have no ray. */
+ * rays met. A ray counts in its own sector and in both neighbours, which may have no
+ * ray. */
 static void find_horizon(const struct pp_cache_hemisphere *h,
                          struct pp_cache_entry *entry)
 {

@@ -11,8 +11,8 @@ static const double NEAR = 2.0;
  * both counts as an outlier. */
 static const double OUTLIER = 4.0;
 
-/* A neighbour has no weight where light may depart from its tangent by this many times
- * the noise. */
+/* A neighbour has no weight if, over its distance, the curvature may make light depart
+ * from a linear change by this many times the noise. */
 static const double MOST_DEPARTURE = 10.0;
 
 /* Lower limit of the ratio of the gradient's noise (times the radius) to the value's
@@ -26,7 +26,7 @@ struct fit {
     int number;         /* index of the record */
     int *met;           /* by record: the last fit that used it, so that each neighbour
                          * counts once */
-    double matrix[6];   /* symmetric: 00 01 02 11 12 22; of E, R dE/da, R dE/db */
+    double matrix[6];   /* symmetric: 00 01 02 11 12 22; unknowns E, R dE/da, R dE/db */
     double right[3][3]; /* by channel */
 };
 
@@ -42,7 +42,7 @@ static void add_equation(struct fit *fit, double weight, const double row[3],
     }
 }
 
-/* The irradiance at the record's own place of a surface with normal n. */
+/* The irradiance that a surface with normal n would receive at the record's place. */
 static struct pp_rgb turned_to(const struct pp_cache_record *is, struct pp_vec3 n)
 {
     struct pp_vec3 turn = pp_vec_sub(n, is->normal);

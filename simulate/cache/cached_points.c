@@ -21,7 +21,7 @@ enum {
                                    * plane */
 };
 
-/* Least standard error aimed at, as in the tracer: 0.002 % daylight factor. */
+/* Least standard error aimed at, as in the tracer: a daylight factor of 0.002 %. */
 static const double LEAST_ERROR = 2e-5;
 
 /* Estimator of the internally reflected light at a point. */

@@ -1,4 +1,4 @@
-/* irradiance_cache.c - a cache made from its options, and read. */
+/* irradiance_cache.c - creates a cache from its options, and reads it. */
 #include "simulate/cache/irradiance_cache.h"
 
 #include <math.h>
@@ -10,12 +10,12 @@
 
 /* Factors by which records of depth 1 are farther apart and have fewer rays, since
  * their light is averaged over a hemisphere once more. Chosen by trial. With them and
- * the other settings the examples' means are within 0.3 % of the tracer. */
+ * the other settings the examples' means are within 0.3 % of the tracer's. */
 static const double LIGHTING_ERROR = 4.0;
 enum { LIGHTING_DIVISIONS = 4, LEAST_SIDE = 4, MOST_SIDE = 1024 };
 
-/* A record's total error over its value, m2, is accuracy times the square of this share
- * of the scene's size. Chosen by trial. */
+/* The total error allowed to a record, divided by its value (m2), is accuracy times the
+ * square of this share of the scene's size. Chosen by trial. */
 static const double ERROR_SPACING = 1.0 / 64.0;
 
 /* Least radius, as a share of the scene's size, if the resolution sets no limit. */

@@ -25,7 +25,8 @@ struct neighbourhood {
     double *common;  /* factors of the evaluated points */
 };
 
-/* Finds the points nearest to one, itself included; returns their number. */
+/* Finds the points nearest to point `index`, which is one of them; returns their
+ * number. */
 static int find_nearest(int nearest[PP_COMMON_VARIANCE_NEAREST],
                         const struct neighbourhood *of, int index)
 {
@@ -65,7 +66,7 @@ static bool ask(void *data, int worker, int index)
 double pp_common_variance_of_near(const struct pp_planner *planner,
                                   const struct pp_vec3 *places, int count)
 {
-    enum { ASKED = 500 }; /* most points evaluated, evenly from the list */
+    enum { ASKED = 500 }; /* most points evaluated, evenly spaced in the list */
     int step = count / ASKED + 1, asked = (count + step - 1) / step;
     struct neighbourhood of = {planner, places, count, step,
                                calloc((size_t)asked + 1, sizeof *of.common)};

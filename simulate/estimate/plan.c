@@ -11,17 +11,18 @@ static const double PLANNED_SHARE = 0.92;
 /* Cost of a path besides its rays, in rays. */
 static const double PATH_COST = 1.0;
 
-/* Greatest squared skewness of a randomisation. By Edgeworth's expansion of Student's
- * t, intervals of two standard errors of 32 figures then hold some 1 % less than they
- * should. */
+/* Greatest squared skewness allowed to a randomisation. By the Edgeworth expansion of
+ * Student's t, an interval of two standard errors from 32 values then contains the true
+ * value about 1 % less often than it should. */
 static const double SKEWNESS_SQUARED = 1.5;
 
 /* Exponent with which a mean's third moment falls with its number of paths;
  * conservative. */
 static const double THIRD_FALL = 2.0;
 
-/* Most paths of a randomisation that are added because of skewness and the bound on
- * light not found. */
+/* SURE_PATHS: most paths that a randomisation gets because of skewness or of the bound
+ * on light not found. A pilot that is too small grows by the factor GROWTH, up to
+ * PILOT_PATHS. */
 enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
 
 /* A pilot whose error exceeds the target by this factor is too small, because the value
@@ -29,11 +30,11 @@ enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
  * sixth of the work of a good plan. */
 static const double VAGUE = 5.0;
 
-/* Factors by which a half's randomisations grow, if at all: the least and the most. 16
- * values determine a variance to 36 %. */
+/* Least and greatest factor by which the randomisations of a half grow, if at all. A
+ * variance from 16 values has a standard error of 36 %. */
 static const double LEAST_ADDED = 1.5, MOST_ADDED = 4.0;
 
-/* Predicted statistics of randomisations of some numbers of paths. */
+/* Predicted statistics of randomisations with certain numbers of paths. */
 struct outlook {
     const struct pp_sampled *pilot;
     struct pp_counts counts;
@@ -119,7 +120,7 @@ static double height(const struct outlook *outlook, enum aim aim)
 
 /* Doubles the paths of the estimator that reduces the statistic most for its cost;
  * false if none does. For skewness and bound it also stops if that estimator is at its
- * limit of paths: reducing the others would cost too much. */
+ * limit of paths: a reduction by other estimators would cost too much. */
 static bool double_best(struct outlook *outlook, enum aim aim)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
@@ -145,8 +146,8 @@ static bool double_best(struct outlook *outlook, enum aim aim)
     return found;
 }
 
-/* The variance that one of PP_RANDOMISATIONS may have, given the bound, for the target
- * to be reached. */
+/* The variance that each of PP_RANDOMISATIONS may have if the target is to be reached,
+ * given the bound. */
 static double allowed_variance(const struct outlook *outlook, double wanted)
 {
     double planned = PLANNED_SHARE * wanted, bound = unfound_bound(outlook);

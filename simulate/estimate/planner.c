@@ -20,8 +20,8 @@ enum {
     APART = 64   /* bytes between data written by two threads: a cache line */
 };
 
-/* Share of the last round's error for which each round is planned, if run by the
- * clock. */
+/* If run by the clock, each round aims at this share of the error at which the previous
+ * round aimed. */
 static const double ROUND_SHARE = 0.7;
 
 /* ---- making ---- */
@@ -295,8 +295,8 @@ static bool is_done(const struct pp_planner *planner, int index, int r)
     return true;
 }
 
-/* Lists the unfinished randomisations of the block; *most: the greatest number at one
- * point. */
+/* Lists the unfinished randomisations of the block; *most: the greatest number of
+ * randomisations of a point. */
 static enum pp_status list_block(struct pp_planner *planner, int *most,
                                  struct pp_error *err)
 {
@@ -333,7 +333,8 @@ static enum pp_status prepare_shared_samples(const struct pp_planner *planner,
                                      planner->block, BLOCK, wanted, planner->pool, err);
 }
 
-/* Lists the randomisations that are not done in this stage; none: unit_count 0. */
+/* Lists the unfinished randomisations of the next block that has any, and prepares
+ * their shared samples. unit_count is 0 if the stage has none left. */
 static enum pp_status list_units(struct pp_planner *planner, struct pp_error *err)
 {
     int most;

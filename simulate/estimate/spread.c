@@ -26,19 +26,21 @@ static double figure(const struct pp_sampled *sampled, int i, int value, int est
 
 /* Sums over the randomisations with an even number (half 0) or an odd one. */
 struct half {
-    double mean, squares, cubes; /* squares and cubes: of the distances from the mean of
-                                  * all */
+    double mean, squares, cubes; /* squares and cubes of the distances from the mean of
+                                  * both halves */
     int count;
 };
 
-/* The variance of a half's mean, by Student's t for its number of randomisations. */
+/* The variance of a half's mean, times the variance of Student's t for its number of
+ * randomisations. */
 static double variance_of_mean(const struct half *half, double mean)
 {
     double off = half->mean - mean, n = half->count;
     return (half->squares - n * off * off) / (n - 3.0) / n;
 }
 
-/* Spread of a value, or of an estimator's part in the last one. */
+/* Spread of a value; or, if `estimator` is 0 or more, of that estimator's part of the
+ * last value. */
 static struct pp_spread spread_of(const struct pp_sampled *sampled, int value,
                                   int estimator)
 {
@@ -138,7 +140,8 @@ static int begun_by_all(const struct pp_sampled *points, int count)
     return all;
 }
 
-/* Mean and variance over the first randomisations, of a point, or of the sum of all. */
+/* Mean and sum of squared deviations over the first randomisations, for a point or for
+ * the sum of all points. */
 struct moments {
     double mean, squares;
 };

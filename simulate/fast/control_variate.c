@@ -14,8 +14,8 @@ void pp_control_variate_destroy(struct pp_control_variate *variate)
     free(variate);
 }
 
-/* A coordinate in patches, clamped between the first and last centres; its integer part
- * goes to *patch. Avoids a call of floor(). */
+/* Clamps a coordinate, in patches, to the range from the first to the last centre. Its
+ * integer part goes to *patch; returns the fraction. Avoids a call of floor(). */
 static double within(double x, int count, int *patch)
 {
     double last = count - 1;

@@ -160,8 +160,8 @@ static double note_side(void *of, const struct pp_light_hit *side, double worth)
     return 0.0;
 }
 
-/* Computes the irradiance of the patch by the openings, and finds the patches that its
- * rays meet. */
+/* Computes the patch's own exitance, by emission and by light from the openings, and
+ * finds the patches that its rays meet. */
 static void light_patch(struct variate_patch *patch,
                         const struct pp_control_variate *variate,
                         const struct pp_light_scene *scene,
@@ -196,7 +196,7 @@ static void light_patch(struct variate_patch *patch,
     }
 }
 
-/* The irradiance of the patch by other patches, for the exitances `values`. */
+/* The irradiance of the patch from other patches, for the exitances `values`. */
 static double exchanged(const struct variate_patch *patch, const double *values)
 {
     double sum = 0.0, sides = 0.0;
@@ -209,7 +209,7 @@ static double exchanged(const struct variate_patch *patch, const double *values)
 }
 
 /* Gauss-Seidel iteration: each patch in order gathers light from the patches that its
- * rays meet, until the solution changes by less than 1e-4. */
+ * rays meet, until an iteration changes the solution by less than 1e-4 of its total. */
 static void exchange(double *values, const struct variate_patch *patches, int count,
                      const struct pp_light_scene *scene)
 {
@@ -243,10 +243,11 @@ static const struct variate_patch *neighbour(const struct variate_patch *patches
     return patch->in_figure ? patch : NULL;
 }
 
-/* Smooths exchanged light, which varies little from patch to patch, while its noise is
- * independent: it becomes the mean over a patch and its neighbours with weights 1, 2, 1
- * along each axis. Neighbours count in opposite pairs only, so that a linear variation
- * is kept. Measured over 40 rooms: with smoothing half as many samples suffice. */
+/* Smooths exchanged light, which varies little from patch to patch, while the noise of
+ * each patch is independent. Each value becomes the mean over a patch and its
+ * neighbours with weights 1, 2, 1 along each axis. Neighbours count in opposite pairs
+ * only, so that a linear variation is kept. Measured over 40 rooms: with smoothing half
+ * as many samples suffice. */
 static void smooth(struct pp_control_variate *variate, struct variate_patch *patches,
                    const struct pp_control_variate_grid *grid)
 {

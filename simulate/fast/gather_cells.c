@@ -10,8 +10,8 @@
 #include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* c in (1); also about the number of patches of G along each side of a cell. Chosen by
- * trial. */
+/* c in (1) of gather_cells.h, and about the number of patches of G along each side of a
+ * cell. Both chosen by trial. */
 static const double RAYS_WEIGHED = 32.0;
 enum { PATCHES_ALONG = 2 };
 

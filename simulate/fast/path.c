@@ -10,7 +10,8 @@
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/light_scene_of_world.h"
 
-/* The light of niches by the control variate; NULL if there is none. */
+/* The light of niches according to the control variate; NULL if the room is not convex,
+ * has no niches, or there is no variate. */
 static const struct pp_niche_light *niches_of(const struct pp_control_variate *variate)
 {
     return variate && variate->scene->convex && variate->scene->has_niches
@@ -53,7 +54,7 @@ static struct pp_light_ray start_ray(const struct pp_path_state *state,
                                                               : PP_ANYWHERE};
 }
 
-/* A ray of the point's cosine lobe. */
+/* A ray drawn from the point's cosine lobe. */
 static struct pp_light_ray lobe_ray(const struct pp_path_state *state,
                                     const struct pp_start *start)
 {
@@ -128,7 +129,7 @@ static void add_direct(struct pp_path_state *state, const struct pp_start *start
     state->light.index = first;
 }
 
-/* Adds openings that are seen mirrored in the glass of other openings. */
+/* Adds the light of openings that are seen mirrored in the glass of other openings. */
 static void add_glass(struct pp_path_state *state, const struct pp_start *start,
                       struct pp_vec3 point, struct pp_light *light)
 {
@@ -138,8 +139,8 @@ static void add_glass(struct pp_path_state *state, const struct pp_start *start,
     light->part[PP_IRC] += e.rest.g;
 }
 
-/* Adds the direct light in the open, without a room, from directions of the sky and the
- * ground. */
+/* Adds the direct light of one ray in the open (a scene without a room): from the sky,
+ * or from the ground and other surfaces. */
 static void add_open_direct(struct pp_path_state *state, const struct pp_start *start,
                             struct pp_light *light)
 {
@@ -170,8 +171,8 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     }
 }
 
-/* G at the end of the ray if it meets a surface directly; with `cells`, only the part
- * that cells do not cover. */
+/* G at the end of the ray if it meets a surface directly, else 0; with `cells`, only
+ * the part that cells do not cover. */
 static double gathered(struct pp_path_state *state, const struct pp_light_ray *ray,
                        const struct pp_convex_nearest *nearest, bool cells)
 {

@@ -10,8 +10,8 @@ enum {
     /* Directions from each surface met. Several are needed, because with the control
      * variate a step is a small difference of large numbers. Measured in two rooms:
      * half or twice as many reduce the efficiency by 10 to 40 %, a single one by two
-     * thirds. In rooms with cells half or twice as many lobe rays reduce it by up to 10
-     * %, twice as many rays to openings by a fifth. */
+     * thirds. In rooms with cells, half or twice as many lobe rays reduce it by up to
+     * 10 %, and twice as many rays to openings by a fifth. */
     OPENINGS = 4,
     LOBES = 8,
     FIRST_LOBES = 4,    /* from the point itself, if no light is shared */
@@ -27,8 +27,8 @@ enum {
  * good; with shared points 1 takes 8 % longer. */
 static const double GOING_ON = 0.6;
 
-/* Defensive sampling: when an arm is chosen, its G counts as at least this share of the
- * mean over the fan's arms. */
+/* Defensive sampling: when an arm is chosen, this share of the mean importance of the
+ * fan's arms is added to the importance of each. */
 static const double LEAST_SHARE = 0.5;
 
 /* An arm: a path on its way to a surface of the room. */
@@ -45,7 +45,7 @@ struct path_fan {
     struct pp_vec3 from;
     struct pp_frame frame; /* z: axis of the cosine lobe */
     uint32_t lobes;        /* number of arms */
-    double throughput;     /* throughput of all arms */
+    double throughput;     /* total throughput of the arms */
     bool gathers;          /* true if arms that reach a surface at once also gather G */
     bool cells;            /* true if cells gather G as well */
     bool glass; /* true if openings are also sampled by their images in glass */
@@ -73,7 +73,7 @@ static void draw_rays(const struct pp_path_state *state, const struct path_fan *
 }
 
 /* Excludes the light of an opening from a path that the glass of the pane has reflected
- * to that opening. */
+ * to that opening, if images in glass already count it. */
 static void leave_out_image(const struct pp_light_scene *scene, int pane,
                             const struct pp_light_hit *met, struct pp_light_path *path)
 {
@@ -142,7 +142,7 @@ static struct path_arm choose_path_arm(const struct path_arm *arms, int count, d
     return arm;
 }
 
-/* Light of G gathered by the fan's own rays at the arm's vertex. */
+/* The part of G at the arm's vertex that the fan's own rays must gather. */
 static double gathered(const struct pp_path_state *state, const struct path_fan *fan,
                        const struct path_arm *arm, double guess)
 {
@@ -259,8 +259,9 @@ static double residual(struct pp_path_state *state, struct path_arm *arm, int ve
     return sum;
 }
 
-/* True if the residual at the arm's vertex must be sampled by this ray. Shared points
- * cover a part of it if the ray arrived directly. */
+/* True if the residual at the arm's vertex must be sampled by this ray. If the ray
+ * arrived directly, shared points cover a part, and the answer is true with the
+ * probability of the rest. */
 static bool is_left(const struct pp_path_state *state, const struct path_arm *arm,
                     int vertex)
 {

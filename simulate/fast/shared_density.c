@@ -7,10 +7,11 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Least share of the mean of G with which a patch is drawn. Patches are drawn in
- * proportion to area times the root of G. The noise of D grows with G, but so does the
- * light of nearby receivers, whose relative error counts. Measured in the deep office:
- * a constant density takes half as many points again, G itself twice as many. */
+/* Share of the mean of G that is added to each patch's G. Patches are drawn in
+ * proportion to area times the root of that sum. The noise of D grows with G, but so
+ * does the light of nearby receivers, whose relative error counts. Measured in the deep
+ * office: a constant density needs half as many points again, a density proportional to
+ * G twice as many. */
 static const double LEAST_SHARE = 0.1;
 
 /* Factor for patches below the working plane, which receivers usually face away from.
@@ -28,7 +29,7 @@ struct pp_shared_density {
     const struct pp_light_scene *scene;       /* not owned */
     const struct pp_control_variate *variate; /* not owned */
     struct density_patch *patches;
-    double *values; /* p by patch, 1/m2 */
+    double *values; /* p of each patch, 1/m2 */
     double *below;  /* cumulative probability of all patches before each patch */
 };
 

@@ -8,8 +8,9 @@
 #include "simulate/sampling/hash.h"
 
 enum {
-    /* The first points follow paths to their end. Later points get light of more than
-     * one reflection from this many earlier, independent points. Chosen by trial. */
+    /* The first FIRST_BLOCK points follow paths to their end. Later points get light of
+     * more than one reflection from at most MOST_OTHERS earlier, independent points.
+     * Chosen by trial. */
     FIRST_BLOCK = 32,
     MOST_OTHERS = 128,
 };
@@ -67,7 +68,8 @@ void pp_shared_light_destroy(struct pp_shared_lights *lights)
     free(lights);
 }
 
-/* Draws a point and calculates its light, with that of `count` earlier points. */
+/* Draws a point and calculates its light, using that of `count` earlier points. The
+ * light is 0 if the drawn place is not on the surface. */
 static struct pp_shared_light draw_point(struct pp_path_state *state,
                                          const struct pp_shared_light *others,
                                          int count)
@@ -83,8 +85,8 @@ static struct pp_shared_light draw_point(struct pp_path_state *state,
     return (struct pp_shared_light){met.point, met.normal, place.per_density, light};
 }
 
-/* Index of the first point of the net with point i; each net is as long as all earlier
- * ones together. */
+/* Index of the first point of the net that contains point i; each net is as long as all
+ * earlier nets together. */
 static int block_of(int i)
 {
     int block = FIRST_BLOCK;
@@ -102,7 +104,7 @@ static void draw_net(struct pp_path_state *state, const struct pp_sobol *sobol,
     pp_gather_cells_draw(state->cells, &state->light, u, net);
 }
 
-/* Task shared by the workers of a pool: the number of points of each set. */
+/* Task shared by the workers of a pool: how many points each set needs. */
 struct extension {
     const struct pp_shared_lights *lights;
     const uint32_t *wanted;

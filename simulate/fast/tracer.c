@@ -35,16 +35,16 @@ static const double SHARED_VARIANCE = 0.0033;
 
 /* Cost of one shared point to a receiver, in rays: a connection, plus a share of the
  * point's own 15 rays, as if 15 receivers used it. The true number of receivers must
- * not enter, so that values do not depend on it. A third or twice the cost changes the
- * work of 8, 17 or 384 by about a tenth. */
+ * not enter, so that values do not depend on it. With a third of this cost, or twice,
+ * the work for 8, 17 or 384 receivers changes by about a tenth. */
 static const double SHARED_COST = 1.0;
 
 /* If openings are a smaller share of the inside surfaces than SPOTTED_SHARE, they light
  * small spots that few paths find. A small pilot would miss them and plan too few
- * paths. The pilot and the least number of paths are then multiplied, as far as a room
- * with SPOTTED_LIKE needs, by at most SPOTTED_MOST. In three rooms with slits of 0.05
- * to 0.1 m, up to half of the averages had over twice the target error of 0.5 %; now 5
- * of 90 do, for half as much time again. */
+ * paths. The paths of the pilot and the least number of paths are then doubled until
+ * share times factor reaches SPOTTED_LIKE, or the factor SPOTTED_MOST. In three rooms
+ * with slits of 0.05 to 0.1 m, up to half of the averages had over twice the target
+ * error of 0.5 %; now 5 of 90 do, for half as much time again. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
@@ -202,7 +202,7 @@ static double tracer_bound(const void *client, int point, int component, unsigne
                            const double *paths)
 {
     const struct pp_tracer *tracer = client;
-    /* On average 1 shared point contributes to a receiver. */
+    /* On average one shared point contributes to a receiver. */
     double reflected = paths[tracer->points[point].shares ? SHARED : CORRECTION];
     if (tracer->scene->glass_image_count > 0) /* other openings mirrored in glass */
         reflected = fmin(reflected, PP_GLASS_CHANCE * paths[DIRECT]);
@@ -226,9 +226,9 @@ static const struct pp_sampler sampler = {
     .bound = tracer_bound,
 };
 
-/* Most points for receivers to share in a randomisation: a power of two that leaves a
- * third of the target variance in a room like the deep office. If that is not enough
- * there are more randomisations. */
+/* Most points for receivers to share in a randomisation: a power of two at which they
+ * cause a third of the target variance in a room like the deep office. If that is not
+ * enough there are more randomisations. */
 static uint32_t most_shared(double error)
 {
     uint32_t most = LEAST_SHARED;
@@ -273,15 +273,15 @@ static struct pp_sampler of_direct_light(void)
     return direct;
 }
 
-/* Sampler in which a part of the correction is shared. The lobe then has little to
- * correct. */
+/* Sampler in which a part of the correction is shared. The receiver's own paths then
+ * have little to correct. */
 static struct pp_sampler sharing(double error)
 {
     struct pp_sampler shared = sampler;
     shared.estimators = ESTIMATORS;
     shared.fall[SHARED] = 1.05;
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
-    /* With only 8 shared points one of them may cause most of a point's error. */
+    /* With only 8 shared points one of them may cause most of a receiver's error. */
     shared.least = (struct pp_counts){{4, 8, 4, 16}};
     /* Half of PP_RANDOMISATIONS: saves a fifth of the time for a grid at 1 %, with
      * equally reliable standard errors. Without shared points they would be less
@@ -306,7 +306,8 @@ static double share_of_openings(const struct pp_world *world)
     return openings_m2 > 0.0 && inside_m2 > 0.0 ? openings_m2 / inside_m2 : 1.0;
 }
 
-/* Increases the first numbers of paths if openings are small. */
+/* Increases the paths of the pilot and the least number of paths if openings are
+ * small. */
 static void look_closer(struct pp_sampler *changed, const struct pp_world *world)
 {
     uint32_t times = 1;

@@ -23,10 +23,10 @@ static struct pp_rgb emitted(const struct pp_path_walk *walk,
 }
 
 /* theory: next event */
-/* Draws an opening in proportion to an estimate of its light, and a direction to it:
- * density uniform in solid angle, weighted by the cosine and the estimated brightness
- * behind it. *per_pdf: reciprocal of the direction's density (sr). False if no opening
- * is visible. */
+/* Draws an opening in proportion to an estimate of its light, and a direction to it.
+ * The density of directions is uniform in solid angle, times the cosine and the
+ * estimated brightness behind the opening. *per_pdf: reciprocal of the direction's
+ * density (sr). False if no opening is visible or the point is outdoors. */
 static bool aim_at_opening(struct pp_path_walk *walk, const struct pp_lit_point *at,
                            int *opening, struct pp_light_ray *ray, double *per_pdf)
 {
@@ -138,7 +138,7 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_
             lobes.share[PP_LOBE_STRAIGHT] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
                 pp_rgb_grey(0.0);
 
-        /* 4. Next-event estimation: openings by directions of their own. */
+        /* 4. Next-event estimation: samples directions to the openings. */
         if (aims)
             L = pp_rgb_add(L, pp_rgb_times(beta, direct_light(walk, &lobes, &hit)));
 

@@ -1,5 +1,5 @@
-/* path_tracer.c - the points of a room as a sampler of path_trace.c: direct and reflected
- * light, each the mean over random paths. */
+/* path_tracer.c - samples the points of a room by the paths of path_trace.c: direct and
+ * reflected light, each the mean over random paths. */
 #include "simulate/path_tracer/path_tracer.h"
 
 #include <stdlib.h>
@@ -14,11 +14,12 @@
 /* The estimators; the sums of their paths are by component, PP_SC to PP_IRC. */
 enum { DIRECT, REFLECTED, ESTIMATORS };
 
-/* Least standard error aimed at, over Eh: 0.002 % daylight factor. */
+/* Least standard error aimed at, over Eh: a daylight factor of 0.002 %. */
 static const double LEAST_ERROR = 0.00002;
 
 struct plain_point {
-    bool anywhere; /* true: anywhere on the working plane; false: */
+    bool anywhere; /* true: anywhere on the working plane; false: at the position
+                    * below */
     struct pp_vec3 position, normal;
     struct pp_room_bound most;
     uint64_t seed;

@@ -91,8 +91,8 @@ static enum pp_status show(const struct pp_cache_warm_up *warm_up, int number,
 }
 
 /* Requests the next part once the cache covers the current one. After the last part
- * another round begins unless the round made no record. A single part needs no second
- * round, since the cache has checked all its requests again. */
+ * another round begins, unless the round made no new record. A single part needs no
+ * second round, since the cache has checked all its requests again. */
 static enum pp_status show_next_part(struct pp_cache_warm_up *warm_up,
                                      struct pp_error *err)
 {

@@ -106,7 +106,7 @@ static void put_tile(unsigned char **at, const struct pp_render *render, int til
         }
 }
 
-/* Writes the whole file; cache: `kept` bytes. */
+/* Writes the whole file; cache: the `kept` bytes of the irradiance cache. */
 static void put_all(unsigned char *bytes, size_t size, const struct pp_render *render,
                     const char *cache, size_t kept)
 {
@@ -193,8 +193,8 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
     return status;
 }
 
-/* Checks that the checkpoint belongs to this render. *at: after the version on entry,
- * after the counts on return. */
+/* Checks that the checkpoint belongs to this render. *at points behind the version on
+ * entry, and behind the two counts (rays, leaks) on return. */
 static enum pp_status check_checkpoint_head(const struct pp_render *render,
                                             const unsigned char **at, long long work[2],
                                             struct pp_error *err)

@@ -64,8 +64,8 @@ double pp_render_decorations(const struct pp_render *render)
     return render->options.irradiance ? render->scene->decorations : 1.0;
 }
 
-/* Irradiance of the surface that the ray meets; false if it meets glass or no
- * surface. */
+/* Irradiance of the surface that the ray meets; false if it meets none, or one of glass
+ * or air. */
 static bool irradiance_seen(const struct pp_render *render,
                             struct pp_radiance_state *state,
                             const struct pp_light_ray *ray, struct pp_rgb *value)
@@ -269,7 +269,8 @@ static bool show_pixel(void *data, int worker, int i)
     return true;
 }
 
-/* Follows the paths of (pixel, randomisation) by any thread, then sets the pixels. */
+/* Renders a tile: follows the paths of all its pixels and randomisations, on any
+ * thread, then sets the pixels. */
 static enum pp_status draw_tile(struct pp_render *render, int tile,
                                 struct pp_error *err)
 {

@@ -25,7 +25,8 @@ uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache)
     return hash;
 }
 
-/* True if the record is seen there and nothing hides it. */
+/* True if the point is within the picture and nothing hides it. place: its position in
+ * pixels. */
 static bool is_seen(const struct pp_render *render, struct pp_vec3 point,
                     double place[2])
 {

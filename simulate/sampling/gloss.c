@@ -7,7 +7,7 @@
 
 enum {
     COSINES = PP_GLOSS_COSINES,
-    SLOPES = 64, /* slopes of facets, by size and by azimuth each */
+    SLOPES = 64, /* slopes of facets: this many sizes times this many azimuths */
     FACETS = SLOPES * SLOPES,
     ROUNDS = 60, /* iterations; after 40 nothing changes in the twelfth digit */
 };
@@ -41,7 +41,7 @@ static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
 static const double COLUMN_SPACING = 4.0;
 
 /* The table's cell around a direction: the lower row and column, and the interpolation
- * shares of the next ones. */
+ * weights of the next row and column. */
 struct gloss_node {
     int row, column;
     double up, right;
@@ -97,7 +97,7 @@ double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
 
 /* ---- the lobe ---- */
 
-/* f without the scale; the slope of h goes to *p and *q. */
+/* f without the scale; the slope of h, in units of the roughness, goes to *p and *q. */
 static double ward(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o,
                    double *p, double *q)
 {
@@ -118,7 +118,7 @@ double pp_gloss_value(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_
 }
 
 /* The direction into which a facet of slope (a_x p, a_y q) mirrors i, and its weight in
- * the unscaled lobe; 0 if the direction goes down. */
+ * the unscaled lobe; 0 if the direction points into the surface. */
 static double mirrored(const struct pp_gloss *gloss, struct pp_vec3 i, double p,
                        double q, struct pp_vec3 *o)
 {
@@ -194,8 +194,8 @@ static void distribute(const struct pp_gloss *gloss, const double (*facets)[2],
     }
 }
 
-/* One iteration of [SK67] for a symmetric lobe: each scale is multiplied by the root of
- * its relative error. */
+/* The iteration of [SK67] for a symmetric lobe: each scale is divided by the root of
+ * the light that it scatters in all, which should be 1. */
 static void balance(double *scale, const double *lobe, int nodes)
 {
     double next[PP_GLOSS_AZIMUTHS * COSINES];

@@ -16,15 +16,16 @@ static const double LEAST_WEIGHT = 0.05;
 static const double NEAR_DIAGONALS = 0.6;
 
 /* Distance, in diagonals, below which the importance of a rectangle is estimated by its
- * solid angle: that of a long rectangle differs between its end and its middle. */
+ * solid angle: near a long rectangle, importance at its middle does not represent its
+ * ends. */
 static const double GUESSED_DIAGONALS = 1.0;
 
 /* Least weight of an opening in the choice, since the estimate of its light may be
  * wrong. */
 static const double LEAST_CHOICE = 0.1;
 
-/* Least height over an opening's plane that the estimate assumes: positive for all
- * points that see the opening. */
+/* Least height over an opening's plane that the estimate assumes, so that it is
+ * positive for all points that see the opening. */
 static const double LEAST_HEIGHT_M = 1e-3;
 
 /* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
@@ -239,7 +240,8 @@ static double angle_at(struct pp_vec3 a, struct pp_vec3 b, struct pp_vec3 c)
     return atan2(pp_vec_length(pp_vec_cross(ab, ac)), pp_vec_dot(ab, ac));
 }
 
-/* Uniform in the spherical triangle abc of solid angle `solid` [ARVO95b]. */
+/* A direction drawn uniformly from the spherical triangle abc of solid angle `solid`
+ * [ARVO95b]. */
 static struct pp_vec3 spherical_triangle(struct pp_vec3 a, struct pp_vec3 b,
                                          struct pp_vec3 c, double solid, double u,
                                          double v)

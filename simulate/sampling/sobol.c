@@ -89,8 +89,8 @@ void pp_sobol_init(struct pp_sobol *sobol)
     }
 }
 
-/* Seeds of vertices from `first` on: of the shuffle, then of each dimension's scramble;
- * a lane each. */
+/* Seeds of vertices from `first` on: of the shuffle, then of each dimension's scramble,
+ * one in each lane. */
 PP_LANES_BODY void vertex_seeds(uint64_t seed, int first, int count,
                                 uint32_t seeds[][PP_INT_LANES])
 {
@@ -169,8 +169,8 @@ static const pp_int_lanes steps = {0,
                                    UINT32_C(7) << 29};
 
 /* Vectorised draw of PP_INT_LANES points. Their indices differ in the last three bits
- * only. After shuffling and reversal they differ in the highest byte only, since a
- * scramble changes a bit by lower ones only. */
+ * only. After shuffling and reversal they differ in the highest byte only, since in a
+ * scramble the change of a bit depends on lower bits only. */
 PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seeds,
                               uint32_t first, int dimensions, int at,
                               double u[][PP_RUN_MOST])
@@ -189,8 +189,8 @@ PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seed
         REVERSE_IN_BYTES(x);
         x = (x >> 8 & UINT32_C(0x00ff00ff)) | (x & UINT32_C(0x00ff00ff)) << 8;
         x = x >> 16 | x << 16;
-        /* x + 0.5 by way of signed integers, which convert to doubles in lanes:
-         * exact. */
+        /* x + 0.5, exactly, by way of signed integers, which can be converted to
+         * doubles in lanes. */
         typedef int32_t half __attribute__((vector_size(16)));
         half part[2];
         x ^= UINT32_C(0x80000000);

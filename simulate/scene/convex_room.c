@@ -1,5 +1,5 @@
-/* convex_room.c - the planes of an empty convex room, and the panes in each or behind
- * it. */
+/* convex_room.c - the planes of an empty convex room, and the panes in or behind each
+ * plane. */
 #include "simulate/scene/convex_room.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@ static const double IN_PLANE_M = 1e-9;
  * rounding error. */
 static const double BEHIND_M = 1e-5;
 
-/* Product of normals above which they belong to one plane, or to two that rounding
- * might confuse. */
+/* If the scalar product of their normals is above this, two faces lie in one plane, or
+ * in two that rounding might confuse. */
 static const double SAME_NORMAL = 1.0 - 1e-6;
 
 struct convex_plane {
@@ -191,8 +191,8 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
     return false;
 }
 
-/* Clears `nearest` for rays that start close to a plane with niches, near the mouth of
- * one. */
+/* Sets nearest->plane to -1 if the ray starts close to that plane and it has niches,
+ * since the ray may start near the mouth of one. Negative distances become 0. */
 static void settle_nearest_plane(struct pp_convex_nearest *nearest,
                                  const struct pp_convex_room *room, double from_m)
 {
@@ -224,7 +224,7 @@ static struct pp_convex_nearest nearest_plane(const struct pp_convex_room *room,
     return nearest;
 }
 
-/* Vectorised nearest_plane for several rays; false if the rays start outside. */
+/* Vectorised nearest_plane for PP_LANES rays from one point; false if it is outside. */
 PP_LANES_BODY bool nearest_of_lanes(const struct pp_convex_room *room,
                                     struct pp_vec3 from, const double *to_x,
                                     const double *to_y, const double *to_z,

@@ -227,7 +227,8 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
     }
 }
 
-/* Evaluates a round emitter at a point that was drawn by area. */
+/* Evaluates a round emitter at a point that was drawn by area; false if its surface
+ * faces away there. */
 static bool sample_at(const struct pp_emitter_sampler *sampler, struct pp_vec3 point,
                       struct pp_direction_sample *sample)
 {

@@ -8,7 +8,8 @@
 #include "model/light/photographs/sky_picture.h"
 #include "simulate/sampling/hash.h"
 
-/* Brightness of an overcast sky, and of the ground, over its horizon. */
+/* Brightness of an overcast sky and of the ground, relative to the sky at the
+ * horizon. */
 static struct pp_brightness brightness_of(const struct pp_outside_light *light)
 {
     double b = PP_GRADED_SKY_OVERCAST;

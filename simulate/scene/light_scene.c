@@ -235,8 +235,9 @@ static void refine(const struct pp_light_scene *scene, const struct pp_light_par
         hit->normal = pp_vec_scale(hit->normal, -1.0);
 }
 
-/* Below the room's own plan there is no ground if the ground is higher than the floor.
- * This matters for rays that start in a reveal, which are not known to be indoors. */
+/* True if a point of the ground plane is within the room. No ground exists there if the
+ * ground is higher than the floor. This matters for rays that start in a reveal, which
+ * are not known to be indoors. */
 static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 point)
 {
     static const double OVER_GROUND_M = 1e-3;

@@ -14,8 +14,8 @@
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* Measures the room's box, or the box of everything if there is no room; its middle is
- * the centre. */
+/* Sets the box round all surfaces, and the scene's centre and size: those of the room's
+ * box or, without a room, of the box round all surfaces. */
 static void measure_world_scene(struct pp_light_scene *scene)
 {
     const struct pp_world *world = scene->world;
@@ -108,7 +108,7 @@ static enum pp_status add_world_triangles(struct pp_light_scene *scene,
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }
 
-/* A disc of half a degree, with the sun's illuminance. */
+/* Adds the sun as a disc of half a degree that causes its illuminance. */
 static enum pp_status add_sun_disc(struct pp_light_scene *scene,
                                    const struct pp_outside_sun *sun,
                                    struct pp_error *err)

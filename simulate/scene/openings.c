@@ -22,7 +22,8 @@ static bool is_unobstructed(const struct pp_world *world,
     return true;
 }
 
-/* The sides of a reveal may hide any pane from points inside it. */
+/* True if any opening has a reveal; its sides may hide any pane from points inside
+ * it. */
 static bool has_reveals(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)

@@ -6,7 +6,7 @@
 
 #include "simulate/sampling/lobe.h"
 
-/* The two roots in order of
+/* The two roots, in ascending order, of
  *
  *     a t^2 + 2 b t + c = 0
  *

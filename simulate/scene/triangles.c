@@ -1,4 +1,4 @@
-/* triangles.c - cuts convex polygons into fans, others by the clipper. */
+/* triangles.c - cuts convex polygons into fans, and all others by the clipper. */
 #include "simulate/scene/triangles.h"
 
 #include <math.h>
@@ -46,7 +46,7 @@ static bool outline_is_convex(const struct pp_polygon *polygon)
     return round < 3.0 * PP_PI;
 }
 
-/* A fan: for convex figures. */
+/* Appends a convex figure as a fan of triangles. */
 static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *polygon,
                           int facet, struct pp_vec3 centre, struct pp_error *err)
 {
@@ -59,7 +59,8 @@ static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *po
     return status;
 }
 
-/* A figure with or without openings (those in `face`, -1: none), by the clipper. */
+/* Appends a figure, less the openings in `face` (-1: none), as the clipper's
+ * triangles. */
 static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *clipper,
                                   const struct pp_polygon *polygon, int facet,
                                   const struct pp_world *world, int face,

@@ -1,4 +1,4 @@
-/* unsampled.c - sums and bounds the light that only rays by chance can find. */
+/* unsampled.c - sums and bounds the light that rays can find only by chance. */
 #include "simulate/scene/unsampled.h"
 
 #include <math.h>
@@ -82,7 +82,7 @@ enum {
 static const double LEAST_BEAM = 1e-4;
 
 /* The mirror path of the mirrors that a beam has met, in the order from a point to the
- * emitter. */
+ * emitter; -1: there is none. */
 static int mirrors_met(const struct pp_light_scene *scene, const int *met, int count)
 {
     int path = -1;
@@ -151,8 +151,8 @@ double pp_unsampled_probe(const struct pp_light_scene *scene,
 
 /* ---- rooms ---- */
 
-/* Approximate daylight factor by an unobstructed opening. The importance is in units of
- * the luminance of an overcast horizon. */
+/* Approximate daylight factor from an unobstructed opening. The importance is in units
+ * of the luminance of an overcast horizon. */
 static double pane_importance(const struct pp_light_scene *scene,
                               const struct pp_vec3 *position, struct pp_vec3 normal,
                               const struct pp_pane *pane)
@@ -165,8 +165,9 @@ static double pane_importance(const struct pp_light_scene *scene,
                                                         normal, bright));
 }
 
-/* True if the point sees the opening in a rising (falling) direction. Conservative: an
- * opening partly behind the point's plane counts as a whole. */
+/* True if the point may receive light from the opening in an upward direction (rising)
+ * or in a downward one. Conservative: an opening partly behind the point's plane counts
+ * as a whole. */
 static bool shows(const struct pp_vec3 *position, struct pp_vec3 n,
                   const struct pp_pane *pane, bool rising)
 {

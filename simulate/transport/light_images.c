@@ -9,7 +9,8 @@ static int vertex_of(const struct pp_shading_point *shading)
     return pp_path_vertex_branch(shading->vertex * PP_DRAWS + PP_DRAW_WINDOWS, -2);
 }
 
-/* Weight of light along `to` at the diffuse surface. */
+/* Weight of light from direction `to`, drawn with density `pdf`, at the diffuse
+ * surface. */
 static struct pp_rgb weight_of(const struct pp_shading_point *shading,
                                struct pp_vec3 to, double pdf)
 {

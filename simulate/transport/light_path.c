@@ -57,9 +57,9 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
 
 /* ---- light at a surface ---- */
 
-/* Light that reaches a window along the ray, which leaves it to the outside: calculated
- * directly if unobstructed, else read from the store if there is one, else found by a
- * path. */
+/* Light that arrives at a window from outside, against the direction of the ray:
+ * calculated directly if unobstructed, else read from the store if there is one, else
+ * found by a path. */
 static struct pp_rgb light_outside(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
                                    const struct pp_opening_sample *sample,
@@ -98,7 +98,7 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     return radiance;
 }
 
-/* The same for an opening's image in a reflector. */
+/* Adds light from one opening by its image in a reflector. */
 static void add_images(struct pp_radiance_state *state,
                        const struct pp_shading_point *shading,
                        struct pp_irradiance *sum)
@@ -169,7 +169,8 @@ static struct pp_rgb direct_light(struct pp_radiance_state *state,
     return pp_irradiance_sum(&sum);
 }
 
-/* The same for each side of the surface that scatters light to the eye. */
+/* Next-event estimation at each side of a surface whose light is scattered to the
+ * eye. */
 static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
                                            const struct pp_lobes *lobes,
                                            const struct pp_light_hit *hit,
@@ -218,8 +219,8 @@ static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
     return value;
 }
 
-/* Adds the surface's own emission, unless it was sampled directly; false if the path
- * ends there. */
+/* Adds the surface's own emission, weighted if it was also sampled directly; false if
+ * the path ends there. */
 static bool add_emission(const struct pp_radiance_state *state,
                          const struct pp_light_path *path,
                          const struct pp_light_hit *hit, struct pp_rgb *total)
@@ -237,7 +238,8 @@ static bool add_emission(const struct pp_radiance_state *state,
     return !material->unseen;
 }
 
-/* The environment's light, with the distant sources that were not sampled directly. */
+/* Adds the environment's light, and that of distant sources, weighted if they were also
+ * sampled directly. */
 static void add_environment(const struct pp_radiance_state *state,
                             struct pp_light_path *path, struct pp_rgb *total)
 {
@@ -304,8 +306,9 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
     return sum;
 }
 
-/* Light by gloss and mirror is large or zero: if another lobe is left for the path
- * itself, they are followed by separate paths, and set to black. */
+/* Light by gloss and mirror is large or zero, so separate paths follow these lobes,
+ * which are then set to black. A mirror that is the only lobe left is not followed: the
+ * path itself does it. */
 static struct pp_rgb follow_gloss_and_mirror(struct pp_radiance_state *state,
                                              const struct pp_light_path *path,
                                              struct pp_lobes *lobes,
@@ -333,8 +336,8 @@ static bool scatters(const struct pp_lobes *lobes)
     return false;
 }
 
-/* Lobes of the material towards the eye, without those whose light was sampled
- * directly. */
+/* Lobes of the material towards the eye. Those through an opening are weighted if its
+ * light was also sampled directly. */
 static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path *path,
                      const struct pp_light_hit *hit, struct pp_lobes *lobes)
 {
@@ -428,7 +431,8 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
            || pp_path_scatter_survives(path, LEAST_GROUND * path->least, chance);
 }
 
-/* Arrival of a ray at a reflector through which light was also sampled directly. */
+/* Arrival of a ray at a reflector whose light was also sampled directly; reflector -1:
+ * there is none. */
 static struct pp_arrival arrival_of(const struct pp_radiance_state *state,
                                     const struct pp_light_path *path,
                                     const struct pp_light_hit *hit)

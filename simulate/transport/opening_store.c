@@ -11,8 +11,8 @@
 #include "simulate/transport/light_path.h"
 
 enum {
-    PATHS = 1 << 19,    /* for all bins of all patches, half a microsecond each; in a
-                         * courtyard the direct light 8 m deep has then 0.6 % noise */
+    PATHS = 1 << 19,    /* for all bins of all patches, half a microsecond each; the
+                         * direct light 8 m deep in a courtyard then has 0.6 % noise */
     LEAST_SAMPLES = 16, /* least number of paths for each bin */
     PROBES = 256,       /* rays that measure the distance of surfaces */
 };

@@ -46,7 +46,7 @@ static double left_of(const struct pp_photon_state *state, const struct gatherin
     return projected > limit ? 1.0 - limit / projected : 0.0;
 }
 
-/* Adds light that enters by the pane that the ray has met from inside. */
+/* Adds light that enters through the pane that the ray has met from inside. */
 static void add_entering(struct pp_photon_state *state, struct gathering *ray, int pane)
 {
     double share = left_of(state, ray, pane), u[2];
@@ -85,7 +85,8 @@ static void add_sources(struct pp_photon_state *state, struct gathering *ray)
     }
 }
 
-/* Adds light of photons at the ray's end, which becomes a receiver itself. */
+/* Follows a photon and adds its light at the ray's end, which has become a receiver
+ * itself. */
 static void add_photon(struct pp_photon_state *state, struct gathering *ray)
 {
     struct pp_photon photon;

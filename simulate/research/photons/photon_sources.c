@@ -17,11 +17,11 @@
  * surfaces, 8 to 32 are equal, 2 and 100 take 5 to 10 % more. */
 static const double SOURCE_LIMIT = 1.0, SURFACE_LIMIT = 8.0;
 
-/* Least weight of a direction in a table, relative to the mean luminance. */
+/* Weight added to every direction of a table, relative to the mean luminance. */
 static const double LEAST_CELL = 0.2;
 
-/* Least luminance over Eh that the estimate assumes outside an opening: from its middle
- * only black surfaces may be visible. */
+/* Luminance over Eh that the estimate adds outside an opening, since only black
+ * surfaces may be visible from its middle. */
 static const double LEAST_LUMINANCE = 0.003;
 
 /* Estimated light of a surface outside, relative to that of an unshaded one. */
@@ -56,8 +56,8 @@ static double guessed_outside(const struct pp_light_scene *scene,
            + SHADED * pp_rgb_luminance(material->diffuse) / PP_PI;
 }
 
-/* Mean of luminance times transmittance over the cosine lobe; fills the table with the
- * contributions of its cells. */
+/* Estimated mean of luminance times transmittance over the cosine lobe; fills the table
+ * with the relative weights of its cells. */
 static double fill_table(struct pp_photon_source *source,
                          const struct pp_light_scene *scene,
                          const struct pp_environment *environment)
@@ -144,7 +144,7 @@ static enum pp_status add_lamp(struct pp_photon_sources *sources,
     return PP_OK;
 }
 
-/* Adds the triangles of all self-luminous surfaces, and these surfaces as sources. */
+/* Adds the surfaces that emit light into the room as sources, with their triangles. */
 static enum pp_status add_lamps(struct pp_photon_sources *sources,
                                 const struct pp_light_scene *scene,
                                 struct pp_error *err)
@@ -302,8 +302,8 @@ static double projected(const struct pp_target *target, struct pp_vec3 on,
     return fmin(here * there / (d2 * d2), PP_PI / target->area_m2);
 }
 
-/* Projected area of a triangle, from its corners and middle; *seen is set if it is
- * above 0 at one of them. */
+/* Projected area of a triangle over the squared distance, from its corners and middle;
+ * *seen is set if it is above 0 at one of these points. */
 static double projected_triangle(const struct pp_target *target, int index,
                                  struct pp_vec3 point, struct pp_vec3 normal,
                                  bool *seen)

@@ -25,7 +25,7 @@ enum { MOST_SHARED = 1024 };
 /* Cost of a shared photon to a receiver, in rays, as if some 25 receivers used it. */
 static const double SHARED_COST = 0.3;
 
-/* Smallest target standard error, over Eh: 0.002 % daylight factor. */
+/* Smallest target standard error, over Eh: a daylight factor of 0.002 %. */
 static const double LEAST_ERROR = 0.00002;
 
 /* A receiver, or the working plane as a whole. */
@@ -65,8 +65,8 @@ static void take_direct(struct pp_photon_state *state, const struct photon_point
     sums[last == PP_PHOTON_FROM_SKY ? PP_SC : PP_ERC] += pp_rgb_luminance(light);
 }
 
-/* Adds the light of a shared photon to sums[PP_ERC] and on, by the last surface that
- * scattered it. */
+/* Adds the light of a shared photon to sums[0] (PP_ERC) or sums[1] (PP_IRC), depending
+ * on whether the last surface that scattered it is outside or inside. */
 static void take_photon(struct pp_photon_state *state, const struct photon_point *point,
                         const struct pp_photon_place *places, int count, double *sums)
 {
@@ -179,7 +179,7 @@ static enum pp_status prepare_photons(const void *client, int stage, int first,
     return status;
 }
 
-/* The share of an estimator in a component. */
+/* An estimator's contribution to a component. */
 static double estimator_share(const struct pp_randomisation *randomisation,
                               int estimator, int component)
 {
@@ -192,7 +192,8 @@ static double estimator_share(const struct pp_randomisation *randomisation,
            / randomisation->done.of[estimator];
 }
 
-/* Internally reflected light includes the allowance for decorations. */
+/* Factor by which a component is multiplied: the allowance for decorations for
+ * internally reflected light, else 1. */
 static double allowance_of(const void *client, int component)
 {
     return component == PP_IRC ? ((const struct pp_photons *)client)->scene->decorations

@@ -6,8 +6,8 @@
 #include "simulate/research/radiosity/form_factor.h"
 
 /* Corners are moved towards the middle by this factor before their visibility is
- * tested: at an edge common to both, neighbours that hide each other would give no
- * clear result. */
+ * tested: at the common edge of two neighbours that hide each other the test would have
+ * no clear result. */
 static const double WITHIN = 0.9;
 
 struct descent {
@@ -26,7 +26,7 @@ static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
 }
 
 /* Visible share of a polygon, tested at its middle and corners: 0, 1, or a value
- * between. */
+ * between. by_middle: tested at its middle only. */
 static double seen_of(const struct descent *g, const struct pp_vec3 *corners, int count,
                       bool by_middle)
 {
@@ -61,8 +61,8 @@ static double factor_seen(const struct descent *g, int index,
 }
 
 /* Possible variation of the light received from an element: its spread times the form
- * factor. It is reduced for distant elements (by size over distance), whose parts have
- * similar form factors. */
+ * factor. For distant elements, whose parts have similar form factors, it is reduced by
+ * size over distance. */
 static double unevenness(const struct descent *g, const struct pp_element *element,
                          double factor)
 {

@@ -218,7 +218,8 @@ enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *rec
     return by_elements(receivers, 0, receivers->asked, err);
 }
 
-/* Gathers reflected light, and the direct light for the plane's average. */
+/* For the plane's average: gathers direct light at its points, then reflected light at
+ * its (usually fewer) points for reflected light. */
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
                                              struct pp_error *err)
 {

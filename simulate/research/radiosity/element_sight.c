@@ -39,7 +39,8 @@ static void reach(const struct pp_element_sight *sight, int i, int plane, double
     }
 }
 
-/* True if the facets form a convex room: each is in front of all others. */
+/* True if the facets form a convex room: each lies in front of the planes of all
+ * others. */
 static bool hull_is_convex(const struct pp_element_sight *sight)
 {
     for (int p = 0; p < sight->count; p++) {

@@ -271,8 +271,8 @@ int pp_element_tree_at(const struct pp_element_tree *tree, int side,
     return at;
 }
 
-/* The spread within an undivided element: half of the difference to its neighbours,
- * since it extends over half of their distance. */
+/* Sets the spread within each undivided part of an element: half of `spread`, the
+ * difference between the parts, since a part extends over half of their distance. */
 static void spread_within(struct pp_element_tree *tree, const struct pp_element *parent,
                           double spread)
 {

@@ -12,7 +12,8 @@
 
 /* Lines at a smaller distance are merged, m. */
 static const double SAME_LINE_M = 1e-6;
-/* Share of a cell that counts as empty or as full. */
+/* A cell filled by less than this share counts as empty, by more than 1 - this as
+ * full. */
 static const double NOTHING = 1e-9;
 
 enum { MOST_LINES = 32 };
@@ -22,7 +23,7 @@ struct cutting {
     struct pp_clipper *clipper;
     const struct pp_polygon *outline;
     struct pp_face_axes axes;
-    int facet, face; /* face: the one whose openings are cut; -1: none */
+    int facet, face; /* face: the face whose openings are cut out; -1: none */
 };
 
 static enum pp_status append_facet_piece(struct pp_facets *facets, int facet,

@@ -1,7 +1,7 @@
 /* light_ray.c - see light_ray.h. */
 #include "simulate/research/radiosity/light_ray.h"
 
-/* Rays are dropped below this share, and after this many panes. */
+/* Rays are dropped if their weight is below LEAST, and after MOST_PANES panes. */
 static const double LEAST = 1e-5;
 enum { MOST_PANES = 12 };
 
@@ -93,7 +93,7 @@ static void follow_light_ray(const struct walk *walk,
     int back = pp_vec_dot(ray->to, facet->normal) > 0.0;
     struct pp_vec3 point = pp_vec_along(ray->from, distance, ray->to);
     if (facet->side[back].indoors != ray->indoors)
-        return; /* between the edges of two facets */
+        return; /* the ray passed between the edges of two facets */
     add_facet(walk, 2 * met + back, ray->indoors, point, weight, part);
     if (facet->clear && panes < MOST_PANES)
         pass(walk, ray, met, point, weight, part, panes);

@@ -22,7 +22,8 @@ static const double UNTOLD = 4e-6;
 /* Factor by which corners are moved towards the middle of their cell before they are
  * tested. */
 static const double WITHIN = 0.96;
-/* Share of a part's area that an edge visible only at the corner may cover, roughly. */
+/* Rough share of a part's area in which light may differ if only the test at the corner
+ * shows the difference. */
 static const double CORNER = 0.25;
 
 struct looking {
@@ -32,7 +33,7 @@ struct looking {
     const struct pp_opening_light_accuracy *accuracy;
     struct pp_light_sum *sum;
     int pane;             /* facet of the pane */
-    bool through_opening; /* the pane is seen through its opening's edges only */
+    bool through_opening; /* only the edges of its opening limit the view of the pane */
     double tolerance;     /* tolerance of the pane's light */
 };
 
@@ -47,7 +48,7 @@ struct cell {
     struct pp_light_mark from, to;
 };
 
-/* Adds the light along the ray through a point of the pane, or of the ray mirrored
+/* Adds the light along the ray through a point of the pane, or along the ray mirrored
  * there. */
 static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored,
                     double weight)
@@ -64,7 +65,7 @@ static void add_ray(const struct looking *l, struct pp_vec3 point, bool mirrored
         pp_light_ray_follow(l->room, &on, weight, mirrored ? PP_IRC : PP_DF, l->sum);
 }
 
-/* Middle of the part above the receiver's horizon. */
+/* Middle of the part of the cell above the receiver's horizon. */
 static struct pp_vec3 middle_above(const struct looking *l, const struct cell *cell)
 {
     struct pp_vec3 above[PP_FORM_FACTOR_MOST + 1];
@@ -173,8 +174,9 @@ static double divide_cell(const struct looking *l, const struct cell *cell, int 
 }
 
 /* Clips a convex piece of a pane, exactly, to the part visible through the pane's opening
- * in its face: between the planes through the receiver and the opening's edges. Returns
- * its corners. */
+ * in its face: between the planes through the receiver and the opening's edges.
+ * *corners receives the corners of that part; returns their number, less than 3 if
+ * nothing is visible. */
 static int through_opening(const struct looking *l, const struct pp_piece *piece,
                            struct pp_vec3 seen[2][PP_FORM_FACTOR_MOST + 1],
                            const struct pp_vec3 **corners)
@@ -189,7 +191,7 @@ static int through_opening(const struct looking *l, const struct pp_piece *piece
         struct pp_vec3 a = pp_vec_sub(inner->vertices[i], l->taker->point);
         struct pp_vec3 b = pp_vec_sub(inner->vertices[i + 1 < inner->count ? i + 1 : 0],
                                       l->taker->point);
-        /* Seen against its normal the opening runs counter-clockwise. */
+        /* Seen against its normal the opening's outline runs counter-clockwise. */
         struct pp_vec3 in = pp_vec_cross(b, a);
         double length = pp_vec_length(in);
         if (!(length > 0.0))

@@ -77,7 +77,7 @@ static int outside_cell_slot(const struct pp_outside_cells *cells,
     return slot;
 }
 
-/* Enlarges the table if fewer than twice as many slots as cells are left. */
+/* Enlarges the hash table unless it has more than twice as many slots as cells. */
 static enum pp_status widen(struct pp_outside_cells *cells, struct pp_error *err)
 {
     if (cells->slot_count > 2 * cells->count + 2)
@@ -96,7 +96,7 @@ static enum pp_status widen(struct pp_outside_cells *cells, struct pp_error *err
     return PP_OK;
 }
 
-/* Finds the cell of the hit; *index: its index. */
+/* Finds the cell of the hit, or adds it; *index: its index. */
 static enum pp_status find_outside_cell(struct pp_outside_cells *cells,
                                         const struct pp_light_room *room,
                                         const struct pp_outside_hit *hit, int *index,

@@ -10,8 +10,9 @@
 static const double NOTHING = 1e-9; /* share of a square below which it counts as empty
                                      * (or above 1 - this as full) */
 
-/* Position, 0 to 1, of the point of row or column `index` within its square. No two of
- * `count` are in line: van der Corput's sequence. */
+/* Position, 0 to 1, of the point of row or column `index` within its square. It follows
+ * van der Corput's sequence, so that no two of `count` rows or columns have the same
+ * position. */
 static double place_within(int index, int count)
 {
     double place = 0.0, half = 0.5;
@@ -53,7 +54,9 @@ static enum pp_status add_plane_triangles(struct pp_plane_points *points,
     return status;
 }
 
-/* within: relative position of the point in both directions. */
+/* Adds the point of a square whose lower corner is (x, y); if the plane fills only a
+ * part of the square, the points of the triangles of that part. within: relative
+ * position of the point in both directions. */
 static enum pp_status add_square(struct pp_plane_points *points,
                                  struct pp_clipper *clipper,
                                  const struct pp_world *world, double x, double y,

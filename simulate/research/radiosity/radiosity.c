@@ -25,8 +25,8 @@ static const double SHARE_OF_MEAN = 0.7;
 static const double LEAST_REFLECTED = 0.004, LEAST_DIRECT = 0.003;
 /* The least error of direct light for the average, which is a sum over points. */
 static const double LEAST_AVERAGE = 0.005;
-static const double LEAST_FACTOR = 0.002; /* below this the target error is relative to
-                                           * Eh */
+static const double LEAST_FACTOR = 0.002; /* errors and changes are relative to a
+                                           * daylight factor of at least this */
 
 struct pp_radiosity {
     struct pp_radiosity_options options;
@@ -246,7 +246,8 @@ void pp_radiosity_destroy(struct pp_radiosity *radiosity)
 
 /* ---- errors ---- */
 
-/* Error of a component at a point, by the change at the last level. */
+/* Estimated error of a component at a point, from the change at the last level; NAN
+ * before the second level. */
 static double error_of(const struct pp_radiosity *radiosity, int index, int component)
 {
     const double *now = radiosity->now[index], *before = radiosity->before[index];

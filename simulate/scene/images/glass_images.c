@@ -8,8 +8,8 @@
 #include "simulate/sampling/sample_discrete.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* An opening is in front of the glass, or partly visible, only by more than this
- * (m). */
+/* An opening counts as in front of the glass, or as partly visible, only by more than
+ * this (m). */
 static const double LEAST_M = 1e-6;
 
 /* ---- found ---- */
@@ -209,7 +209,7 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
         view->share[i] = image_importance(scene, view, brightness, i);
 }
 
-/* The stored view of an image that is visible. */
+/* The view of a visible image, calculated unless it is stored. */
 static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
                                        struct pp_glass_view *view,
                                        struct pp_brightness brightness, int index)

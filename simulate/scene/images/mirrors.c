@@ -132,7 +132,8 @@ static int by_share(const void *a, const void *b)
     return x->mirrors[1] - y->mirrors[1];
 }
 
-/* Makes paths by one mirror and by two in succession: those of the greatest shares. */
+/* Makes paths by one mirror and by two in succession, and keeps those of the greatest
+ * shares. */
 static void make_mirror_paths(struct pp_light_scene *scene)
 {
     int count = scene->mirror_count, most = MOST_CONNECTIONS / scene->emitter_count;

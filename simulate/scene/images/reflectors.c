@@ -18,7 +18,7 @@ static const double WIDEST = 0.4;
 
 /* ---- found ---- */
 
-/* Makes a reflector of the part's side; false if it is not one. */
+/* Makes a reflector from the part's side; false if the side is not flat and glossy. */
 static bool reflector_of(const struct pp_light_scene *scene, int index, int side,
                          struct pp_reflector *reflector)
 {
@@ -75,8 +75,8 @@ static double light_of(const struct pp_light_scene *scene, int index)
     return pp_rgb_luminance(emitter->radiance) * size;
 }
 
-/* Makes all pairs with an emitter, with probabilities in proportion to their possible
- * light. */
+/* Pairs every reflector with every emitter, with probabilities in proportion to their
+ * possible light. */
 static void make_reflections(struct pp_light_scene *scene)
 {
     double sum = 0.0;
@@ -136,8 +136,8 @@ int pp_reflectors_reflection(const struct pp_light_scene *scene, int reflector,
     return reflector * scene->emitter_count + emitter;
 }
 
-/* The direction, in the reflector's frame, in which the emitter's middle is mirrored to
- * the point; false unless both are in front of it. */
+/* The direction, in the reflector's frame, in which the reflector sees the emitter's
+ * middle if it mirrors it to the point; false unless both are in front of it. */
 static bool mirrored_from(const struct pp_light_scene *scene,
                           const struct pp_reflection *reflection, struct pp_vec3 from,
                           struct pp_vec3 *light)
