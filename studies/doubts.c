@@ -6,9 +6,9 @@
 #include "model/geometry/bounds.h"
 #include "studies/criteria/capitals.h"
 
-/* Distances from the capital, as angles: places of a country are nearer than far_rad, and
- * those with swapped coordinates are near_rad or less once they are swapped back. La
- * Reunion, swapped, is 16 degrees from Paris. */
+/* Distances from a country's capital, as angles. Places in the country are nearer than
+ * far_rad. Places whose coordinates were swapped are at most near_rad away once they
+ * are swapped back. La Reunion, swapped, is 16 degrees from Paris. */
 static const double far_rad = 40.0 * PP_RAD, near_rad = 12.0 * PP_RAD;
 
 /* Extent of the envelope in x, y and z. */
@@ -80,7 +80,7 @@ static void doubt_site(struct pp_mistakes *doubts, const struct pp_world *world)
                         world->country);
 }
 
-/* True if any part of the surfaces is in front of the opening. */
+/* True if any corner of these surfaces is in front of the opening's plane, outside. */
 static bool is_before(const struct pp_world *world, const struct pp_opening *opening,
                       int first, int count)
 {

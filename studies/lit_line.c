@@ -95,8 +95,8 @@ static enum pp_status find_sky_view(struct pp_lit_area *area,
     return PP_OK;
 }
 
-/* Most triangles times openings. 5,000 triangles before one opening take 0.9 s (no-sky
- * line) and 2.2 s (sky factor). */
+/* Most triangles times openings. 5,000 triangles in front of one opening take 0.9 s
+ * (no-sky line) and 2.2 s (sky factor). */
 static const double mesh_triangles_most = 10000.0;
 
 static bool is_too_fine(const struct pp_world *world)

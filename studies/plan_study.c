@@ -1,4 +1,4 @@
-/* plan_study.c - the plan by a hand method, or by a trace at many points. */
+/* plan_study.c - the plan by a hand method, or by simulation at many points. */
 #include "studies/plan_study.h"
 
 #include <math.h>
@@ -74,8 +74,8 @@ static struct pp_reading sum_of(struct pp_reading a, struct pp_reading b)
     return a.why ? a : b.why ? b : pp_reading_of(a.value + b.value);
 }
 
-/* Sets the figures: a copy of the daylight factor column or, if direct, the sum of sky
- * and externally reflected component. */
+/* Sets the figures: a copy of the daylight factor column or, if direct, the sum of the
+ * sky and externally reflected components. */
 static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
                                   bool direct, struct pp_error *err)
 {
@@ -99,7 +99,7 @@ static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
 }
 
 /* Computes the plane's figures from the points of the grid, which follow the room's own
- * points, and removes these points. */
+ * points, and removes the grid's points from the report. */
 static enum pp_status settle_plan_grid(struct pp_plan_study *study,
                                        const struct pp_study_room *room,
                                        struct pp_error *err)
@@ -115,8 +115,8 @@ static enum pp_status settle_plan_grid(struct pp_plan_study *study,
 
 /* ---- contours ---- */
 
-/* Makes a shallow copy of the world whose plane has holes at objects in the room, where
- * contours have no light. The caller clears its plane. */
+/* Makes a shallow copy of the world, whose plane has holes where objects stand:
+ * contours cannot show light there. The caller clears its plane. */
 static enum pp_status open_world(struct pp_world *open, const struct pp_world *world,
                                  struct pp_error *err)
 {
@@ -159,7 +159,8 @@ static enum pp_status draw_choice(struct pp_plan_study *study,
     return status == PP_OK ? set_figures(study, name, !internal, err) : status;
 }
 
-/* tolerance_m: of a sketch, which has no grid over the plane; 0: of a plan. */
+/* tolerance_m: tolerance of the curves of a sketch, which has no grid over the plane; 0
+ * for a plan. */
 static enum pp_status by_hand(struct pp_plan_study *study,
                               const struct pp_study_room *room,
                               const struct pp_study_options *options,
@@ -226,9 +227,9 @@ static enum pp_status plane_is_known(bool *known, const struct pp_column *column
     return PP_OK;
 }
 
-/* Simulates the room's points and the grid's, coarsely first, and then with half the error
- * until the plane is known. With a given number of samples or an end by the clock there is
- * one run. */
+/* Simulates the room's points and the grid's, coarsely first, then with half the error
+ * each time until the plane is known. With a given number of samples or an end by the
+ * clock there is one run. */
 static enum pp_status trace_points(struct pp_report *report,
                                    const struct pp_study_room *room,
                                    const struct pp_study_options *options,
@@ -278,7 +279,7 @@ static enum pp_status trace_plane(struct pp_traced_plane **plane,
                                 factors->common_near, err);
 }
 
-/* Adds to the note the median and mean by the usual pair of hand methods, if it has
+/* Writes to the note the median and mean by the usual pair of hand methods, if it has
  * them. */
 static enum pp_status note_by_hand(struct pp_plan_study *study,
                                    const struct pp_study_room *room,

@@ -20,10 +20,10 @@ const char *const pp_reliability_names[PP_RELIABILITY_KINDS] = {
     [PP_RELIABILITY_GROUND] = "ground",
 };
 
-/* Thresholds between reliable and unreliable rooms: of 29 examples and trial rooms
- * whose verdicts differ by simulation all but one are above (an average by average-df,
- * noted in studies/criteria/averages.c); figures of rooms below were 0.76 to 1.14 of
- * the simulated ones. */
+/* Thresholds above which hand figures are unreliable. Of 29 example and trial rooms
+ * whose verdicts differ by simulation, all but one are above (the exception is an
+ * average by average-df, noted in studies/criteria/averages.c). Figures of rooms below
+ * were 0.76 to 1.14 times the simulated ones. */
 static const double outside_share = 0.3, inside_share = 0.65;
 static const double deep = 2.0, ground_off = 0.3;
 
@@ -67,8 +67,8 @@ static void set(struct pp_reliability *found, enum pp_reliability_kind kind,
     found->any |= is;
 }
 
-/* Share of the reflected light at the darkest of the points; 1 if it sees no
- * sky. */
+/* Share of internally reflected light at the darkest point with a value above 0; 1 if
+ * it sees no sky. NAN: no point has such a value. */
 static double share_inside(const struct pair *pair, int count)
 {
     int darkest = -1;

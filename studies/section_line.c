@@ -11,7 +11,7 @@
 #include "model/geometry/bounds.h"
 #include "model/room/position.h"
 
-/* Spacing of the points along the line (m), at most. */
+/* Greatest spacing of the points along the line (m). */
 static const double step_m = 0.25;
 
 bool pp_section_line_is_straight(const struct pp_receiver *receivers, int count)
@@ -53,7 +53,7 @@ static bool is_window(const struct pp_opening *opening)
     return fabs(opening->inner.normal.z) < 0.7;
 }
 
-/* The largest window (or rooflight); NULL: there is none. */
+/* The largest window (`window` true) or rooflight; NULL: there is none. */
 static const struct pp_opening *largest(const struct pp_world *world, bool window)
 {
     const struct pp_opening *found = NULL;
@@ -66,7 +66,7 @@ static const struct pp_opening *largest(const struct pp_world *world, bool windo
     return found;
 }
 
-/* The longer side of the room. */
+/* Direction of the room's longer side. */
 static struct pp_vec3 longer_side(const struct pp_world *world)
 {
     struct pp_bounds3 room = pp_position_bounds(world);
@@ -74,7 +74,9 @@ static struct pp_vec3 longer_side(const struct pp_world *world)
                                                                : pp_vec(1.0, 0.0, 0.0);
 }
 
-/* A line through an opening: its start on the working plane and its direction. */
+/* The line through the middle of an opening, along the normal of that window; for a
+ * rooflight, along that of the largest window or, without a window, along the room's
+ * longer side. */
 static void start_at_opening(const struct pp_world *world,
                              const struct pp_opening *opening, struct pp_vec3 *start,
                              struct pp_vec3 *way)
@@ -88,8 +90,8 @@ static void start_at_opening(const struct pp_world *world,
             : longer_side(world);
 }
 
-/* The line of a room of which no place is given: through the larger of its largest
- * window and its largest rooflight. */
+/* The line if no place is specified: through the larger of the largest window and the
+ * largest rooflight; without an opening, through the middle of the room. */
 static void start_of_room(const struct pp_world *world, struct pp_vec3 *start,
                           struct pp_vec3 *way)
 {
@@ -126,7 +128,8 @@ static void go_back(const struct pp_world *world, struct pp_vec3 *start,
     *start = pp_vec_along(*start, -before, way);
 }
 
-/* The longest piece in the room of the line along x or y; false: there is none. */
+/* The longest piece within the room of a line parallel to the x or y axis; false: there
+ * is none. */
 static bool start_at(const struct pp_world *world, const struct pp_section_place *place,
                      struct pp_vec3 *start, struct pp_vec3 *way)
 {

@@ -21,7 +21,7 @@ struct pp_simulation {
     struct pp_light_scene *own; /* NULL: the scene is the caller's */
     struct pp_environment *environment;
     void *run;
-    double error; /* target; 0: by samples, time */
+    double error; /* target; 0: samples or time end the run */
 };
 
 /* Ratio of standard error to target from which the target counts as missed; planned
@@ -147,7 +147,8 @@ static double times_wanted(const struct pp_simulation *simulation,
     return isfinite(reading->std_error) ? reading->std_error / wanted : 0.0;
 }
 
-/* Reports where the column's standard errors are much larger than the target. */
+/* Notes in the report where the column's standard errors are much larger than the
+ * target. */
 static enum pp_status say_missed(struct pp_report *report,
                                  const struct pp_simulation *simulation,
                                  const struct pp_column *column, struct pp_error *err)

@@ -33,8 +33,8 @@ enum pp_lobe pp_path_scatter_choose_lobe(const struct pp_lobes *lobes, double u,
     return (enum pp_lobe)chosen;
 }
 
-/* Records that emitters and windows were sampled directly, for a ray that leaves by
- * this lobe. */
+/* Records, for a ray that leaves by this lobe, which light of emitters and windows was
+ * already sampled directly. */
 static void note_sampled(const struct pp_radiance_state *state,
                          struct pp_light_path *path, const struct pp_lobes *lobes,
                          enum pp_lobe lobe, const struct pp_light_hit *hit)
@@ -90,7 +90,7 @@ double pp_path_scatter_diffuse(const struct pp_radiance_state *state,
                                struct pp_light_path *path, struct pp_vec3 from,
                                const struct pp_frame *frame, enum pp_space space)
 {
-    double u[4]; /* direction (2), none, Russian roulette */
+    double u[4]; /* direction (2), unused, Russian roulette */
     pp_sobol_sequence_draw(&state->sequence, state->index, path->vertex * PP_DRAWS, 4,
                            u);
     path->ray = (struct pp_light_ray){

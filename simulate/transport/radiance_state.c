@@ -1,12 +1,12 @@
-/* radiance_state.c - the rays of a path: counted, and shadow rays through clear
- * surfaces and by plane mirrors. */
+/* radiance_state.c - follows and counts the rays of a path, and shadow rays through
+ * clear surfaces and by plane mirrors. */
 #include "simulate/transport/radiance_state.h"
 
 #include <math.h>
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Clear surfaces that a shadow ray passes, at most. */
+/* Most clear surfaces that a shadow ray passes. */
 enum { MOST_PANES = 64 };
 
 struct pp_radiance_options pp_radiance_state_defaults(void)

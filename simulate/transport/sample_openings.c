@@ -7,8 +7,8 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
 
-/* Most openings that are all sampled. Sampling one at random caused most of a path's
- * noise: sampling all gives a quarter less in the example studio. */
+/* Up to this number all openings are sampled. Sampling one at random caused most of a
+ * path's noise: sampling all gives a quarter less noise in the example studio. */
 enum { FEW_OPENINGS = 4 };
 
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening)
@@ -83,8 +83,8 @@ double pp_sample_openings_weight(struct pp_radiance_state *state,
                                     * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
-/* The ray that leaves the opening where the direction meets it, its weight multiplied
- * by the transmittance. Behind a diffusing pane a new direction is sampled. */
+/* Sets the ray that leaves the opening where the direction meets it, and multiplies the
+ * weight by the transmittance. Behind a diffusing pane a new direction is sampled. */
 static void leave(struct pp_radiance_state *state,
                   const struct pp_shading_point *shading,
                   const struct pp_direction_sample *to,
@@ -199,7 +199,8 @@ bool pp_sample_openings_aim(struct pp_radiance_state *state,
     return sample_opening(state, &one, 1.0, u, sample);
 }
 
-/* Point where a ray from inside meets the rectangular pane. */
+/* Finds the point where a ray from inside meets the rectangular pane; false: it does
+ * not. */
 static bool meets_rectangle(const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 to, struct pp_vec3 *point)
 {
@@ -257,7 +258,7 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
     sampling->end = none ? 0 : sampling->all ? count : 1;
     sampling->direction = sampling->count = 0;
     sampling->index = state->index;
-    /* directions is a power of two */
+    /* drawn in one run only if their number is a power of two */
     sampling->drawn = !none && shading->directions > 1
                       && shading->directions <= PP_RUN_MOST
                       && (shading->directions & (shading->directions - 1)) == 0;

@@ -9,9 +9,9 @@
 #include "model/base/array.h"
 #include "studies/bands/report_bands.h"
 
-/* Limits on a band's width over the narrowest one's (widths of logarithms). A band
- * within about_as_narrow is preferred if its method comes earlier in the report. A band
- * within narrow_enough is preferred if its method is the best over all points. */
+/* Limits of a band's width over that of the narrowest band (widths of logarithms). A
+ * band within about_as_narrow is preferred if its method comes earlier in the report. A
+ * band within narrow_enough is preferred if its method is the best over all points. */
 static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 
 /* Records of the bands of daylight factors at a point, in the order of the report's
@@ -69,8 +69,8 @@ static int narrowest(const struct ranking *ranking)
     return found;
 }
 
-/* First record whose band is about as narrow as the narrowest, or the record of the
- * favourite column if its band is narrow enough. */
+/* The record of the favourite column if its band is narrow enough, else the first
+ * record whose band is about as narrow as the narrowest. */
 static int best_of(const struct ranking *ranking, int favourite)
 {
     double least = width_of(&ranking->list[narrowest(ranking)]);
@@ -124,7 +124,7 @@ static bool same_band_record(const struct pp_band_record *a,
                   == 0;
 }
 
-/* The narrowest bands of other columns, in rising order. */
+/* Adds the narrowest bands of other columns, in ascending order of width. */
 static void add_others(struct pp_advice_item *item, const struct ranking *ranking,
                        int best)
 {

@@ -26,8 +26,9 @@ static int find_atlas_column(const struct pp_atlas_table *table, const char *pre
     return pp_atlas_table_find(table, whole);
 }
 
-/* Column of a feature; -1: none, or the feature depends only on the slope of the glass.
- * Under an overcast sky the light on openings does, but not under ISO 15469's skies. */
+/* Column of a feature; -1: none, or not used. The directions in which openings face are
+ * used under ISO 15469's skies only: under an overcast sky the light on an opening
+ * depends only on its slope. */
 static int feature_column(const struct pp_atlas_table *table, int feature)
 {
     bool by_slope =
@@ -145,7 +146,7 @@ static enum pp_status add_band_column(struct pp_atlas_bands *bands,
 /* ---- the table ---- */
 
 /* True if a heading such as "df.exact+bre" is that of a hand column. *name: the part
- * after the point. */
+ * after the dot. */
 static bool is_hand(const char *heading, enum pp_component *component,
                     const char **name)
 {

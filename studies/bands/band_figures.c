@@ -25,7 +25,7 @@ void pp_band_figures_clear(struct pp_band_figures *figures)
     pp_band_figures_init(figures, figures->feature_count);
 }
 
-/* The lists have the same length and are enlarged together. */
+/* Makes space for one more row in all lists, which have the same length. */
 static enum pp_status reserve(struct pp_band_figures *figures, struct pp_error *err)
 {
     double **const lists[] = {&figures->hand, &figures->own, &figures->truth};

@@ -30,7 +30,8 @@ static bool take_sample(struct pp_band_sample *sample, double **ratios,
     return *ratios != NULL;
 }
 
-/* Keeps the rows whose value in the method's own world is known. */
+/* Keeps the rows whose simulated value in the world that the method assumes is known;
+ * returns their number. */
 static int keep_known(int *rows, int count, const struct pp_band_figures *figures)
 {
     int kept = 0;

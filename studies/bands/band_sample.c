@@ -53,8 +53,8 @@ static double quantile(const struct weighted *list, int count, double total, dou
     return list[count - 1].ratio;
 }
 
-/* The ratios of the rows in ascending order, freed by the caller; NULL: out of
- * memory. */
+/* The ratios of the rows in ascending order, with their weights; the caller frees the
+ * list. NULL: out of memory. *rooms: number of rooms. */
 static struct weighted *sorted(const struct pp_band_sample *sample, const int *rows,
                                int count, int *rooms)
 {

@@ -7,10 +7,11 @@
 
 #include "model/base/text.h"
 
-/* Row of the CSV file. Texts are arrays, since pointers would be 12,000 relocations at
- * every start. */
+/* Row of the CSV file. Texts are arrays, since pointers would need 12,000 relocations
+ * at every start. */
 struct row {
-    char place[8], component[4], column[28]; /* place "span": of the feature `column` */
+    char place[8], component[4], column[28]; /* place "span": the range of the feature
+                                              * `column` */
     int rooms;
     double low, median, high, spread;
     double formula_low, formula_median, formula_high;

@@ -19,8 +19,8 @@ enum {
 const struct pp_band_rules pp_band_tree_rules = {
     .rooms_least = 300, .regimes_most = 20, .gain_least = 0.004};
 
-/* Bounds at which a feature can be split: a row in bin b is at or above edges[b -
- * 1]. */
+/* Bounds at which a feature can be split: a row in bin b is at or above at[b - 1] and
+ * below at[b]. */
 struct edges {
     double at[EDGES];
     int count;
@@ -33,7 +33,7 @@ struct split {
 
 struct node {
     struct pp_band_regime regime;
-    int *rows; /* owned; rising */
+    int *rows; /* owned; in ascending order */
     int count;
     double score; /* sum of the scores of its rows */
     struct split best;
@@ -43,7 +43,7 @@ struct tree {
     const struct pp_band_sample *sample;
     const struct pp_band_rules *rules;
     struct edges *edges; /* edges of each feature */
-    uint8_t *bins;       /* bins of each row and feature */
+    uint8_t *bins;       /* bin of each row for each feature */
     uint8_t *steps;      /* step of the ratio of each row */
     double first,
         width; /* logarithm of the ratio in the middle of step 0, and width of a step */
@@ -289,7 +289,7 @@ static bool fill_node(struct node *node, const struct tree *tree,
     return true;
 }
 
-/* Replaces a node by its first half and adds the second half. */
+/* Replaces a node by its two halves; false: out of memory. */
 static bool split_node(struct tree *tree, int index, struct counts *counts)
 {
     struct node *node = &tree->nodes[index], halves[2] = {{.rows = NULL}};

@@ -27,10 +27,10 @@ static bool plane_is_convex(const struct pp_region *plane)
     return true;
 }
 
-/* True if a wall has a dado whose reflectance differs by more than 0.2: walls in the
- * atlas have one reflectance. In 51 of its rooms with a dado 1.1 m high that differed
- * by 0.2 the simulated value left the band of exact+split-flux in five; without a dado
- * in three of 90. */
+/* True if a wall has a dado whose reflectance differs from the wall's by more than 0.2:
+ * walls in the atlas have one reflectance. In 51 of its rooms with a dado 1.1 m high
+ * that differed by 0.2 the simulated value left the band of exact+split-flux in five;
+ * without a dado in three of 90. */
 static bool has_contrasting_dado(const struct pp_world *world)
 {
     const double contrast = 0.2 + 1e-9; /* with a tolerance: 0.8 and 0.6 do not
@@ -44,7 +44,7 @@ static bool has_contrasting_dado(const struct pp_world *world)
     return false;
 }
 
-/* Reason why rooms of that kind are not in the atlas; NULL: the atlas has such
+/* Reason why rooms of this kind are not in the atlas; NULL: the atlas has such
  * rooms. */
 static const char *why_not(const struct pp_world *world,
                            const struct pp_outside_light *light)
@@ -59,8 +59,8 @@ static const char *why_not(const struct pp_world *world,
                                    : NULL;
 }
 
-/* True if a value is in a span; with a tolerance, since the ends of a span are
- * rounded. */
+/* True if a value is in a span, or NAN. There is a tolerance, since the ends of a span
+ * are rounded. */
 static bool is_within(double value, double from, double to)
 {
     double slack = 1e-3 * fmax(fabs(from), fabs(to));
@@ -144,7 +144,7 @@ struct place {
 struct lookup {
     const struct pp_report *report;
     double *features;     /* features of the room, with space for those of a point */
-    struct place *places; /* places of each point */
+    struct place *places; /* the place of each point */
     struct pp_band_index index;
     struct pp_band_regimes regimes;
     struct pp_band_columns columns; /* column to look up, and its components */

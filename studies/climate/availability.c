@@ -1,6 +1,6 @@
-/* availability.c - fills the sheet of an availability question: first the rows (a
- * place, a method and an illuminance each), then each period's curve and its share for
- * each row. */
+/* availability.c - fills the sheet of an availability study: first the rows (a place, a
+ * method and an illuminance each), then each period's curve and its share for each
+ * row. */
 #include "studies/climate/availability.h"
 
 #include <math.h>

@@ -11,8 +11,8 @@ struct worked_hour {
     double lx, length_h;
 };
 
-/* Sorts by falling illuminance; the longer of two equal ones first, so that the order
- * does not depend on the sorting algorithm. */
+/* Sorts by falling illuminance, and stretches of equal illuminance by falling length,
+ * so that the order does not depend on the sorting algorithm. */
 static int compare_hours(const void *a, const void *b)
 {
     const struct worked_hour *p = a, *q = b;

@@ -130,7 +130,7 @@ enum pp_status pp_diffuse_light_of_epw(struct pp_diffuse_light *light,
     return status;
 }
 
-/* ---- of the overcast sky ---- */
+/* ---- under overcast skies ---- */
 
 double pp_diffuse_light_overcast_lx(double sun_altitude_rad)
 {
@@ -198,8 +198,8 @@ enum pp_status pp_diffuse_light_median(double *median_lx,
     }
     qsort(known, (size_t)count, sizeof *known, compare_falling);
 
-    /* Illuminance exceeded in half of the brightest hours; between two stretches of
-     * time, their mean. */
+    /* Illuminance exceeded in half of the brighter half of the year (or of the known
+     * time). If the limit is between two stretches of time, it is the mean of both. */
     double half_h = 0.5 * fmin(4380.0, 0.5 * known_h), passed_h = 0.0;
     for (int i = 0; i < count; i++) {
         passed_h += known[i][1];

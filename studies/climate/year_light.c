@@ -95,8 +95,8 @@ static enum pp_status light_of_sky(struct pp_year_light *outside,
                                      zone, err);
 }
 
-/* Writes any set of days as a list, "Mon, Tue", even where "Monday to Friday" would
- * read better. */
+/* Writes a set of days as "all days", as a range such as "Mon to Fri", or as a list
+ * such as "Mon, Wed". */
 static void say_days(char *text, size_t room, unsigned days)
 {
     int first = 0, last = 6;

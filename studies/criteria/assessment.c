@@ -158,15 +158,16 @@ static enum pp_status judge_cumulative(struct pp_assessment *assessment,
 
 /* ---- the grid ---- */
 
-/* Relative error of a figure by the grid below which the grid is fine enough. */
+/* The grid is fine enough if the relative error that it causes in a figure is below
+ * this. */
 static const double small_error = 0.02;
 
 /* Limits for a grid that the user has not chosen: number of halvings, and of points. */
 enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
 
 /* True if the grid causes more error than noise does and may change the verdict. A
- * minimum (without a share of the plane) is left out, because it depends on every
- * grid. */
+ * minimum (without a share of the plane) is left out, because it changes with every
+ * refinement of the grid. */
 static bool is_coarse(const struct pp_finding *finding)
 {
     if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over))
@@ -181,7 +182,7 @@ static bool is_coarse(const struct pp_finding *finding)
                || finding->grid_error > small_error * finding->figure);
 }
 
-/* True if the grid should be halved and may be. */
+/* True if the grid's spacing should be halved, and may be. */
 static bool wants_finer_grid(const struct pp_assessment *assessment,
                              const struct pp_assess_options *options)
 {
@@ -240,7 +241,7 @@ static enum pp_status gather_factors(struct pp_assessment *assessment,
     return status == PP_OK ? pp_report_bands_fill(&assessment->report, err) : status;
 }
 
-/* Halves the grid and simulates again. */
+/* Halves the grid's spacing and simulates again. */
 static enum pp_status trace_finer(struct pp_assessment *assessment,
                                   const struct pp_assess_options *options,
                                   struct pp_error *err)
@@ -255,8 +256,9 @@ static enum pp_status trace_finer(struct pp_assessment *assessment,
                : status;
 }
 
-/* Chooses the named criteria; otherwise those of the profile that apply to the room, or
- * all in force that do. Choosing a profile implies its country's rules. */
+/* Chooses the named criteria; otherwise those of the profile that apply to the room or,
+ * without a profile, all in force that apply to it. Choosing a profile implies its
+ * country's rules. */
 static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
                                       const struct pp_assessment *assessment,
                                       const struct pp_assess_options *options,

@@ -1,14 +1,14 @@
 /* averages.c - the average daylight factor and its uniformity.
  *
  *   average     1 % in bedrooms, 1.5 % in living rooms, 2 % in kitchens  [BS8206], over
- *               the whole working plane: traced, else by the formula that the code
+ *               the whole working plane: simulated, else by the formula that the code
  *               gives, `average-df`, else by a pair of hand methods
  *   uniformity  minimum over average: 0.3 in rooms lit from the side, 0.7 under glazed
  *               roofs [BREEAM14], at the points of the grid (plane_grid.h), which leaves out
  *               0.5 m along the walls
  *
- * A roof is glazed where more than half of the area of the openings slopes less than 75
- * degrees.
+ * A room is under a glazed roof if more than half of the area of its openings slopes
+ * less than 75 degrees.
  */
 #include <math.h>
 #include <string.h>

@@ -38,8 +38,8 @@ static void count_loss(struct pp_br209_count *count, const struct pp_finding *fi
     count->compared++;
 }
 
-/* Counts each window once: by its former value if it was compared with one, else by 27
- * %. */
+/* Counts each window once: by comparison with its former value if there is one, else by
+ * the target of 27 %. */
 static void count_windows(struct pp_br209_count *count,
                           const struct pp_assessment *room)
 {
@@ -132,7 +132,8 @@ static enum pp_status add_to_floor(struct pp_br209_group **groups, int first,
     return PP_OK;
 }
 
-/* Adds the floors of a house, from below, and its sum if there are several. */
+/* Adds the floors of a house, the lowest first, and the sum of the house if it has
+ * several. */
 static enum pp_status add_house(struct pp_br209_group **groups, int *group_count,
                                 const char *house, const struct pp_assessment *rooms,
                                 int count, struct pp_error *err)

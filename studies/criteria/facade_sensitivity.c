@@ -11,7 +11,8 @@
  * degrees more of the ground in front of the window. */
 static const double REACH_M = 30.0;
 
-/* Errors for the other room, over the target errors: only a verdict is needed. */
+/* Target errors for the room with extended walls, over those of the room itself: only a
+ * verdict is needed. */
 static const double COARSER = 2.0;
 
 static bool is_sampled(const struct pp_finding *finding)
@@ -29,8 +30,8 @@ static bool any_sampled(const struct pp_assessment *assessment)
     return false;
 }
 
-/* The finding about the other room that corresponds to this one; NULL: there is
- * none. */
+/* The finding about the room with extended walls that corresponds to this one; NULL:
+ * there is none. */
 static const struct pp_finding *counterpart(const struct pp_assessment *other,
                                             const struct pp_criterion *criterion,
                                             const struct pp_finding *finding, int index)
@@ -69,7 +70,7 @@ static void compare_assessments(struct pp_assessment *assessment,
     }
 }
 
-/* Judges the other room, and marks the verdicts that differ there. */
+/* Judges the room with extended walls, and marks the verdicts that differ there. */
 static enum pp_status judge_other(struct pp_assessment *assessment,
                                   const struct pp_study_room *room,
                                   const struct pp_assess_options *options,

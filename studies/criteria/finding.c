@@ -9,7 +9,7 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* Figures and bounds are computed: a relative difference below this is rounding. */
+/* Figures and bounds are computed: a smaller relative difference is due to rounding. */
 static const double rounding = 1e-9;
 
 static bool is_met(const struct pp_finding *finding)

@@ -47,7 +47,7 @@ static enum pp_status add_if_plane(struct pp_finding_list *findings,
     return pp_finding_list_add(findings, &finding, err);
 }
 
-/* Adds the finding on the area that sees sky, now over before. */
+/* Adds the finding on the ratio of the area that sees sky now to that before. */
 static enum pp_status add_former(const struct sky_view_area *now,
                                  const struct pp_world *before,
                                  struct pp_finding_list *findings, struct pp_error *err)
@@ -70,7 +70,8 @@ static enum pp_status add_former(const struct sky_view_area *now,
     return pp_finding_list_add(findings, &share, err);
 }
 
-/* Adds the reason why the line is refused, in the room now or before. */
+/* Adds a finding with the reason why the line cannot be found, in the room now or
+ * before. */
 static enum pp_status add_refused(const struct pp_inquiry *inquiry, const char *what,
                                   struct pp_finding_list *findings,
                                   struct pp_error *err)

@@ -19,7 +19,8 @@ static const struct pp_study_room *find_in_state(const struct pp_study_room *roo
     return NULL;
 }
 
-/* Finds the only room, or the one of the same name; NULL: none. */
+/* Finds the room of the same name, or the only room if there is only one in both
+ * states; NULL: none. */
 static const struct pp_study_room *find_by_name(const struct pp_study_room *room,
                                                 int room_count,
                                                 const struct pp_rooms_before *before)

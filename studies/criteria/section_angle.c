@@ -1,5 +1,5 @@
-/* section_angle.c - cuts every polygon outside by the vertical section, and finds the
- * highest angle of the pieces. */
+/* section_angle.c - intersects every polygon outside with the vertical section, and
+ * finds the highest angle of the pieces. */
 #include "studies/criteria/section_angle.h"
 
 #include <math.h>
@@ -7,15 +7,14 @@
 #include "methods/exact/exterior.h"
 #include "model/geometry/tolerance.h"
 
-/* The section: the eye is the middle of the opening's outside, `ahead` is horizontal
- * and out of the wall, `across` is the section's normal. */
+/* The section: the eye is the middle of the opening's outside, `ahead` points
+ * horizontally out of the wall, `across` is the section's normal. */
 struct section_plane {
     struct pp_vec3 eye, ahead, across;
 };
 
 /* Intersection of the edge from p to q with the section: distance ahead of the eye and
- * height above it. Edges are half-open, so that one that ends in the section counts
- * once. */
+ * height above it. Edges are half-open, so that a corner in the section counts once. */
 static bool section_crossing(const struct section_plane *section, struct pp_vec3 p,
                              struct pp_vec3 q, double at[2])
 {
@@ -80,8 +79,8 @@ static bool next_crossing(struct edge_crossing *next, const struct edge_crossing
     return isfinite(next->along);
 }
 
-/* Consecutive pairs of crossings along the line are the ends of the pieces of the
- * polygon. */
+/* Highest angle of the polygon's pieces; their ends are consecutive pairs of crossings
+ * along the line. */
 static double angle_of_polygon(const struct section_plane *section,
                                const struct pp_polygon *polygon)
 {

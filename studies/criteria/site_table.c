@@ -82,7 +82,8 @@ static bool has(const struct pp_assessment *room, const struct pp_criterion *cri
     return false;
 }
 
-/* The line of a room has the verdict on its share, or the reason why there is none. */
+/* Adds the line of a room: the first finding with a verdict or, if none has one, the
+ * first finding. */
 static enum pp_status add_rights(struct pp_site_table *table,
                                  const struct pp_assessment *room,
                                  const struct pp_answer *answer, struct pp_error *err)

@@ -1,13 +1,14 @@
-/* view_out_criterion.c - the view out as [EN17037] 5.2 recommends it, over 75 % of the used area.
+/* view_out_criterion.c - the view out that [EN17037] 5.2 recommends, over 75 % of the
+ * used area.
  *
  *   horizontal sight angle   14, 28, 54 degrees     minimum, medium, high
  *   outside distance         6, 20, 50 m
  *   layers                   landscape; landscape and one more; all three
  *
- * Rules of the three are those of view_out.h. The level at a point is the lowest of its
- * three; the room has the level that 75 % of the points reach. The standard does not
- * define the used area: here it is the working plane less 0.5 m along the walls. Eyes are
- * 1.2 m above the floor, as of people who sit.
+ * The rules for these three quantities are in view_out.h. The level at a point is the
+ * lowest of the three; the room has the level that 75 % of the points reach. The
+ * standard does not define the used area: here it is the working plane less 0.5 m along
+ * the walls. Eyes are 1.2 m above the floor, as for people who sit.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -68,7 +69,7 @@ static enum pp_status find_views(struct pp_view_out **views,
     return status;
 }
 
-/* Finding without a bound: the value of a quantity that 75 % of the points reach. */
+/* Finding without a bound: the horizontal sight angle that 75 % of the points reach. */
 static struct pp_finding angle_finding(const struct pp_view_out *views, double *values,
                                        int count)
 {
@@ -143,7 +144,7 @@ static enum pp_status add_views(struct pp_finding_list *findings,
 }
 
 /* Makes a grid with spacing_m, or with wider cells if it would have more than
- * most_points. */
+ * most_cells. */
 static enum pp_status make_grid(struct pp_plane_grid *grid,
                                 const struct pp_world *world, struct pp_error *err)
 {

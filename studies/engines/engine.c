@@ -1,4 +1,4 @@
-/* engine.c - the list of engines: a line each. */
+/* engine.c - the list of engines, one line each. */
 #include "studies/engines/engine.h"
 
 #include <string.h>

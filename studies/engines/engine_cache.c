@@ -1,4 +1,5 @@
-/* engine_cache.c - daylight factors at points through an irradiance cache (simulate/cache) as an engine.
+/* engine_cache.c - an irradiance cache (simulate/cache) as an engine for daylight
+ * factors at points.
  */
 #include <stdlib.h>
 

@@ -99,7 +99,7 @@ static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
 /* Best of PLACES x PLACES view points at that height. A good view point has a far view,
  * sees the target near the middle of the picture, and is clear of all surfaces. Points
  * farther back along `back` are preferred slightly (zero: in any direction). If no
- * point is indoors, the middle of the scene's bounding box. */
+ * point is indoors, returns the middle of the room's bounding box. */
 static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                  struct pp_vec3 target, struct pp_vec3 back,
                                  double height_m)

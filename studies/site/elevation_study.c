@@ -248,7 +248,7 @@ static enum pp_status add_box(struct pp_bounds2 **list, int *count,
     return status;
 }
 
-/* Elevation with a face of the room; NULL: it is in none. */
+/* Elevation that shows a face of the room; NULL: none does. */
 static struct pp_site_elevation *elevation_of(struct pp_elevation_sheet *sheet,
                                               const struct pp_world *world, int face)
 {
@@ -294,7 +294,8 @@ static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
 /* Facades are drawn up to this distance (m) beyond the walls. */
 static const double facade_beyond_m = 1.5;
 
-/* Includes facades and shades, which may be far larger than the walls. */
+/* Extends the elevation to show facades and shades, but only up to a limit, since they
+ * may be far larger than the walls. */
 static void extend_elevation(struct pp_site_elevation *elevation,
                              const struct pp_bounds2 *boxes, int count)
 {
@@ -350,7 +351,7 @@ static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
     return status;
 }
 
-/* 2,000 triangles before one room take 4.7 s. */
+/* 2,000 triangles in front of one room take 4.7 s. */
 enum { MESH_TRIANGLES_MOST = 2000 };
 
 enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,

@@ -8,7 +8,7 @@
 
 #include "model/base/array.h"
 
-static const double SAME_M = 1e-3;     /* corners nearer than this are one */
+static const double SAME_M = 1e-3;     /* corners nearer than this count as one */
 static const double STRAIGHT_M = 1e-4; /* a corner this near to the line between its
                                         * neighbours is left out */
 static const double UPRIGHT = 1e-3;    /* a triangle is vertical if its normal's z is
@@ -152,7 +152,7 @@ static int root_of(struct mesh_parts *parts, int triangle)
     return triangle;
 }
 
-/* True if two edges join triangles that are seen as one. */
+/* True if two edges join triangles between which no edge is drawn. */
 static bool is_smooth(const struct mesh_parts *parts, const struct mesh_edge *pair)
 {
     const struct mesh_triangle *a = &parts->triangles[pair[0].triangle];
@@ -171,7 +171,8 @@ static double rise_of(const struct mesh_triangle *a, const struct mesh_triangle 
                : RISE_M;
 }
 
-/* Joins two parts; the root of the larger one remains. */
+/* Joins two parts unless their rise would be too great; the root of the larger part
+ * remains. */
 static void join_mesh_parts(struct mesh_parts *parts, const struct mesh_edge *pair)
 {
     int one = root_of(parts, pair[0].triangle), two = root_of(parts, pair[1].triangle);
@@ -219,7 +220,7 @@ static int to_of(const struct mesh_edge *edge)
     return edge->forwards ? edge->high : edge->low;
 }
 
-/* Sorts by part (stored in `triangle`) and by start node. */
+/* Sorts by part (stored in `triangle`), then by start and by end. */
 static int by_start(const void *left, const void *right)
 {
     const struct mesh_edge *a = left, *b = right;
@@ -357,7 +358,7 @@ static int find_next(const struct mesh_parts *parts, const bool *used, int first
     return -1;
 }
 
-/* Adds the part with bounds from first to end. */
+/* Adds the part whose edges are bounds[first] to bounds[end - 1]. */
 static enum pp_status add_part(struct pp_site_sheet *sheet,
                                const struct mesh_parts *parts, bool *used, int first,
                                int end, struct pp_error *err)

@@ -11,7 +11,7 @@
 #include "studies/site/garden_sun.h"
 #include "studies/site/mesh_shapes.h"
 
-/* Distance below which corners before and now are the same. */
+/* Distance below which a corner before and a corner now count as the same. */
 static const double same_m = 0.01;
 
 /* ---- windows ---- */
@@ -87,7 +87,7 @@ static enum pp_status add_site_windows(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* True if two windows are in one plane, one above the other. */
+/* True if window a is above window b, in about the same plane. */
 static bool is_above(const struct pp_site_window *a, const struct pp_site_window *b)
 {
     struct pp_vec3 along = pp_vec_sub(b->to, b->from);
@@ -238,7 +238,7 @@ static int first_from(const struct shape_place *places, int count, double least)
     return low;
 }
 
-/* Marks the equal shapes of the sheet; false: there are none. */
+/* Marks the shapes of the sheet that equal the former one; false: there are none. */
 static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *places,
                       int count, const struct pp_site_shape *former)
 {
@@ -292,8 +292,8 @@ static enum pp_status compare_site_before(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* Sorts by height; rooms come above objects at their height, since their outlines are
- * floors. */
+/* Sorts objects by height, then rooms by height: rooms are drawn above all objects,
+ * since their outlines are floors. */
 static int by_height(const void *left, const void *right)
 {
     const struct pp_site_shape *a = left, *b = right;

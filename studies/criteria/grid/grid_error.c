@@ -32,7 +32,8 @@ static double slope_at(const struct pp_plane_grid *grid, const int *index,
     return found > 0 ? sum / found : 0.0;
 }
 
-/* Puts the FINER * FINER factors of each cell, none below 0, one after the other. */
+/* Writes to `finer`, cell after cell, the FINER * FINER interpolated factors of each
+ * cell, none below 0. */
 static void refine_cells(struct pp_reading *finer, const struct pp_plane_grid *grid,
                          const int *index, const struct pp_reading *points)
 {

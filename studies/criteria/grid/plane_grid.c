@@ -11,7 +11,7 @@
 
 static const double default_spacing_m = 0.3;
 
-/* Most points at the default spacing, which grows in larger planes. */
+/* Most points at the default spacing; larger planes have a larger spacing. */
 static const double default_points = 1000.0;
 
 double pp_plane_grid_largest_spacing(double width_m, double depth_m)
@@ -32,7 +32,8 @@ static bool is_grid_point(const struct pp_world *world, double margin_m, double 
                                           pp_vec(0.0, 0.0, 1.0));
 }
 
-/* Spacing, before any halving, for a rectangle of that extent; sets the origin. */
+/* Spacing, before any halving, for a rectangle of that extent; sets grid->origin, the
+ * source of the spacing. */
 static double first_spacing(struct pp_plane_grid *grid, const double extent[2],
                             const struct pp_room *room,
                             const struct pp_grid_choice *choice)

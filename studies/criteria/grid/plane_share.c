@@ -23,7 +23,7 @@ static const double surely = 1e-12;
  * side of the level: normal_below(-7.04) = 0.96e-12. */
 static const double surely_off = 7.04;
 
-/* Values and targets are computed: a relative difference below this is rounding. */
+/* Values and targets are computed: a smaller relative difference is due to rounding. */
 static const double rounding = 1e-9;
 
 /* Most points near the figure for which the distribution is computed exactly: the time
@@ -164,8 +164,8 @@ static double normal_below(double z)
 }
 
 /* Probability that the figure reaches the level, given the shift, if many points are
- * uncertain: their number is approximated as normal, with a correction of half a
- * point. */
+ * uncertain: the number that reach it is approximated by a normal distribution, with a
+ * correction of half a point. */
 static double probability_of_many(const struct plane_points *points, double level,
                                   double shift)
 {

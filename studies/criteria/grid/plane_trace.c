@@ -9,8 +9,8 @@
 #include "studies/criteria/grid/plane_share.h"
 #include "studies/study_report.h"
 
-/* First error of a point over the target error of a figure. Medians of a hundred points
- * in eight rooms had 0.35 to 0.7 of a point's error. */
+/* Target error of a point in the first simulation, over the target error of a figure.
+ * Medians of a hundred points in eight rooms had 0.35 to 0.7 of a point's error. */
 static const double first_times = 2.0;
 
 /* Ratio to the target error up to which no further simulation is needed. */

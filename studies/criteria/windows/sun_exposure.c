@@ -1,16 +1,16 @@
-/* sun_exposure.c - exposure to sunlight recommended by [EN17037] (table A.6), of a room
- * of a dwelling, a ward or a nursery's playroom.
+/* sun_exposure.c - exposure to sunlight recommended by [EN17037] (table A.6), for a
+ * room of a dwelling, a hospital ward or the playroom of a nursery.
  *
  *   minimum 1.5 h, medium 3 h, high 4 h of sun on a day from 1 February to 21 March
  *
  * The day is 21 March. The sun counts if it reaches the reference point of any opening:
  * at the middle of its width on the inside of its wall, 1.2 m above the floor and at
- * least 0.3 m above the sill (for sloping glass, its centre). The standard leaves out
- * the sun below an altitude that it gives by country. Its table was not at hand;
+ * least 0.3 m above the sill (for sloping glass, its centre). The standard ignores the
+ * sun below an altitude that it states for each country. Its table was not at hand;
  * Germany's 11 degrees and the Czech Republic's 13 are known from secondary sources.
  * Elsewhere a level is met if the sun above 20 degrees suffices, and not met if the sun
  * above 5 degrees does not. Otherwise it is undecided, and the altitude at which the
- * verdict changes is given.
+ * verdict changes is stated.
  */
 #include <math.h>
 #include <string.h>
@@ -87,8 +87,8 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
     return status;
 }
 
-/* Finds the altitude above which the sun shines for the required hours, to 0.01
- * degrees. */
+/* Finds, to 0.01 degrees, the greatest altitude above which the sun shines for the
+ * required hours. */
 static enum pp_status find_turn(double *turn_rad, const struct pp_world *world,
                                 double wanted, struct pp_error *err)
 {

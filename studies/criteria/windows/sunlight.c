@@ -4,8 +4,8 @@
  *   W >= 5 %     of the same hours, from 21 September to 21 March
  *
  * at the centre of the outside of windows that face within 90 degrees of due south (of
- * due north, south of the equator). If the former room is given, lower values are no
- * failure if
+ * due north, south of the equator). If the former room is given, lower values also pass
+ * if
  *
  *   S >= 0.8 S before  and  W >= 0.8 W before,  or  S before - S <= 4 %
  *

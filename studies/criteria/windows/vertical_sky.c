@@ -3,12 +3,12 @@
  *
  *   VSC >= 27 %                              on the outside, at the window's middle
  *   VSC >= 27 %  or  VSC >= 0.8 VSC before
- *   theta <= 25 degrees                      obstruction angle before the window
+ *   theta <= 25 degrees                      obstruction angle in front of the window
  *
  * The vertical sky component VSC is the illuminance of the wall's plane from the sky
  * alone over that of a horizontal plane under the open CIE overcast sky, whatever the
  * room's own sky; without obstructions it is 39.6 %. An endless obstruction of 25
- * degrees leaves 27.3 %: a window that keeps the 25 degree rule has the vertical sky
+ * degrees leaves 27.3 %: a window that meets the 25 degree rule has enough vertical sky
  * component too, and where the angle is larger the component decides.
  */
 #include "studies/criteria/windows/vertical_sky.h"
@@ -26,7 +26,7 @@
 #define VSC_WANTED 0.27
 #define FORMER_SHARE_WANTED 0.8
 #define FRENCH_FOOT_M 0.2
-#define NO_SKY 1e-6 /* with less, a window sees no sky, and has no ratio */
+#define NO_SKY 1e-6 /* with less, a window counts as seeing no sky, and has no ratio */
 #define ANGLE_WANTED (25.0 * PP_RAD)
 
 static const char none[] = "the room has no openings";
@@ -38,7 +38,8 @@ bool pp_vertical_sky_is_upright(const struct pp_opening *opening)
     return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
 }
 
-/* True if the window is judged at french_m. */
+/* True if the window is judged at height french_m: it reaches from near the floor to
+ * above that height. */
 static bool is_french(const struct pp_opening *opening, double french_m)
 {
     double low = INFINITY, high = -INFINITY;
@@ -94,9 +95,10 @@ static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
     return true;
 }
 
-/* Share without the overhangs, fins, balconies and shelves of the room's own windows
- * and of other rooms in the same front. These hide sky whatever is opposite: [BR209]
- * requires both values to be stated (from memory). NAN: there are none. */
+/* Vertical sky component without the overhangs, fins, balconies and shelves of the
+ * room's own windows and of other rooms in the same front. These hide sky whatever is
+ * opposite: [BR209] requires both values to be stated (from memory). NAN: there are
+ * none. */
 static enum pp_status find_unshaded(double *share, const struct pp_world *world,
                                     const struct pp_opening *opening, double french_m,
                                     struct pp_error *err)

@@ -1,4 +1,5 @@
-/* atlas_design.c - converts coordinates to lengths, and these to a room file. */
+/* atlas_design.c - converts coordinates of the sweep to dimensions, and these to a room
+ * file. */
 #include "studies/research/atlas/atlas_design.h"
 
 #include <math.h>
@@ -63,8 +64,8 @@ static void face(struct pp_atlas_layout *room, const char *role, const char *nam
     face(room, role, name, (const double[][3]){__VA_ARGS__},                           \
          sizeof(const double[][3]){__VA_ARGS__} / sizeof(double[3]))
 
-/* Writes a ceiling with a single slope, rising from the south wall to the north
- * wall. */
+/* Writes the faces of a room whose ceiling has a single slope, rising from the south
+ * wall to the north wall. */
 static void put_mono_pitch(struct pp_atlas_layout *room, double w, double d, double low,
                            double high)
 {
@@ -77,7 +78,8 @@ static void put_mono_pitch(struct pp_atlas_layout *room, double w, double d, dou
          {w, 0, low});
 }
 
-/* Writes a ceiling with a ridge from south to north, over the middle of the room. */
+/* Writes the faces of a room whose ceiling has a ridge from south to north, over the
+ * middle of the room. */
 static void put_ridge(struct pp_atlas_layout *room, double w, double d, double low,
                       double high)
 {
@@ -251,8 +253,8 @@ static void put_roof_windows(struct pp_atlas_layout *room)
     double gap = (along - count * width) / (count + 1);
     for (int i = 0; i < count; i++) {
         double a = gap + i * (width + gap), b = a + width;
-        /* Corners in coordinates along the slope and up it, counter-clockwise as seen
-         * from inside. */
+        /* Corners as coordinates along the eaves and, in plan, up the slope,
+         * counter-clockwise as seen from inside. */
         const double corners[4][2] = {
             {a, from}, {a, from + up}, {b, from + up}, {b, from}};
         PP_SAY(room, "  <opening");
@@ -268,7 +270,7 @@ static void put_roof_windows(struct pp_atlas_layout *room)
     }
 }
 
-/* Returns whether there are windows in walls. */
+/* Writes the openings; returns true if there are windows in walls. */
 static bool put_openings(struct pp_atlas_layout *room)
 {
     const struct pp_atlas_ranges *ranges = room->ranges;
@@ -295,8 +297,8 @@ static bool put_openings(struct pp_atlas_layout *room)
 
 /* ---- points ---- */
 
-/* Places points to within 0.25 m of the walls, where the ceiling is at least 0.3 m
- * above the plane. */
+/* Writes the points, at least 0.25 m from the walls, and where the ceiling is at least
+ * 0.3 m above the plane. */
 static void put_points(struct pp_atlas_layout *room)
 {
     const double margin = 0.25;

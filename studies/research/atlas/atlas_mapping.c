@@ -60,8 +60,8 @@ struct mapping_columns {
     int sky, outside;
 };
 
-/* Column of a method: the one of that full name; else, for a method's name, the first
- * of its components that the table has. */
+/* Column of a method: if `method` is a full heading, the column of that heading; else
+ * the first of the method's components that the table has. -1: none. */
 static int find_method(const struct pp_atlas_table *table, const char *method)
 {
     static const char *const components[] = {"df", "irc", "sc", "erc"};
@@ -80,7 +80,8 @@ static int find_method(const struct pp_atlas_table *table, const char *method)
     return -1;
 }
 
-/* The column named `before` plus the component of a column "df.exact+bre". */
+/* The column "BEFORE.COMPONENT", with the component of a column such as "df.exact+bre";
+ * -1: none. */
 static int find_of_component(const struct pp_atlas_table *table, const char *before,
                              const char *column)
 {
@@ -224,8 +225,8 @@ static void take_quantiles(struct mapped_ratio *list, int count,
 /* ---- a map ---- */
 
 /* Lists the ratios of figure to true value in that column, at points or of averages.
- * *blind: number of rows left out because the true value is unknown. A true value in a
- * method's own world is as accurate as the room's own. */
+ * *blind: number of rows left out because the true value is too uncertain. The true
+ * value in a method's own world is assumed to be as accurate as the room's. */
 static int gather_mapped_ratios(struct mapped_ratio *list, int *blind,
                                 const struct pp_atlas_map *map,
                                 const struct pp_atlas_table *table,

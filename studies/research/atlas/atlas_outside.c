@@ -21,7 +21,7 @@ static void facade(struct pp_atlas_layout *room, double aside, double up,
            aside, aside, up, -room->ground, reflectance);
 }
 
-/* A slab over the south wall's windows. */
+/* Writes a slab above the windows of the south wall. */
 static void put_balcony(struct pp_atlas_layout *room, const double u[6])
 {
     double out = pp_between(0.5, 2.2, u[1]),

@@ -75,7 +75,7 @@ static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
     }
 }
 
-/* Simulates the room, and the worlds of its methods. */
+/* Simulates the room, and the worlds that its methods assume. */
 static enum pp_status trace_all(struct pp_atlas_drawn *drawn,
                                 struct pp_own_worlds *worlds, struct pp_error *err)
 {

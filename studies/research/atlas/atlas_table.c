@@ -1,4 +1,4 @@
-/* atlas_table.c - reads lines of numbers one by one. */
+/* atlas_table.c - reads the lines of a CSV table one by one. */
 #include "studies/research/atlas/atlas_table.h"
 
 #include <stdbool.h>
@@ -51,7 +51,8 @@ static enum pp_status read_names(struct table_reading *reading, char *line,
                          reading->path, reading->line);
 }
 
-/* The number of a field that ends at `end`. */
+/* Reads the number in a field that ends at `end`; an empty field is NAN. False if the
+ * field is not a finite number. */
 static bool read_field_number(double *value, const char *field, const char *end)
 {
     char *behind;

@@ -182,7 +182,7 @@ static enum pp_status fill_outside(double features[PP_ROOM_FEATURES],
 
 /* ---- ordinary rooms ---- */
 
-/* Ranges that the features of ordinary rooms have. */
+/* Ranges of the features of ordinary rooms. */
 static const struct {
     enum pp_room_feature feature;
     double from, to;
@@ -224,7 +224,7 @@ enum pp_status pp_room_features(double features[PP_ROOM_FEATURES],
 
 /* ---- a point ---- */
 
-/* Horizontal distance from a point to a polygon, both seen in plan. */
+/* Horizontal distance from a point to a polygon's outline, both seen in plan. */
 static double plan_distance(const struct pp_polygon *outline, struct pp_vec3 point)
 {
     double least = INFINITY;

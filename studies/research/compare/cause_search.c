@@ -238,9 +238,9 @@ static const struct cause_candidate *to_trace(const struct cause_search *search)
     return next;
 }
 
-/* Replaces a set to be simulated by a part of it, if that tells more first. For three
- * causes this is the pair, not yet simulated, whose effect may deviate most from the
- * sum. Otherwise the set stays as it is. Returns the number of causes. */
+/* Replaces a set to be simulated by a part of it, if simulating the part first tells
+ * more. For three causes this is the pair, not yet simulated, whose effect may deviate
+ * most from the sum. Otherwise the set stays as it is. Returns the number of causes. */
 static int first_to_trace(const struct cause_search *search,
                           int causes[PP_CAUSE_SEARCH_MOST], int count, double level)
 {

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Smallest detectable differences: of a height (m), and of a reflectance. */
+/* Smallest detectable differences in height (m) and in reflectance. */
 static const double SAME_HEIGHT_M = 0.05, SAME_REFLECTANCE = 0.02;
 
 /* ---- applicability ---- */

@@ -28,15 +28,15 @@ struct forms {
     double log_det;     /* logarithm of the covariance's determinant */
 };
 
-/* ln of the sum of exp of both. */
+/* ln(exp(a) + exp(b)), without overflow. */
 static double log_sum(double a, double b)
 {
     double most = fmax(a, b);
     return most + log(exp(a - most) + exp(b - most));
 }
 
-/* Density (1), with theta normal about 0 with this standard deviation. *theta: its
- * expected value, 1' V r / (1' V 1 + 1/s^2). */
+/* Logarithm of density (1), with theta normally distributed about 0 with this standard
+ * deviation. *theta: its expected value, 1' V r / (1' V 1 + 1/s^2). */
 static double density_of(const struct forms *forms, int count, double deviation,
                          double *theta)
 {
@@ -129,7 +129,7 @@ double pp_likelihood_white(const struct pp_likelihood_data *data,
     return most + log(sum);
 }
 
-/* Sums the densities over noise levels i and kinds of noise k. */
+/* Averages the densities over noise levels i and kinds of noise k. */
 static struct pp_likelihood sum_up(double of[KINDS][SIGMAS],
                                    double theta[KINDS][SIGMAS])
 {

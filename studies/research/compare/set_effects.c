@@ -28,7 +28,7 @@ static const double LEAST_EFFECT = 0.001;
  * computed. */
 static const double LEAST_NOISE = 0.003;
 /* Steps of the golden section search for a fitted value, and number of levels to which
- * it is rounded, each about a thousandth. */
+ * it is rounded, about a thousandth of its range apart. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
 static const struct pp_known_set *find_known_set(const struct pp_set_effects *effects,
                                                  const int *causes, int count)

@@ -20,8 +20,8 @@ static struct pp_glass by_normal_alone(struct pp_glass glass)
     return pp_glass_of_normal(1, 1.0 + 1e-9, 0.0, glass.normal);
 }
 
-/* One pane of several. If only the transmittance of the whole glazing was given, each
- * pane has an equal share of the scale. */
+/* One pane of several. If only the transmittance of the whole glazing was given, all
+ * panes get the same factor, and the product of the factors is glass.scale. */
 static struct pp_glass one_of(struct pp_glass glass)
 {
     struct pp_glass pane = pp_glass_panes(1, glass.n, glass.kl);

@@ -1,5 +1,5 @@
-/* cie171.c - makes the rooms of CIE 171 and compares the figures of its table, in its
- * order. */
+/* cie171.c - makes the rooms of CIE 171 and compares the figures of its table, in the
+ * table's order. */
 #include "studies/research/validation/cie171.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 #include "methods/view/visible.h"
 
 /* One row of the table; figures in per cent. Texts are arrays, not pointers, since each
- * pointer would be a relocation at every start. */
+ * pointer would need a relocation at every start. */
 struct figure {
     char scene[16];
     double a, b, sky;
@@ -29,8 +29,8 @@ enum {
     POINTS_MOST = 32, /* most points of one room */
 };
 
-/* Tolerances: of the independent integration (three decimals; coarser if a mask cuts
- * the opening), and of printed figures (two decimals). */
+/* Tolerances for the independent integration (three decimals; coarser if a mask cuts
+ * the opening), and for printed figures (two decimals). */
 static const double CHECK_SHARE = 0.001, MASKED_SHARE = 0.0025, CHECK_LEAST = 0.001e-2;
 static const double PRINTED_SHARE = 0.01, PRINTED_LEAST = 0.02e-2;
 
@@ -77,7 +77,7 @@ static void write_opening(char *text, size_t size, const struct figure *figure)
                  0.0, -6.0, 0.0, -6.0, 0.0, -6.0, a, -6.0, a);
 }
 
-/* The ground is lit as if there were no building on it. */
+/* Makes the room of a figure. Its ground is lit as if there were no building on it. */
 static enum pp_status build_room(struct pp_world **world,
                                  struct pp_outside_light *light,
                                  const struct figure *figure, struct pp_error *err)
@@ -218,7 +218,8 @@ static void name_group(char text[48], const struct figure *figure)
             snprintf(text, 48, names[i].words, figure->a, figure->b);
 }
 
-/* Adds the cases of one figure: by `exact`, and by simulation if that is not NULL. */
+/* Adds the cases of one figure: by `exact`, and by simulation if `traced` is not
+ * NULL. */
 static enum pp_status add_figure(struct pp_known_cases *cases,
                                  const struct figure *figure,
                                  const struct pp_world *world,

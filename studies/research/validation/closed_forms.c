@@ -9,7 +9,8 @@
 
 /* ---- by hand methods ---- */
 
-/* Rectangles seen from a point one metre away, with one corner on the perpendicular. */
+/* Rectangles seen from a point one metre away, with one corner on the perpendicular
+ * through the point. */
 static enum pp_status check_rectangles(struct pp_known_cases *cases,
                                        struct pp_error *err)
 {
@@ -52,7 +53,8 @@ static enum pp_status check_rectangles(struct pp_known_cases *cases,
     return PP_OK;
 }
 
-/* A glazed window, by quadrature over azimuth and altitude. */
+/* Checks a glazed window; the expected value is a quadrature over azimuth and
+ * altitude. */
 static enum pp_status check_glass(struct pp_known_cases *cases, struct pp_error *err)
 {
     struct pp_known_room room;
@@ -112,7 +114,7 @@ static enum pp_status check_traced(struct pp_known_cases *cases, const char *wha
 static const struct pp_receiver facing_up = {.position = {1.0, 1.0, 1.0},
                                              .normal = {0.0, 0.0, 1.0}};
 
-/* A point under the open sky, without any surface. */
+/* Checks points under the open sky, without any surface. */
 static enum pp_status check_open_sky(struct pp_known_cases *cases,
                                      const struct pp_known_trace *how,
                                      struct pp_error *err)
@@ -221,7 +223,8 @@ static enum pp_status check_configuration_factors(struct pp_known_cases *cases,
     return status;
 }
 
-/* Windows whose sky component is known in closed form or by quadrature; a dark room. */
+/* Checks windows whose sky component is known in closed form or by quadrature, and a
+ * room without light. */
 static enum pp_status check_windows(struct pp_known_cases *cases,
                                     const struct pp_known_trace *how,
                                     struct pp_error *err)

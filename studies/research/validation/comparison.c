@@ -13,7 +13,8 @@ static double known_error(const struct pp_reading *reading)
     return isfinite(reading->std_error) ? reading->std_error : 0.0;
 }
 
-/* Reason of the first reading that has no value. */
+/* Reason why a reading has no value: that of the first such point, else of the
+ * average. */
 static const char *reason(const struct pp_report *report,
                           const struct pp_column *column)
 {

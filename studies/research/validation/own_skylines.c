@@ -34,8 +34,8 @@ static bool way_out(struct pp_vec3 *outward, const struct pp_polygon *outline)
     return level > same_angle_rad;
 }
 
-/* Angle of the obstructions before an opening, without the part hidden by the room's
- * own walls. */
+/* Angle of the obstructions in front of an opening, without the part hidden by the
+ * room's own walls. */
 static enum pp_status angle_outside(double *angle_rad, const struct pp_world *world,
                                     const struct pp_world *bare,
                                     const struct pp_outside_light *light, int opening,

@@ -13,8 +13,8 @@
 #include "studies/study_report.h"
 #include "studies/research/validation/own_skylines.h"
 
-/* Properties in which a world differs from the room's. Its ground is lit by the whole
- * sky. */
+/* Properties in which an assumed world differs from the room's world. The ground of an
+ * assumed world is lit by the whole sky. */
 struct own_kind {
     double ground_reflectance;
     bool surroundings; /* with the room's own surroundings, not skylines */
@@ -52,7 +52,8 @@ static const struct pp_method *method_of(const char *name, size_t length,
     return NULL;
 }
 
-/* The method that gives a column's component; NULL: none, it is simulated. */
+/* The method that gives a column's component; NULL: none does, the component is
+ * simulated. */
 static const struct pp_method *method_for(const struct pp_own_worlds *worlds,
                                           const struct pp_column *column,
                                           enum pp_component component)

@@ -113,8 +113,8 @@ static const double irc[][13] = {
 static const double IRC_LIMIT = 0.0025;
 
 /* The room that fits the table best: 20 x 20 x 10 ft, with a window from 3 ft above the
- * floor to the ceiling, before a skyline of 20 degrees. IRC_GLASS_MOST: largest area of
- * glass that fits in its wall, per cent of the floor. */
+ * floor to the ceiling, and a skyline of 20 degrees opposite. IRC_GLASS_MOST: largest
+ * area of glass that fits in its wall, per cent of the floor. */
 static const double FOOT_M = 0.3048, IRC_GLASS_MOST = 35.0;
 
 /* The minimum by `bre-min` in that room. */
@@ -168,8 +168,9 @@ static const double factors[][2] = {
 #include "tables/bre_obstruction_factors.inc"
 };
 
-/* The factors are the overcast sky above the obstruction plus a tenth of the hidden
- * sky, to 1.3 %: the printed ones are whole numbers, rounded in several steps. */
+/* The factors equal the light of the overcast sky above the obstruction plus a tenth of
+ * the hidden light, to within 1.3 %: the printed ones are whole numbers, rounded in
+ * several steps. */
 static void check_obstruction_factors(struct pp_known_cases *cases)
 {
     double open = pp_graded_sky_over_skyline(PP_GRADED_SKY_OVERCAST, 0.0);

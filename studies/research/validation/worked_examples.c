@@ -38,8 +38,8 @@ static enum pp_status check_protractors(struct pp_known_cases *cases,
     "<finishes floor='0.2' walls='0.5' ceiling='0.7'/><point x='2' y='3'/>"            \
     "<window wall='south' left='0.2' sill='0.9' width='3.6' height='1.5' "
 
-/* The internally reflected component of a room of 4 x 6 x 3 m, and a window read from
- * the BRS table. */
+/* Checks the internally reflected component and the average daylight factor of a room
+ * of 4 x 6 x 3 m, and a window read from the BRS table. */
 static enum pp_status check_rooms(struct pp_known_cases *cases, struct pp_error *err)
 {
     struct pp_known_room room;
