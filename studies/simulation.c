@@ -10,7 +10,7 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/fast/tracer.h"
 
-/* Time (s) between two readings of the clock and by the watch. */
+/* Time (s) between two checks of the clock, and between two calls of the watch. */
 static const double slice_s = 0.1;
 
 struct pp_simulation {

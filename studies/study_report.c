@@ -1,5 +1,5 @@
-/* study_report.c - begins a report with the methods' columns, and adds the
- * simulation's under a watch. */
+/* study_report.c - begins a report with the columns of the methods, and adds those of a
+ * simulation, whose progress a watch follows. */
 #include "studies/study_report.h"
 
 #include "methods/evaluate.h"

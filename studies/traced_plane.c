@@ -122,7 +122,8 @@ static enum pp_status add_cut(struct pp_traced_plane *plane,
     return status;
 }
 
-/* Finds the plane's own edges, if it has re-entrant corners, and the objects in it. */
+/* Finds the plane's own edges, unless it is a plain quadrangle, and the objects in
+ * it. */
 static enum pp_status find_screens(struct pp_traced_plane *plane, struct pp_error *err)
 {
     const struct pp_world *world = plane->world;

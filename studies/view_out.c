@@ -85,7 +85,7 @@ static double median_distance(struct view_line *lines, int count)
     return 0.0;
 }
 
-/* Axes of the plane at unit distance before the eye (pp_visible_open_part). */
+/* Axes of the plane at unit distance in front of the eye (pp_visible_open_part). */
 struct opening_axes {
     struct pp_vec3 along, up, out;
 };
@@ -97,8 +97,8 @@ static struct pp_vec3 axes_direction(const struct opening_axes *axes, double x,
     return pp_vec_along(pp_vec_along(v, y, axes->up), 1.0, axes->out);
 }
 
-/* Adds the bearings of one ring of an opening's visible part, relative to that of the
- * opening's normal; they differ from it by less than 90 degrees. */
+/* Adds the span of bearings of one ring of an opening's visible part. All of them
+ * differ by less than 90 degrees from the bearing of the opening's normal. */
 static enum pp_status add_bearings(struct view_sum *sum,
                                    const struct opening_axes *axes,
                                    const struct pp_ring *ring, struct pp_error *err)
@@ -149,7 +149,8 @@ static enum pp_view_layer layer_seen(double *distance_m, const struct pp_world *
     return ray->to.z > -sin(LANDSCAPE_RAD) ? PP_VIEW_LANDSCAPE : PP_VIEW_GROUND;
 }
 
-/* Adds the lines of sight through the visible part; *layers: those that it shows. */
+/* Adds the lines of sight through the visible part; *layers: the layers in which these
+ * lines end. */
 static enum pp_status add_view_lines(
     struct view_sum *sum, int *layers, const struct pp_world *world,
     const struct pp_light_scene *scene, const struct pp_opening *opening,

@@ -114,7 +114,7 @@ static void begin_paths(struct batch_work *work, uint64_t place)
                            pp_hash(work->seed, place));
 }
 
-/* One path through the openings and one in the cosine lobe. */
+/* Follows one path through the openings and one in the cosine lobe. */
 static void follow_both(struct batch_work *work, const struct pp_lit_point *at)
 {
     struct pp_year_sink sink = batch_sink;

@@ -130,7 +130,8 @@ static void aim(const struct year_path *from, const struct pp_lit_point *at,
     follow(&path);
 }
 
-/* The diffuse lobes of a surface, on either side: the sun on it, and the openings. */
+/* Adds the light of sun and openings that the diffuse lobes of a surface scatter, on
+ * either side. */
 static void add_diffuse(struct year_path *path, const struct pp_lobes *lobes,
                         const struct pp_light_hit *hit)
 {

@@ -111,7 +111,8 @@ static enum pp_status thinner_frames(struct pp_room **changed, struct pp_gain *g
     return status;
 }
 
-/* Name of clear glazing with as many panes as the glass, but two at most. */
+/* Name of the clear glazing that replaces the glass: single for one pane that is not
+ * diffusing, else double. */
 static const char *clear_of(const struct pp_glass *glass)
 {
     return glass->panes == 1 && !glass->diffusing ? "clear-single" : "clear-double";
@@ -185,8 +186,8 @@ static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *ro
     return status;
 }
 
-/* Largest distance by which a head has moved, or a sill if the change is of sills
- * (m). */
+/* Largest distance by which a head has moved up or, for any change except of heads, a
+ * sill has moved down (m). */
 static double largest_move(const struct pp_room *room, const struct pp_room *changed,
                            enum pp_size_change change)
 {
@@ -270,7 +271,7 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
     return status;
 }
 
-/* ---- One window more ---- */
+/* ---- One more window ---- */
 
 /* Index of the window with the largest area; -1: the room has no window. */
 static int largest_window(const struct pp_room *room)

@@ -12,8 +12,9 @@
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/lit_line.h"
 
-static const double next_to_nothing = 1e-6; /* a value before building up to this is
-                                             * practically 0, and has no due */
+static const double next_to_nothing = 1e-6; /* if the value before building is at most
+                                             * this, it counts as 0, and nothing need be
+                                             * retained */
 
 const char *const pp_retained_sky_words[] = {"vsc", "lit-area", NULL};
 
@@ -88,7 +89,7 @@ static enum pp_status add_lit_area(struct pp_retained_sky *retained,
     return status;
 }
 
-/* Adds all windows, or the area, of one room that count. */
+/* Adds the windows of one room that count, or its lit area, if the room counts. */
 static enum pp_status add_room(struct pp_retained_sky *retained,
                                const struct pp_retained_sky_rule *rule,
                                const struct pp_retained_sky_place *only,
@@ -139,9 +140,9 @@ enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
                : pp_fail(err, PP_BAD_INPUT, "no room has a vertical window");
 }
 
-/* Values of the building in its present state, in the order of the list. The list and
- * the building have rooms and lines in the same order, and the windows of one line in
- * the same sequence. */
+/* Stores the values of the building in its present state in the list, as before or as
+ * after; 0 for a window that does not exist. The list and the building have rooms and
+ * lines in the same order, and the windows of one line in the same sequence. */
 static enum pp_status measure_retained_sky(struct pp_retained_sky *retained,
                                            bool before,
                                            const struct pp_retained_sky_rule *rule,

@@ -11,7 +11,7 @@
 enum {
     SCANNED = 9,         /* sizes scanned over the whole range, both ends included */
     SCANNED_SAMPLED = 4, /* the same for sampled values, which take longer */
-    REFINED_MOST = 3,    /* refinements of the grid at most: down to a micrometre */
+    REFINED_MOST = 3,    /* most refinements of the grid: down to a micrometre */
 };
 
 /* A value within this relative distance above the target ends the search, unless it is

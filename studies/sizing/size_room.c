@@ -120,8 +120,9 @@ static bool is_chosen(const struct pp_size_request *request,
            && (!request->wall || strcmp(opening->wall, request->wall) == 0);
 }
 
-/* Indices of the openings that change: the windows, or the rooflights if there are no
- * windows. Fails if there are none. */
+/* Indices of the openings that change: that of the requested line, else the windows (of
+ * the requested wall), or the rooflights if there are no windows. Fails if there are
+ * none. */
 static enum pp_status choose_sized_openings(int *openings, int *count,
                                             const struct pp_size_request *request,
                                             const struct pp_room *room,
@@ -209,7 +210,7 @@ static void find_text(struct pp_size_room_result *result)
 
 /* ---- The room ---- */
 
-/* True if the method's average of the present room is reliable. */
+/* Finds whether the method's average for the present room is reliable. */
 static enum pp_status find_reliability(struct pp_size_room_result *result,
                                        const struct valuation *valuation,
                                        struct pp_error *err)
@@ -321,7 +322,8 @@ static enum pp_status search_traced(struct pp_size_room_result *result,
 
 /* Searches again by hand with a corrected target, higher or lower by the ratio of the
  * simulated margin to the requirement, until the simulated margin exceeds it by 2 % or
- * less. If that fails, searches by simulation alone. */
+ * less (after some tries, by any amount). If that fails, searches by simulation
+ * alone. */
 static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
                                             struct pp_size_task *task,
                                             struct valuation *valuation,

@@ -149,8 +149,8 @@ static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
     return PP_OK;
 }
 
-/* Sets the speed of each edge that cannot move even alone to 0; *stopped: number of
- * these edges. */
+/* Sets to 0 the speed of each edge that cannot move even on its own; *stopped: number
+ * of these edges. */
 static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *sizes,
                                    struct pp_room *trial, const double *edges,
                                    double *way, double *moved, struct pp_error *err)

@@ -58,8 +58,7 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     return pp_annual_point_make_spaces(work, err);
 }
 
-/* Largest standard error of a point's annual light over that light, with the mean
- * sky. */
+/* Largest relative standard error of the annual light of a point, with the mean sky. */
 static double worst_error(const struct pp_annual_work *work)
 {
     double worst = 0.0;

@@ -141,7 +141,8 @@ static void name_groups(struct pp_annual_sheet *sheet, const struct pp_world *wo
     }
 }
 
-/* Degrees between the place of the file and the room's. */
+/* Warns if the latitudes of the weather file and of the room differ by more than a
+ * degree. */
 static void compare_places(struct pp_annual_sheet *sheet, const struct pp_world *world,
                            const struct pp_epw *epw)
 {
