@@ -195,8 +195,8 @@ static enum pp_status by_hand(struct pp_plan_study *study,
 
 /* ---- traced ---- */
 
-/* The target error is that of the median and of the area shares. They are means over many
- * points, so each point may have this many times the error at first. */
+/* The target error is that of the median and of the area shares. They are means over
+ * many points, so each point may have this many times the error at first. */
 static const double coarse = 4.0;
 
 /* *known: true if median and area shares of the grid at these points meet the target

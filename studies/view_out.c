@@ -120,7 +120,8 @@ static enum pp_status add_bearings(struct view_sum *sum,
     return status;
 }
 
-/* True if a skyline without a distance hides the direction through an opening of `face`. */
+/* True if a skyline without a distance hides the direction through an opening of
+ * `face`. */
 static bool is_behind_skyline(const struct pp_world *world, int face, struct pp_vec3 to,
                               struct pp_vec3 out)
 {

@@ -1,5 +1,5 @@
-/* path_trace.c - next-event estimation of openings, and the path-tracing loop: emission,
- * direct light, a direction of a lobe, Russian roulette. */
+/* path_trace.c - next-event estimation of openings, and the path-tracing loop:
+ * emission, direct light, a direction of a lobe, Russian roulette. */
 #include "simulate/path_tracer/path_trace.h"
 
 #include <stddef.h>

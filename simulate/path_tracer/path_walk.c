@@ -37,8 +37,8 @@ enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
     if (lobe < 0
         || !pp_scatter_sample(lobes, (enum pp_lobe)lobe, u[0], u[1], &wi, &factor))
         return PP_LOBE_COUNT;
-    /* The lobe's BSDF x cosine / pdf is its albedo times the factor; the lobe itself was
-     * drawn with the probability albedo / total. */
+    /* BSDF x cosine / pdf of the lobe is its albedo times the factor; the lobe itself
+     * was drawn with the probability albedo / total. */
     *beta = pp_rgb_times(*beta, lobes->share[lobe]);
     *beta = pp_rgb_scale(*beta, factor * total / albedo[lobe]);
 

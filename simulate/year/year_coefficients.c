@@ -1,4 +1,5 @@
-/* year_coefficients.c - the batches, the sun on their cells, and the hours of a point. */
+/* year_coefficients.c - traces the batches, finds the sun on their cells, and computes
+ * the hours of a point. */
 #include "simulate/year/year_coefficients.h"
 
 #include <math.h>

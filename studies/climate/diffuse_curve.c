@@ -97,8 +97,8 @@ double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx)
 
 double pp_diffuse_curve_lx(const struct pp_diffuse_curve *curve, double share)
 {
-    /* Bisection for the first illuminance that is reached in that share of the time; the
-     * share may have been rounded. */
+    /* Bisection for the first illuminance that is reached in that share of the time;
+     * the share may have been rounded. */
     int low = 0, high = curve->count - 1;
     while (low < high) {
         int middle = (low + high) / 2;

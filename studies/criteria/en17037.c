@@ -1,5 +1,5 @@
-/* en17037.c - daylight provision as [EN17037] recommends it, by its first method, the
- * daylight factor; and as its UK national annex does for dwellings.
+/* en17037.c - daylight provision as recommended by [EN17037], by its first method (the
+ * daylight factor), and by its UK national annex for dwellings.
  *
  * An illuminance is reached over half of the year's daylight hours where the daylight
  * factor is at least
@@ -16,9 +16,9 @@
  *                             each over 50 %
  *
  * The reference plane is the room's working plane less 0.5 m along the walls, on a grid
- * (plane_grid.h) that the standard permits or a finer one; the sky is the CIE overcast sky (type 16 or 1). A
- * room all of whose glass is within 15 degrees of level has rooflights; every other room
- * has windows.
+ * (plane_grid.h) that the standard permits, or on a finer one. The sky is the CIE
+ * overcast sky (type 16 or 1). A room all of whose glass is within 15 degrees of level
+ * has rooflights; every other room has windows.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,5 @@
-/* factors.c - chooses among the report's columns: simulation first, then hand methods. */
+/* factors.c - chooses among the report's columns: simulation first, then hand
+ * methods. */
 #include "studies/criteria/factors.h"
 
 #include <math.h>

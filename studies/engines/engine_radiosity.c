@@ -1,4 +1,5 @@
-/* engine_radiosity.c - the finite elements of simulate/research/radiosity as an engine. */
+/* engine_radiosity.c - the finite elements of simulate/research/radiosity as an
+ * engine. */
 #include "simulate/research/radiosity/radiosity.h"
 #include "studies/engines/engine.h"
 

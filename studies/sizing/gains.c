@@ -14,8 +14,8 @@
 #include "model/base/text.h"
 #include "studies/study_report.h"
 
-/* A change that raises the average by a smaller share than this is left out; chosen, not
- * measured. */
+/* A change that raises the average by a smaller share than this is left out; chosen,
+ * not measured. */
 static const double least_share = 0.002;
 
 /* Average and darkest grid point of a world by the method; NAN if the method has no

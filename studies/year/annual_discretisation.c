@@ -14,7 +14,9 @@
 
 enum { POINTS_MOST = 8, HOURS_MOST = 16, PATHS = 256 };
 
-/* Light of a sample point in a sample hour, by batch: sky and ground; all but direct sun. */
+/* Light of a sample point in a sample hour, by batch: from sky and ground (with the
+ * true sky, and by patches), and all but direct sun (by the reference, and by the
+ * year). */
 struct sampled_light {
     double sky[PP_YEAR_BATCHES], by_patch[PP_YEAR_BATCHES], all[PP_YEAR_BATCHES],
         of_year[PP_YEAR_BATCHES];

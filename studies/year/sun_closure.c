@@ -1,4 +1,5 @@
-/* sun_closure.c - the least difference over shifts from -1 to 1 h, in steps of 3 minutes. */
+/* sun_closure.c - finds the least difference over shifts from -1 to 1 h, in steps of 3
+ * minutes. */
 #include "studies/year/sun_closure.h"
 
 #include <math.h>

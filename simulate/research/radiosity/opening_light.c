@@ -173,8 +173,8 @@ static double divide_cell(const struct looking *l, const struct cell *cell, int 
     return sum;
 }
 
-/* Clips a convex piece of a pane, exactly, to the part visible through the pane's opening
- * in its face: between the planes through the receiver and the opening's edges.
+/* Clips a convex piece of a pane, exactly, to the part visible through the pane's
+ * opening in its face: between the planes through the receiver and the opening's edges.
  * *corners receives the corners of that part; returns their number, less than 3 if
  * nothing is visible. */
 static int through_opening(const struct looking *l, const struct pp_piece *piece,

@@ -76,8 +76,8 @@ enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *wo
 }
 
 /* Gives `bare` its own lists of surfaces and meshes, without the shades of the windows.
- * Among the surfaces, shades follow the sides of the blocks and precede the triangles of
- * the meshes. The caller frees both lists. */
+ * Among the surfaces, shades follow the sides of the blocks and precede the triangles
+ * of the meshes. The caller frees both lists. */
 static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
 {
     bare->surfaces = calloc((size_t)world->surface_count + 1, sizeof *bare->surfaces);
