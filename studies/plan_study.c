@@ -252,9 +252,9 @@ static enum pp_status trace_points(struct pp_report *report,
     }
 }
 
-/* Factor on the target error for each point of the contours. A fit uses about twenty
- * points, which have a third of their variance in common, so a place has two or three
- * times the target error; the contours' bands show it. */
+/* Factor by which the target error is multiplied for each point of the contours. A fit
+ * uses about twenty points, which have a third of their variance in common, so a place
+ * has two or three times the target error; the contours' bands show it. */
 static const double error_of_points = 4.0;
 
 /* Traces the points that the contours are drawn from. */

@@ -56,8 +56,8 @@ struct pp_traced_plane {
     int screen_count;
     struct plane_screen *openings; /* openings as lines in the plan */
     int opening_count;
-    int *cells; /* index of the first point in each cell of a lattice of side_m, then of
-                 * the next */
+    int *cells; /* index of the first point in each cell of a lattice of side_m; `next`:
+                 * of the following one */
     int *next;
     int columns, rows;
     double low[2];
@@ -420,9 +420,9 @@ static void find_neighbours(struct neighbours *found,
             }
 }
 
-/* Limits a fit to the range of its points plus a quarter of that range, and to at least
- * half of the least value. Beside a cupboard, for example, few points are visible, and
- * all on one side. */
+/* Limits a fit to the range of its points, extended by a quarter at either end, and to
+ * at least half of the least value if that is above 0. Beside a cupboard, for example,
+ * few points are visible, and all on one side. */
 static double bounded(double rest, const struct neighbours *of)
 {
     double low = INFINITY, high = -INFINITY;

@@ -132,7 +132,8 @@ static bool is_behind_skyline(const struct pp_world *world, int face, struct pp_
     return false;
 }
 
-/* Layer that ends the line of sight from a point of the glass, and its distance. */
+/* Layer that ends the line of sight from a point of the glass, and its distance;
+ * INFINITY for the sky and for skylines without a distance. */
 static enum pp_view_layer layer_seen(double *distance_m, const struct pp_world *world,
                                      const struct pp_light_scene *scene,
                                      const struct pp_light_ray *ray, int face)

@@ -75,7 +75,7 @@ static struct pp_vec3 on_surface(const struct pp_cache_hemisphere *h,
     return pp_vec_scale(u, fmax(cell->distance_m, h->nearest_m) * ratio);
 }
 
-/* An edge between two cells. */
+/* Adds the derivatives of an edge between two cells. */
 static void add_cell_edge(struct pp_irradiance_change *change,
                           struct pp_cache_hemisphere_cell *first,
                           struct pp_cache_hemisphere_cell *second,

@@ -22,14 +22,15 @@
 enum {
     CHUNK = 1 << 16,
     LOOK = 1 << 10,       /* open requests examined at a time, as a batch is chosen */
-    RAY_CHUNK = 1 << 12,  /* rays that are followed before their requests are kept */
+    RAY_CHUNK = 1 << 12,  /* rays followed at a time, before their requests are
+                           * stored */
     MOST_AHEAD = 1 << 20, /* most requests for which memory is reserved before rays are
                            * followed */
     /* Most rays that search for the surfaces that light the requested places. Light of
      * surfaces that they miss is calculated by paths. */
     EXPANSION_RAYS = 8192,
-    /* Most requests by one ray of a picture. At a pane it may request its frame, on
-     * either side, the mirrored surface, and the surface behind. */
+    /* Most requests that one ray of a picture can make. At a pane it may request its
+     * frame, on either side, the mirrored surface, and the surface behind. */
     RAY_REQUESTS = 6,
 };
 

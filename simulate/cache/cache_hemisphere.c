@@ -14,7 +14,7 @@ static const double NEAREST_M = 1e-6;
 
 /* Target relative standard error of an irradiance, and the most passes over all cells.
  * Pictures with 0.05 are as smooth as with 0.03, for half the computing time: the
- * office by --engine cache takes 0.7 s instead of 1.5. */
+ * office by --engine cache takes 0.7 s instead of 1.5 s. */
 static const double ERROR = 0.05;
 static const double PASSES_MOST = 16.0;
 

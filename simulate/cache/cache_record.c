@@ -8,12 +8,13 @@
 /* Largest ratio of the axes of a record's ellipse. Chosen by trial. */
 static const double LONGEST = 3.0;
 
-/* Least distance of surfaces in the derivatives, over the smallest radius. For nearer
- * surfaces the gradient would be the noise of their rays. Chosen by trial. */
+/* Least distance that surfaces have in the derivatives, over the smallest radius
+ * allowed. For nearer surfaces the gradient would be the noise of their rays. Chosen by
+ * trial. */
 static const double NEAREST = 4.0;
 
-/* Rays lower than this sine of altitude determine the clear distance along the surface.
- * Chosen by trial. */
+/* Rays whose sine of altitude is at most this determine the clear distance along the
+ * surface. Chosen by trial. */
 static const double LOW = 0.4;
 
 void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,

@@ -55,7 +55,7 @@ struct pp_cached_points {
 struct pp_radiance_options pp_cached_points_light(void)
 {
     struct pp_radiance_options light = pp_radiance_state_defaults();
-    light.source_most = 1; /* many paths a point: one direction to each source is
+    light.source_most = 1; /* many paths per point: one direction to each source is
                             * enough */
     return light;
 }

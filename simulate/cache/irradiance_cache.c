@@ -8,9 +8,10 @@
 #include "simulate/cache/cache_parts.h"
 #include "simulate/sampling/hash.h"
 
-/* Factors by which records of depth 1 are farther apart and have fewer rays, since
- * their light is averaged over a hemisphere once more. Chosen by trial. With them and
- * the other settings the examples' means are within 0.3 % of the tracer's. */
+/* Records of depth 1 may have LIGHTING_ERROR times the error, and have
+ * LIGHTING_DIVISIONS times fewer rays, since their light is averaged over a hemisphere
+ * once more. Chosen by trial. With them and the other settings the examples' means are
+ * within 0.3 % of the tracer's. */
 static const double LIGHTING_ERROR = 4.0;
 enum { LIGHTING_DIVISIONS = 4, LEAST_SIDE = 4, MOST_SIDE = 1024 };
 
@@ -21,7 +22,8 @@ static const double ERROR_SPACING = 1.0 / 64.0;
 /* Least radius, as a share of the scene's size, if the resolution sets no limit. */
 static const double LEAST_RADIUS = 1e-5;
 
-/* The standard deviation of one ray of a hemisphere, over the mean. Chosen by trial. */
+/* Standard deviation of the light of one ray of a hemisphere, over the mean of all
+ * rays. Chosen by trial. */
 static const double RAY_NOISE = 0.5;
 
 /* Radii are at most this share of the scene's size. Chosen by trial. */

@@ -167,7 +167,7 @@ static bool is_limited(const struct outlook *outlook)
 }
 
 /* Searches, from this outlook on, for the cheapest numbers of paths and randomisations
- * that reach the variance; skewness and bound are ignored. */
+ * that reach the allowed variance; skewness and bound are ignored. */
 static struct outlook reach_variance(struct outlook at, double allowed,
                                      int *randomisations)
 {

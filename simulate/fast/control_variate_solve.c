@@ -30,7 +30,8 @@ struct variate_patch {
     bool in_figure;                /* the centre is in the surface's outline */
     double own;                    /* exitance by emission and direct light: M + rho
                                     * E */
-    double exchanged;              /* own plus interreflected light, before smoothing */
+    double exchanged;              /* interreflected part of the exitance, before
+                                    * smoothing */
     int seen[LOBE_SAMPLES];        /* indices of patches that its rays meet; -1: none */
     int sides[OPENING_SAMPLES];    /* niche sides that directions to openings meet, */
     double worth[OPENING_SAMPLES]; /* and the share of their exitance that the patch

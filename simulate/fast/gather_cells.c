@@ -118,7 +118,7 @@ size_t pp_gather_cells_size(const struct pp_gather_cells *cells)
     return (size_t)ARRAYS * (size_t)cells->lanes;
 }
 
-/* True if that point of the face's plane is on a surface and in no opening. */
+/* True if that point of the face's plane is on the face and in no opening. */
 static bool is_seen(const struct pp_gather_cells *cells,
                     struct pp_radiance_state *light, int face, struct pp_vec3 point)
 {

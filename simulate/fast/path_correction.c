@@ -58,8 +58,8 @@ struct fan_rays {
     bool known; /* true if the nearest planes are known */
 };
 
-/* Draws the rays of paths from the present index on, as many as there is space for. All
- * start from one place. */
+/* Draws the rays of `paths` paths from the present index on. All start from one place;
+ * their number is at most PP_RUN_MOST. */
 static void draw_rays(const struct pp_path_state *state, const struct path_fan *fan,
                       int vertex, int paths, struct fan_rays *rays)
 {
@@ -192,7 +192,7 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan,
 }
 
 /* Samples E + K G of a surface over several directions. One of these continues as *arm
- * with the whole throughput; false if it ends before. */
+ * with the whole throughput; false if none continues. */
 static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex,
                    uint32_t openings, uint32_t lobes, double *sum)
 {
@@ -216,8 +216,8 @@ static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex
     return spread(state, &fan, &rays, 0, vertex, arm, sum);
 }
 
-/* Russian roulette: true if the path continues. `first`: its importance at its first
- * surface. */
+/* Russian roulette: true if the path continues. `first`: the arm's importance at its
+ * first surface. */
 static bool survives(const struct pp_path_state *state, struct path_arm *arm,
                      double first, int vertex)
 {

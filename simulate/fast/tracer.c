@@ -321,7 +321,8 @@ static void look_closer(struct pp_sampler *changed, const struct pp_world *world
     }
 }
 
-/* Seeds depend on a receiver's position, not on other receivers. */
+/* Makes the point of a receiver; NULL: the working plane as a whole. Its seed depends
+ * on the receiver's position, not on other receivers. */
 static struct traced_point traced_at(const struct pp_tracer *tracer,
                                      const struct pp_receiver *receiver, uint64_t seed)
 {

@@ -15,7 +15,7 @@ static const char magic[8] = {'P', 'P', 'R', 'E', 'N', 'D', 'E', 'R'};
 enum {
     VERSION = 3,
     HEAD = 8 + 4 + 8 + 3 * 4 + 2 * 8,
-    TAIL = 8 + 8, /* the cache's length, the last number */
+    TAIL = 8 + 8, /* the cache's length, and the checksum */
     PIXEL = 16,
     ERRORS = 12
 };

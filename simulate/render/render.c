@@ -211,7 +211,8 @@ static double share_seen(const struct pp_render *render, int point)
     return seen / render->options.samples;
 }
 
-/* Irradiances are means over the part of the pixel with a surface. */
+/* Sets a pixel of the picture and of its errors. Irradiances are means over the part of
+ * the pixel with a surface. */
 static void read_pixel(struct pp_render *render, int point)
 {
     int x, y;
@@ -256,7 +257,7 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile)
                                    y1 < options->height ? y1 : options->height};
 }
 
-/* Renders pixel i of the current tile. */
+/* Sets pixel i of the current tile, and its tag, once its paths are done. */
 static bool show_pixel(void *data, int worker, int i)
 {
     (void)worker;

@@ -54,7 +54,8 @@ uint32_t pp_sobol_owen_scramble_reversed(uint32_t reversed, uint32_t seed)
     return owen_scramble_reversed(reversed, seed);
 }
 
-/* The 32 direction numbers of a dimension, the first binary digit highest. */
+/* The 32 direction numbers of a dimension, with the first binary digit in the highest
+ * bit. */
 static void direction_numbers(int dimension, uint32_t v[32])
 {
     if (dimension == 0) {

@@ -21,7 +21,7 @@ static const double SAME_NORMAL = 1.0 - 1e-6;
 
 struct convex_plane {
     struct pp_vec3 normal; /* into the room */
-    double offset_m;       /* normal . x of its points */
+    double offset_m;       /* normal . x of all its points x */
     int part;
     int first, count; /* range of the plane's panes in the list */
     bool niches;      /* true if one of them has a reveal */

@@ -8,8 +8,8 @@
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
 
-/* Relative tolerance of opposite edges and right angles within which a quadrangle is a
- * rectangle. */
+/* Relative tolerance of opposite edges and right angles within which a quadrangle
+ * counts as a rectangle. */
 static const double SAME_SHAPE = 1e-6;
 
 /* ---- gathered ---- */

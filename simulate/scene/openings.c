@@ -1,5 +1,5 @@
-/* openings.c - the openings of a world as targets, with visibility facts that save
- * rays, and the choice among them. */
+/* openings.c - the openings of a world as targets, with facts about their visibility
+ * that save rays, and the choice among them. */
 #include "simulate/scene/openings.h"
 
 #include <float.h>

@@ -33,11 +33,11 @@ static const double STRONG_GLOSS = 0.1;
 /* Rays of gloss, mirrors and panes may reach a window or a lamp, which is far brighter
  * than lit surfaces. For them Russian roulette begins at this share of the throughput
  * for diffuse light. With this and separate paths for gloss and mirror, a polished
- * floor at 16 paths a pixel had an RMS error of 10 % instead of 41 %, in 36 % more
+ * floor at 16 paths per pixel had an RMS error of 10 % instead of 41 %, in 36 % more
  * time. */
 static const double LEAST_GLOSS = 0.1;
 /* The same for the ground, whose rays reach the sky. With a share of 1 the light
- * reflected by a block and the ground in front of it had an error of 1.7 %, with 0.1 it
+ * reflected by a block and the ground in front of it had an error of 1.7 %; with 0.1 it
  * has 0.7 %. */
 static const double LEAST_GROUND = 0.1;
 
@@ -197,8 +197,9 @@ static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
     return sum;
 }
 
-/* Diffuse inter-reflection of one side of a surface (times *share), if a cache has it.
- * *share is then set to black, so that no path follows it. */
+/* Diffuse inter-reflection of one side of a surface (times *share), if a cache has it;
+ * 0 at the limit of bounces. In both cases *share is set to black, so that no path
+ * follows it. */
 static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
                                        const struct pp_light_hit *hit,
                                        struct pp_vec3 normal, int depth,
@@ -307,8 +308,8 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
 }
 
 /* Light by gloss and mirror is large or zero, so separate paths follow these lobes,
- * which are then set to black. A mirror that is the only lobe left is not followed: the
- * path itself does it. */
+ * which are then set to black. If a mirror is the only lobe left, the path itself
+ * follows it. */
 static struct pp_rgb follow_gloss_and_mirror(struct pp_radiance_state *state,
                                              const struct pp_light_path *path,
                                              struct pp_lobes *lobes,

@@ -24,8 +24,8 @@ struct connection {
     double angular_size;
 };
 
-/* Connections are numbered by emitter: the direct ones, then those of each mirror
- * path. */
+/* Connection number `index`. The direct ones come first, in the order of the emitters,
+ * then those of each mirror path in turn. */
 static struct connection connection_of(const struct pp_light_scene *scene,
                                        const struct pp_shading_point *shading,
                                        int index)
@@ -189,7 +189,7 @@ static double importance_of(const void *of, int index)
                                     connection.n);
 }
 
-/* Samples the connections of the group. */
+/* Samples the direct connections (`straight` true), or those by mirrors. */
 static struct pp_rgb sample_connections(struct pp_radiance_state *state,
                                         const struct pp_shading_point *shading,
                                         bool straight, int vertex)
@@ -216,7 +216,8 @@ static struct pp_rgb sample_connections(struct pp_radiance_state *state,
                         1.0 / probability);
 }
 
-/* Light of one emitter by one reflector (reflectors.h), at a diffuse side. */
+/* Light of one emitter by way of one reflector (reflectors.h), at a diffuse side of a
+ * surface. */
 static struct pp_rgb sample_reflection(struct pp_radiance_state *state,
                                        const struct pp_shading_point *shading)
 {

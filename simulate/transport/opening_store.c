@@ -66,7 +66,7 @@ static bool outside_radiance(struct pp_radiance_state *state,
     return true;
 }
 
-/* Sums the radiances of a bin's paths, of surfaces not nearer than table->far_m;
+/* Sums the radiances that a bin's paths find at surfaces at least table->far_m away;
  * returns the number of paths that met such a surface. */
 static int sample_bin(const struct pp_opening_table *table,
                       struct pp_radiance_state *state, int window, int patch, int bin,

@@ -150,8 +150,8 @@ static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample
                                              .space = PP_INDOORS};
 }
 
-/* Samples one direction to an opening, times `weight`; false if no light arrives along
- * it. */
+/* Samples one direction to an opening, and multiplies its weight by `weight`; false if
+ * no light arrives along it. */
 static bool sample_opening(struct pp_radiance_state *state,
                            const struct pp_opening_sampling *sampling, double weight,
                            const double u[2], struct pp_opening_sample *sample)

@@ -21,8 +21,8 @@ struct year_path {
     bool scattered; /* by anything except clear glass */
 };
 
-/* As pp_path_walk_meet, with the short cut for convex rooms: a tenth of the time of a
- * year. */
+/* As pp_path_walk_meet, but with the short cut for convex rooms, which saves a tenth of
+ * the time of a year. */
 static enum pp_meeting meet_next(struct year_path *path, struct pp_light_hit *hit)
 {
     struct pp_path_walk *walk = path->walk;

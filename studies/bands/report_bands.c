@@ -28,9 +28,9 @@ static bool plane_is_convex(const struct pp_region *plane)
 }
 
 /* True if a wall has a dado whose reflectance differs from the wall's by more than 0.2:
- * walls in the atlas have one reflectance. In 51 of its rooms with a dado 1.1 m high
- * that differed by 0.2 the simulated value left the band of exact+split-flux in five;
- * without a dado in three of 90. */
+ * walls in the atlas have one reflectance. With a dado 1.1 m high that differed by 0.2,
+ * the simulated value was outside the band of exact+split-flux in 5 of 51 rooms of the
+ * atlas; without a dado, in 3 of 90. */
 static bool has_contrasting_dado(const struct pp_world *world)
 {
     const double contrast = 0.2 + 1e-9; /* with a tolerance: 0.8 and 0.6 do not

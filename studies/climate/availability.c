@@ -41,7 +41,8 @@ static enum pp_status fill_period(struct pp_availability_period *period,
 }
 
 /* Share of a period's hours in which a row's illuminance is reached, and its standard
- * error: central differences over one standard error of the daylight factor. */
+ * error: half the difference between the shares for daylight factors one standard error
+ * higher and lower. */
 static void fill_share(struct pp_availability_row *row, int period,
                        const struct pp_diffuse_curve *curve)
 {

@@ -81,7 +81,7 @@ static bool has_illuminance(const struct pp_epw *epw)
     return false;
 }
 
-/* Fills the i-th hour from the i-th record: by its illuminance, else by its
+/* Fills the i-th hour from the i-th record: from its illuminance, else from its
  * irradiance. */
 static void fill_hour(struct pp_diffuse_light *light, const struct pp_epw *epw, int i,
                       bool *sun_was_up)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Distance below which two corners are the same; chosen, not measured. */
+/* Distance below which two corners count as the same; chosen, not measured. */
 static const double same_m = 0.01;
 
 /* True if b has the corners of a in the same order, whichever corner b begins with. */

@@ -75,7 +75,7 @@ static double outside_of(const struct pp_world *world, int face)
     return depth;
 }
 
-/* Coordinates u and v in the elevation of a point of a room. */
+/* Coordinates u and v, in the elevation, of a point of a room. */
 static void flat_of(const struct pp_site_elevation *elevation,
                     const struct pp_world *world, struct pp_vec3 point, double uv[2])
 {

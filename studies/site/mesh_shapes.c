@@ -285,7 +285,8 @@ static enum pp_status add_line(struct pp_site_sheet *sheet,
     return PP_OK;
 }
 
-/* Sorts edges into those that bound a part, and lines. */
+/* Lists the edges that bound parts, sorted by part, and adds open edges of vertical
+ * triangles as lines. */
 static enum pp_status find_bounds(struct pp_site_sheet *sheet, struct mesh_parts *parts,
                                   struct pp_error *err)
 {

@@ -253,7 +253,7 @@ static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *pla
     return found;
 }
 
-/* Moves a former shape that no longer exists to the sheet. */
+/* Moves to the sheet a former shape that no longer exists. */
 static enum pp_status add_gone(struct pp_site_sheet *sheet,
                                struct pp_site_shape *former, struct pp_error *err)
 {

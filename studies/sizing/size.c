@@ -7,7 +7,8 @@
 
 #include "model/room/building.h"
 
-/* The numbers of sizes, and both tolerances below, were chosen by trial. */
+/* The numbers of sizes, and all tolerances below except that for rounding, were chosen
+ * by trial. */
 enum {
     SCANNED = 9,         /* sizes scanned over the whole range, both ends included */
     SCANNED_SAMPLED = 4, /* the same for sampled values, which take longer */
@@ -171,7 +172,8 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
     return status;
 }
 
-/* Evaluates sizes over the whole range, and the present room, in the order of size. */
+/* Evaluates the present room, and sizes over the whole range; *count: number of trials,
+ * which are sorted by size. */
 static enum pp_status scan_range(const struct search *search, struct size_trial *trials,
                                  int *count, struct pp_error *err)
 {

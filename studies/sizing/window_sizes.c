@@ -344,7 +344,7 @@ static void edges_at(const struct pp_window_sizes *sizes, int step, double *edge
         edges[e] = step == steps ? to[e] : from[e];
         if (step == 0 || step == steps || from[e] == to[e])
             continue;
-        /* If both edges move, each moves by half. */
+        /* If both edges move, each moves by half a step. */
         bool both = from[e ^ 1] != to[e ^ 1];
         double grid_m = PP_SIZE_GRID_M / sizes->fineness / (both ? 2.0 : 1.0);
         edges[e] = on_grid(from[e] + u * (to[e] - from[e]), e % 2, grid_m);

@@ -13,7 +13,8 @@
 /* With an error to reach, a run of PILOT paths first estimates their number. */
 enum { CELLS = 600, PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
-/* Calls a function for every block of points. */
+/* Calls a function for every block of points. PP_BAD_INPUT: the outline of the sky seen
+ * through an opening has too many corners; otherwise it fails only if out of memory. */
 static enum pp_status for_points(struct pp_annual_work *work, int block,
                                  pp_thread_pool_work *function, struct pp_error *err)
 {
@@ -67,7 +68,8 @@ static double worst_error(const struct pp_annual_work *work)
     return worst;
 }
 
-/* Creates the coefficients, with more paths until the error is reached. */
+/* Creates the coefficients, with more paths until the target error or SAMPLES_MOST is
+ * reached. */
 static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
 {
     const struct pp_annual_options *options = work->options;

@@ -1,5 +1,5 @@
 /* annual_direct.c - direct light of sky and sun at the points, and the hours in which
- * it closes the blinds. */
+ * the sun closes the blinds. */
 #include "methods/exact/sky_view.h"
 #include "studies/year/annual_work.h"
 

@@ -33,7 +33,8 @@ struct discretisation_work {
     enum pp_status status[POINTS_MOST];
 };
 
-/* One index at random in each of `count` equal parts of 0 to all - 1. */
+/* Chooses an index at random from each of `count` equal parts of the range 0 to all -
+ * 1. */
 static void choose(int *list, int count, int all, uint64_t seed)
 {
     for (int i = 0; i < count; i++) {

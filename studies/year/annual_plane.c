@@ -9,7 +9,7 @@
 /* The figures of the points: from all batches, or without one of them. */
 struct figures_of_points {
     const struct pp_annual_sheet *sheet;
-    const double *without; /* batch left out; NULL: none */
+    const double *without; /* figures without one batch; NULL: use those from all */
     size_t step;           /* numbers from one point to the next */
 };
 

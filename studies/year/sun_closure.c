@@ -8,8 +8,8 @@
 
 enum { STEPS = 20, SHIFTS = 2 * STEPS + 1 };
 
-/* The balance is closed below CLOSES_W_M2. A shift counts if it is at least SHIFT_H and
- * halves the difference. */
+/* The balance counts as closed if the difference is below CLOSES_W_M2. A shift counts
+ * if it is at least SHIFT_H and halves the difference. */
 static const double CLOSES_W_M2 = 50.0, SHIFT_H = 0.1;
 
 int pp_sun_closure_year(const struct pp_epw *epw)

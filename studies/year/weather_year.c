@@ -182,7 +182,7 @@ enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
 struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
                                            double north_rad)
 {
-    /* The y axis has the bearing north_rad, x that and 90 degrees. */
+    /* The y axis has the bearing north_rad, the x axis north_rad plus 90 degrees. */
     struct pp_perez_sky turned = *sky;
     double c = cos(north_rad), s = sin(north_rad);
     turned.sun.x = sky->sun.x * c - sky->sun.y * s;

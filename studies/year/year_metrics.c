@@ -12,7 +12,7 @@ struct ranked_sky {
     int sky;
 };
 
-/* Brightest first; among equals the earlier. */
+/* Sorts the brightest first, and the earlier of two equals. */
 static int compare_skies(const void *a, const void *b)
 {
     const struct ranked_sky *x = a, *y = b;
@@ -144,7 +144,7 @@ static double dot(const float *a, const double *b, int count)
     return sum;
 }
 
-/* Hours with at least lx. */
+/* Occupied hours with at least lx. */
 static double hours_with(const float *E, double lx, const struct pp_year_clock *clock)
 {
     double hours = 0.0;
@@ -165,7 +165,7 @@ static double hours_above(const float *E, double lx, const struct pp_year_clock 
     return hours;
 }
 
-/* The sum of min(1, E/lx) over the hours. */
+/* The sum of min(1, E/lx) over the occupied hours. */
 static double hours_continuous(const float *E, double lx,
                                const struct pp_year_clock *clock)
 {

@@ -171,8 +171,7 @@ static enum pp_status add_lamps(struct pp_photon_sources *sources,
     return status;
 }
 
-/* Half of the area of all sides of parts that face the room; in a convex room its
- * surface area. */
+/* Area of all sides of parts that face the room; in a convex room its surface area. */
 static double area_inside(const struct pp_light_scene *scene)
 {
     double area = 0.0;

@@ -261,7 +261,8 @@ static struct pp_sampler sharing(void)
 
 /* ---- making ---- */
 
-/* Seeds depend on a receiver's position, not on other receivers. */
+/* Makes the point of a receiver. Its seed depends on the receiver's position, not on
+ * other receivers. */
 static struct photon_point receiver_of(const struct pp_photons *photons,
                                        const struct pp_receiver *receiver,
                                        double sensor_m, uint64_t seed, double *chances)

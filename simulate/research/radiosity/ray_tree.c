@@ -122,7 +122,7 @@ void pp_ray_tree_destroy(struct pp_ray_tree *tree)
     free(tree);
 }
 
-/* A ray with the data for its tests of boxes. */
+/* A ray, with the reciprocals of its direction for tests of boxes. */
 struct ray {
     struct pp_vec3 from, to, inverse;
 };

@@ -18,7 +18,8 @@ static const double WIDEST = 0.4;
 
 /* ---- found ---- */
 
-/* Makes a reflector from the part's side; false if the side is not flat and glossy. */
+/* Makes a reflector from the part's side; false if the side is curved, does not reflect
+ * light to the room, or is too rough. */
 static bool reflector_of(const struct pp_light_scene *scene, int index, int side,
                          struct pp_reflector *reflector)
 {

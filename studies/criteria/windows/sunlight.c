@@ -10,10 +10,10 @@
  *   S >= 0.8 S before  and  W >= 0.8 W before,  or  S before - S <= 4 %
  *
  * [BR209] counts probable hours, which are reduced by average cloud. A weather file
- * gives the probability of sunshine (studies/climate/sunshine.h). Without one each hour
- * with the sun above the horizon counts: these possible hours
- * (methods/exact/sunlit_hours.h), with a larger share in winter, are stated and not
- * judged. The sky of the room does not matter.
+ * gives the probability of sunshine (studies/climate/sunshine.h). Without one, each
+ * hour with the sun above the horizon counts. These possible hours
+ * (methods/exact/sunlit_hours.h), a larger share of which is in winter, are stated and
+ * not judged. The sky of the room does not matter.
  */
 #include <math.h>
 

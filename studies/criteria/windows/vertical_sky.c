@@ -116,7 +116,8 @@ static enum pp_status find_unshaded(double *share, const struct pp_world *world,
 static const char without[] =
     "without the overhangs and balconies of the window's own building";
 
-/* Least difference of two shares that is worth a note: half of the last digit. */
+/* Least difference of two shares that is worth a note: half a unit of the last printed
+ * digit. */
 #define SHARE_STATED 0.0005
 
 /* Adds a finding for each opening: made by `find` for vertical ones, not judged for all

@@ -39,7 +39,7 @@ static void choose_shape(struct pp_atlas_layout *room)
         return;
     room->slope = tan(pp_between(8.0, 45.0, u[4]) * M_PI / 180.0);
     room->eaves = pp_between(1.3, 2.6, u[2]);
-    /* Limits the ceiling to 6 m. */
+    /* Limits the height of the ceiling to 6 m. */
     double run = room->roof == PP_ATLAS_RIDGE ? 0.5 * room->width : room->depth;
     room->slope = fmin(room->slope, (6.0 - room->eaves) / run);
 }

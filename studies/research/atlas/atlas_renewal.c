@@ -62,7 +62,7 @@ static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
         truth->own[i] = 0.01 * pp_atlas_table_value(kept->table, row, kept->own_at[i]);
 }
 
-/* True if two columns of the report assume the same world. */
+/* True if two methods have a daylight factor and assume the same worlds. */
 static bool are_alike(const struct kept *kept, int one, int other)
 {
     const struct pp_column *a =

@@ -9,8 +9,8 @@
 
 /* ---- by hand methods ---- */
 
-/* Rectangles seen from a point one metre away, with one corner on the perpendicular
- * through the point. */
+/* Checks rectangles seen from a point one metre away, with one corner on the
+ * perpendicular through the point. */
 static enum pp_status check_rectangles(struct pp_known_cases *cases,
                                        struct pp_error *err)
 {

@@ -16,13 +16,13 @@ static const double brs[][21] = {
 #include "tables/brs_simplified_table.inc"
 };
 
-/* Width of an endless window over the distance of the point: a wider one has the same
- * last digit. */
+/* Width of an endless window over the distance of the point: a wider one gives the same
+ * printed digits. */
 static const double ENDLESS = 300.0;
 
 /* Greatest permitted error of a cell, per cent: half a unit of its last digit plus 6 %
- * of the value, since the table was calculated by hand. All values of its lowest row
- * are wrong by one or two units. */
+ * of the value, since the table was calculated by hand. All values in the lowest row of
+ * the table are wrong by one or two units. */
 static double brs_limit(double per_cent, double h)
 {
     if (h < 0.15)
@@ -117,7 +117,7 @@ static const double IRC_LIMIT = 0.0025;
  * area of glass that fits in its wall, per cent of the floor. */
 static const double FOOT_M = 0.3048, IRC_GLASS_MOST = 35.0;
 
-/* The minimum by `bre-min` in that room. */
+/* The minimum internally reflected component by `bre-min` in that room. */
 static enum pp_status irc_of_room(double *value, double glass_percent, double floor,
                                   double walls, struct pp_error *err)
 {
@@ -187,8 +187,8 @@ static void check_obstruction_factors(struct pp_known_cases *cases)
 
 /* ---- ISO 15469 ---- */
 
-/* Luminance at 45 degrees, opposite a sun 60 degrees high, over that of the zenith:
- * values documented by other programs. */
+/* Checks the luminance at 45 degrees, opposite a sun 60 degrees high, over that of the
+ * zenith against values documented by other programs. */
 static enum pp_status check_iso_skies(struct pp_known_cases *cases,
                                       struct pp_error *err)
 {

@@ -29,7 +29,8 @@ static double known_error(struct pp_reading reading)
     return isfinite(reading.std_error) ? reading.std_error : 0.0;
 }
 
-/* A figure of a hand method, with its simulated value, band and parts. */
+/* A figure of a hand method, with its simulated value, its band and the parts of its
+ * error. */
 struct hand_figure {
     double hand;
     struct pp_reading traced;
