@@ -22,7 +22,7 @@ static const double squares = 240.0, largest_m = 0.45;
 static const double near_sides = 2.0;
 enum { HALVINGS = 2 };
 
-/* Radius of the weights, in sides of the square at that place. */
+/* Radius within which points have weight, in sides of the square at that place. */
 static const double reach_sides = 2.6;
 
 /* Least distance of a point from the plane's edge (m), and the distance by which a

@@ -16,7 +16,7 @@ static const double PATH_COST = 1.0;
  * value about 1 % less often than it should. */
 static const double SKEWNESS_SQUARED = 1.5;
 
-/* Exponent with which a mean's third moment falls with its number of paths;
+/* Exponent with which a mean's third moment falls as the number of paths grows;
  * conservative. */
 static const double THIRD_FALL = 2.0;
 

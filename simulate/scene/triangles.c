@@ -1,4 +1,5 @@
-/* triangles.c - cuts convex polygons into fans, and all others by the clipper. */
+/* triangles.c - cuts convex polygons into fans of triangles, and all others into
+ * triangles by the clipper. */
 #include "simulate/scene/triangles.h"
 
 #include <math.h>

@@ -24,8 +24,8 @@ struct pp_known_set {
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
 /* Causes with a smaller effect (root mean square of logarithms) are not considered. */
 static const double LEAST_EFFECT = 0.001;
-/* Least standard deviation of the noise from which the uncertainty of a fitted value is
- * computed. */
+/* Added, as a standard deviation, to the noise from which the uncertainty of a fitted
+ * value is computed. */
 static const double LEAST_NOISE = 0.003;
 /* Steps of the golden section search for a fitted value, and number of levels to which
  * it is rounded, about a thousandth of its range apart. */

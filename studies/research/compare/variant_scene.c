@@ -1,4 +1,5 @@
-/* variant_scene.c - changes a copy of the scene's materials, and simulates it. */
+/* variant_scene.c - changes a copy of the scene's materials, and simulates the scene
+ * with it. */
 #include "studies/research/compare/variant_scene.h"
 
 #include <math.h>

@@ -109,7 +109,8 @@ static const double irc[][13] = {
 #include "tables/irc_minimum.inc"
 };
 
-/* Our formula agrees with all cells, which have one decimal, within 0.25 %. */
+/* Our formula agrees with all cells, which have one decimal in per cent, to within 0.25
+ * of a per cent. */
 static const double IRC_LIMIT = 0.0025;
 
 /* The room that fits the table best: 20 x 20 x 10 ft, with a window from 3 ft above the
@@ -169,8 +170,8 @@ static const double factors[][2] = {
 };
 
 /* The factors equal the light of the overcast sky above the obstruction plus a tenth of
- * the hidden light, to within 1.3 %: the printed ones are whole numbers, rounded in
- * several steps. */
+ * the hidden light, to within 1.3 units: the printed ones are whole numbers, in per
+ * cent, rounded in several steps. */
 static void check_obstruction_factors(struct pp_known_cases *cases)
 {
     double open = pp_graded_sky_over_skyline(PP_GRADED_SKY_OVERCAST, 0.0);
