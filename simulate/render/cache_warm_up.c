@@ -9,7 +9,7 @@
 #include "simulate/cache/cache_grow.h"
 #include "simulate/render/render_parts.h"
 
-/* Default number of pixels in a part: some 100 MB of requests. */
+/* Default number of pixels in a part: about 100 MB of requests. */
 enum { PART_PIXELS = 1 << 20 };
 
 /* Share of the progress for the first round of parts. */

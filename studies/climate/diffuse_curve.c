@@ -1,5 +1,5 @@
-/* diffuse_curve.c - the working hours of the year, sorted by falling illuminance and
- * summed up; shares and illuminances are then found by bisection.
+/* diffuse_curve.c - the working hours of the year, in descending order of illuminance
+ * and summed up; shares and illuminances are then found by bisection.
  */
 #include "studies/climate/diffuse_curve.h"
 
@@ -11,8 +11,8 @@ struct worked_hour {
     double lx, length_h;
 };
 
-/* Sorts by falling illuminance, and stretches of equal illuminance by falling length,
- * so that the order does not depend on the sorting algorithm. */
+/* Sorts in descending order of illuminance, and of length if that is equal, so that the
+ * order does not depend on the sorting algorithm. */
 static int compare_hours(const void *a, const void *b)
 {
     const struct worked_hour *p = a, *q = b;

@@ -17,12 +17,12 @@
 enum { DIRECT, PHOTONS, GATHER, ESTIMATORS };
 enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
 
-/* Most photons that receivers share in a randomisation: some 5 MB each in a bright
+/* Most photons that receivers share in a randomisation: about 5 MB each in a bright
  * room, with 64 in memory at a time. If that is not enough there are more
  * randomisations. */
 enum { MOST_SHARED = 1024 };
 
-/* Cost of a shared photon to a receiver, in rays, as if some 25 receivers used it. */
+/* Cost of a shared photon to a receiver, in rays, as if about 25 receivers used it. */
 static const double SHARED_COST = 0.3;
 
 /* Smallest target standard error, over Eh: a daylight factor of 0.002 %. */

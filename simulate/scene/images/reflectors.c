@@ -137,8 +137,9 @@ int pp_reflectors_reflection(const struct pp_light_scene *scene, int reflector,
     return reflector * scene->emitter_count + emitter;
 }
 
-/* The direction, in the reflector's frame, in which the reflector sees the emitter's
- * middle if it mirrors it to the point; false unless both are in front of it. */
+/* The direction, in the reflector's frame, from the place of reflection to the
+ * emitter's middle, if the light is mirrored to the point; false unless point and
+ * emitter are in front of the reflector. */
 static bool mirrored_from(const struct pp_light_scene *scene,
                           const struct pp_reflection *reflection, struct pp_vec3 from,
                           struct pp_vec3 *light)

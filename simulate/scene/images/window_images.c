@@ -52,7 +52,7 @@ static bool image_of(const struct pp_reflector *reflector,
     return over > 0.0;
 }
 
-/* The opening as blurred, hence enlarged, by the gloss. from: the viewer's image in the
+/* The opening, enlarged by the blur of the gloss. from: the viewer's image in the
  * reflector. */
 static struct pp_target blurred(const struct pp_light_scene *scene,
                                 const struct pp_window_image *image,

@@ -318,7 +318,7 @@ static void leave_out_distant(struct plane_points *points, double *values)
     }
 }
 
-/* Figure from values in falling order: the wanted-th, or half way to the next. */
+/* Figure from values in descending order: the wanted-th, or half way to the next. */
 static double figure_of(const struct plane_points *points, const double *values)
 {
     double here = values[points->wanted - 1];
