@@ -158,7 +158,8 @@ static void follow_traced_paths(const void *client, void *state,
     randomisation->leaks += path->light.leaks - leaks;
 }
 
-/* Internally reflected light includes the allowance for decorations. */
+/* The estimator's part of the daylight factor. Internally reflected light includes the
+ * allowance for decorations. */
 static double tracer_part(const void *client, int point,
                           const struct pp_randomisation *randomisation, int estimator)
 {

@@ -105,7 +105,8 @@ static void follow_paths(const void *client, void *state,
     randomisation->leaks += walk->leaks - leaks;
 }
 
-/* Internally reflected light includes the allowance for decorations. */
+/* A component, or the daylight factor. Internally reflected light includes the
+ * allowance for decorations. */
 static double component_of(const void *client, int point,
                            const struct pp_randomisation *randomisation, int component)
 {

@@ -16,7 +16,8 @@ static const double LEAST_WEIGHT = 0.05;
 static const double NEAR_DIAGONALS = 0.6;
 
 /* Distance, in diagonals, below which the importance of a rectangle is estimated by its
- * solid angle: near a long rectangle, its middle does not represent its ends. */
+ * solid angle: from so near, the middle of a long rectangle does not represent its
+ * ends. */
 static const double GUESSED_DIAGONALS = 1.0;
 
 /* Least weight of an opening in the choice, since the estimate of its light may be

@@ -139,7 +139,8 @@ static bool fill_opening_patch(void *data, int worker, int patch)
     return true;
 }
 
-/* Number of paths of a bin: a fixed total divided by the number of bins. */
+/* Number of paths for each bin: a fixed total divided by the number of bins, but at
+ * least LEAST_SAMPLES. */
 static uint32_t samples_of(const struct pp_opening_store *store)
 {
     long bins = 1;

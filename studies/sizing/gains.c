@@ -18,8 +18,8 @@
  * not measured. */
 static const double least_share = 0.002;
 
-/* Average and darkest grid point of a world by the method; NAN if the method has no
- * value. */
+/* Daylight factors of a world by the method: the average, and that of the darkest grid
+ * point; NAN if the method has no value. */
 static enum pp_status evaluate_gain(struct pp_gain_values *values,
                                     const struct pp_world *world,
                                     const struct pp_outside_light *light,
@@ -47,7 +47,7 @@ static enum pp_status evaluate_gain(struct pp_gain_values *values,
 /* Largest relative standard error of a simulated average. */
 static const double gain_error = 0.02;
 
-/* Average and darkest grid point by simulation. */
+/* The same daylight factors by simulation; NAN if it is interrupted. */
 static enum pp_status simulate_gain(struct pp_gain_values *values,
                                     const struct pp_world *world,
                                     const struct pp_outside_light *light,
@@ -75,8 +75,8 @@ static enum pp_status simulate_gain(struct pp_gain_values *values,
     return status;
 }
 
-/* Average and darkest grid point: by simulation if options are given, else by the
- * method. */
+/* The same daylight factors of a room: by simulation if `options` is not NULL, else by
+ * the method. */
 static enum pp_status evaluate_room(struct pp_gain_values *values,
                                     const struct pp_room *room,
                                     const struct pp_outside_light *light,

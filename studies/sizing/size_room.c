@@ -358,7 +358,8 @@ static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
 
 /* Checks an answer by simulation. If it is not confirmed, the largest size is simulated
  * too: if that misses the target, the target is out of reach, and the largest size
- * becomes the answer. */
+ * becomes the answer. For a criterion the search is repeated instead, until the answer
+ * holds. */
 static enum pp_status check_by_simulation(struct pp_size_room_result *result,
                                           struct pp_size_task *task,
                                           struct valuation *valuation,

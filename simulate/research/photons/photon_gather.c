@@ -11,8 +11,8 @@ enum { OF_OUTSIDE, OF_PHOTON, OF_CONNECTION };
 
 /* A ray on its way from a receiver. */
 struct gathering {
-    struct pp_photon_receiver receiver; /* place of the last diffuse scattering, which
-                                         * the ray left */
+    struct pp_photon_receiver receiver; /* place of the last diffuse scattering, from
+                                         * which the ray comes */
     struct pp_light_ray ray;
     struct pp_rgb throughput; /* irradiance at the first receiver for unit radiance
                                * along the ray */

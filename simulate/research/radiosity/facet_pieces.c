@@ -10,7 +10,7 @@
 #include "model/room/face_less_openings.h"
 #include "simulate/research/radiosity/form_factor.h"
 
-/* Lines at a smaller distance are merged, m. */
+/* Lines nearer to each other than this are merged (m). */
 static const double SAME_LINE_M = 1e-6;
 /* A cell filled by less than this share counts as empty, by more than 1 - this as
  * full. */
