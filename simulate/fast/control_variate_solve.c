@@ -210,7 +210,8 @@ static double exchanged(const struct variate_patch *patch, const double *values)
 }
 
 /* Gauss-Seidel iteration: each patch in order gathers light from the patches that its
- * rays meet, until an iteration changes the solution by less than 1e-4 of its total. */
+ * rays meet, until an iteration changes the solution by less than 1e-4 of its total, or
+ * for MOST_SWEEPS iterations. */
 static void exchange(double *values, const struct variate_patch *patches, int count,
                      const struct pp_light_scene *scene)
 {

@@ -123,7 +123,7 @@ static bool has_one_glass(const struct pp_material *material)
 /* Most tabulated curves, 16 kB each; further kinds of glass use the law itself. */
 enum { CURVES_MOST = 64 };
 
-/* Equal kinds of glass share one curve. */
+/* Tabulates a curve for each kind of glass; equal kinds share one. */
 static enum pp_status add_glass_curves(struct pp_light_scene *scene,
                                        struct pp_error *err)
 {

@@ -36,7 +36,8 @@ static double share(const struct figures_of_points *all, int index, double least
     return points > 0 ? (double)count / points : NAN;
 }
 
-/* LM-83: half of the hours or more; with a tolerance for rounding of sums. */
+/* LM-83: half of the hours or more, and more than 250 hours of sun; both with a
+ * tolerance for the rounding of sums. */
 static const double HALF = 0.5 - 1e-12, SUNLIT_H = 250.0 + 1e-9;
 
 /* The values of pp_annual_plane. */

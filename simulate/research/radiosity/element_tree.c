@@ -241,7 +241,8 @@ static bool holds(const struct pp_element_tree *tree, int index, struct pp_vec3 
     return true;
 }
 
-/* Element that contains the point or, on an edge, the nearest one. */
+/* Element that contains the point or, if rounding puts it outside all of them, the
+ * nearest one. */
 static int nearest(const struct pp_element_tree *tree, int first, int count,
                    struct pp_vec3 point)
 {

@@ -20,8 +20,8 @@ enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
         return pp_fail_memory(err);
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        /* This average is over all surfaces, but the simulated value is over the
-         * working plane. */
+        /* An average over all surfaces is left out, since the simulated value is over
+         * the working plane. */
         if (column->of_all_surfaces || strcmp(column->name, "traced") == 0)
             continue;
         struct pp_atlas_method *method = &columns->methods[columns->count++];
