@@ -57,9 +57,9 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
 
 /* ---- light at a surface ---- */
 
-/* Light that arrives at a window from outside, against the direction of the ray:
- * calculated directly if unobstructed, else read from the store if there is one, else
- * found by a path. */
+/* Radiance that arrives at a window from outside, against the direction of the ray:
+ * that of the environment if the ray meets no surface, else read from the store if that
+ * has it, else found by a path. */
 static struct pp_rgb light_outside(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
                                    const struct pp_opening_sample *sample,
@@ -169,7 +169,7 @@ static struct pp_rgb direct_light(struct pp_radiance_state *state,
     return pp_irradiance_sum(&sum);
 }
 
-/* Next-event estimation at each side of a surface whose light is scattered to the
+/* Next-event estimation at each side of a surface from which light is scattered to the
  * eye. */
 static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
                                            const struct pp_lobes *lobes,

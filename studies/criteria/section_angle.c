@@ -14,7 +14,8 @@ struct section_plane {
 };
 
 /* Intersection of the edge from p to q with the section: distance ahead of the eye and
- * height above it. Edges are half-open, so that a corner in the section counts once. */
+ * height above it; false if there is none. Edges are half-open, so that a corner in the
+ * section counts once. */
 static bool section_crossing(const struct section_plane *section, struct pp_vec3 p,
                              struct pp_vec3 q, double at[2])
 {
