@@ -303,7 +303,8 @@ static enum pp_status note_by_hand(struct pp_plan_study *study,
     return status;
 }
 
-/* Each of the two runs has half of the time. */
+/* Simulates twice, with half of the time each: the room's points and the grid, and the
+ * points of the contours. */
 static enum pp_status by_trace(struct pp_plan_study *study,
                                const struct pp_study_room *room,
                                const struct pp_study_options *options, bool *by_clock,

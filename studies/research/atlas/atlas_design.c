@@ -178,7 +178,7 @@ static void put_pane(struct pp_atlas_layout *room, bool upright)
                pp_between_ends(room->ranges->reveal_m, 2.0 * u[5] - 1.0));
 }
 
-/* Puts up to four equal windows in a wall. */
+/* Puts up to four equal windows in a wall, but only one in a gable. */
 static void put_windows(struct pp_atlas_layout *room, enum pp_atlas_wall wall,
                         enum pp_atlas_group group)
 {
