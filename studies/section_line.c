@@ -155,7 +155,8 @@ static bool start_at(const struct pp_world *world, const struct pp_section_place
     return longest > 0.0;
 }
 
-/* Start and direction of the line at the place. */
+/* Start and direction of the line at the place; PP_BAD_INPUT if it is outside the room
+ * or names no window. */
 static enum pp_status find_start(const struct pp_study_room *room,
                                  const struct pp_section_place *place,
                                  struct pp_vec3 *start, struct pp_vec3 *way,

@@ -60,8 +60,8 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
     return enough ? PP_OK : pp_fail_memory(err);
 }
 
-/* Adds up all light of each batch, without and with blinds, and its parts, the means
- * over batches. */
+/* Adds up the light of all groups at point x: each batch without and with blinds, the
+ * parts of the light, the means over batches, and the light of each group. */
 static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, int x)
 {
     int count = work->year->sky_count, groups = work->groups.count;
