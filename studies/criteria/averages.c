@@ -4,8 +4,8 @@
  *               the whole working plane: simulated, else by the formula that the code
  *               gives, `average-df`, else by a pair of hand methods
  *   uniformity  minimum over average: 0.3 in rooms lit from the side, 0.7 under glazed
- *               roofs [BREEAM14], at the points of the grid (plane_grid.h), which leaves out
- *               0.5 m along the walls
+ *               roofs [BREEAM14], at the points of the grid (plane_grid.h), which
+ *               leaves out 0.5 m along the walls
  *
  * A room is under a glazed roof if more than half of the area of its openings slopes
  * less than 75 degrees.
