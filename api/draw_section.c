@@ -34,8 +34,8 @@ static enum pp_status check_values(const struct pp_report *report, struct pp_err
 }
 
 /* Writes the obstruction angle used by the formulae, if there are obstructions: the
- * angle of an endless skyline that leaves the window the same amount of sky. It may
- * differ from the line of sight in the section. */
+ * angle of an infinitely long skyline that leaves the window the same amount of sky. It
+ * may differ from the line of sight in the section. */
 static enum pp_status say_obstructions(char note[NOTE_BYTES],
                                        const struct pp_world *world,
                                        const struct pp_outside_light *light,

@@ -6,20 +6,21 @@
  *
  *     DF = ((SC + ERC) M G B + IRC M G D) K                                  [BRE310]
  *
- *   M   maintenance: the transmittance that dirt on the glass leaves
+ *   M   maintenance: transmittance of the dirty glass over that of clean glass
  *   G   glass type: diffuse transmittance over that of clear single glass
  *   B   frame: net glass area over opening area
- *   K   curtains: their transmittance (not of the source, and in no published figure)
+ *   K   curtains: their transmittance (not in the source, nor in any published figure)
  *   D   deterioration of decorations
  *
- * Formulae with the net glass area W have B in W already (PP_ALLOWS_FRAME). D belongs
- * to the room and not to an opening, and to the internally reflected component only.
+ * Formulae with the net glass area W already include B in W (PP_ALLOWS_FRAME). D
+ * applies to the room, not to a single opening, and only to the internally reflected
+ * component.
  *
- * This file alone reads an opening's frame factor, maintenance and curtains for methods.
- * Points and the average of a report (methods/method_run.c), the plane of a direct method
- * (direct_plane.c) and the sheets of diagrams multiply a method's figures by
- * pp_allowance_of; a formula that contains a correction has it on its worksheet by
- * pp_allowance_put. The simulations have the same corrections of an opening from
+ * For the methods, only this file reads an opening's frame factor, maintenance and
+ * curtains. Points and the average of a report (methods/method_run.c), the plane of a
+ * direct method (direct_plane.c) and the sheets of diagrams multiply a method's figures
+ * by pp_allowance_of. If a formula contains a correction, pp_allowance_put records it
+ * on the worksheet. The simulations take the same corrections of an opening from
  * model/room/surface_materials.h.
  */
 #ifndef PP_METHODS_ALLOWANCE_H
@@ -43,18 +44,18 @@ enum pp_allowance {
     PP_ALLOWS_OWN_GLASS = 1 << 1,   /* the opening's own glazing */
     PP_ALLOWS_FRAME = 1 << 2,       /* frame and bars */
     PP_ALLOWS_DIRT = 1 << 3,        /* dirt on the glass */
-    PP_ALLOWS_NO_GLASS = 1 << 4,    /* with CLEAR_GLASS: the method has other figures,
-                                     * without glass, for unglazed openings */
+    PP_ALLOWS_NO_GLASS = 1 << 4,    /* with CLEAR_GLASS: the method has separate figures
+                                     * for unglazed openings */
 };
 
 /* Product of the corrections for this opening that are not contained in figures with
  * `allowances`. The ratio G converts figures for clear glass to the opening's own
- * glass, 1/0.85 to an unglazed opening, unless the method has figures without glass
- * (PP_ALLOWS_NO_GLASS). */
+ * glass. For an unglazed opening it is 1/0.85, unless the method has figures without
+ * glass (PP_ALLOWS_NO_GLASS). */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
 
-/* Factor D of the deterioration of decorations for the method's figures; 1 for a method
- * of any other component than the internally reflected one. */
+/* Factor D of the deterioration of decorations for the method's figures; 1 for methods
+ * that do not give the internally reflected component. */
 double pp_allowance_decorations(const struct pp_method *method,
                                 const struct pp_world *world);
 
@@ -63,31 +64,31 @@ double pp_allowance_decorations(const struct pp_method *method,
 double pp_allowance_of(const struct pp_method *method, const struct pp_world *world,
                        const struct pp_opening *opening);
 
-/* Puts a correction contained in a formula on its worksheet, under its printed symbol
- * and with the step's words as for pp_worksheet_put: the diffuse transmittance of the
+/* Records on the worksheet a correction that a formula contains, under its printed
+ * symbol and described as for pp_worksheet_put: the diffuse transmittance of the
  * opening's own glass (PP_ALLOWS_OWN_GLASS), the frame factor (PP_ALLOWS_FRAME), or the
  * maintenance factor (PP_ALLOWS_DIRT). */
 void pp_allowance_put(struct pp_worksheet *sheet, enum pp_allowance correction,
                       const struct pp_opening *opening, const char *symbol,
                       const char *what, ...) __attribute__((format(printf, 5, 6)));
 
-/* Records the same corrections as steps, one by one, and writes their symbols to `product`
- * as further factors of a formula: " M G B", or nothing. */
+/* Records the factors of pp_allowance_of as steps, one by one, and writes their symbols
+ * to `product` as further factors of a formula: " M G B", or nothing. */
 void pp_allowance_steps(struct pp_steps *steps, const struct pp_method *method,
                         const struct pp_world *world, const struct pp_opening *opening,
                         char *product, size_t room);
 
-/* The allowances in words: "clear single glass and the frame", "nothing of glass, frame
- * or dirt". */
+/* The allowances in words: "clear single glass and the frame", "no allowance for glass,
+ * frame or dirt". */
 void pp_allowance_words(char *text, size_t room, unsigned allowances);
 
-/* Writes a sentence on a method's source and allowances: "As published [HLG58], its
- * figures contain clear single glass." */
+/* Writes a sentence on a method's source and allowances: "Published figures [HLG58]
+ * include: clear single glass." */
 void pp_allowance_sentence(char *text, size_t room, const char *source,
                            unsigned allowances);
 
 /* Diffuse transmittance for formulae of the internally reflected component, in which
- * clear single glass has 0.85: 0.85 G; 1 for an unglazed opening. */
+ * that of clear single glass is 0.85: 0.85 G; 1 for an unglazed opening. */
 double pp_allowance_reflected_glass(const struct pp_opening *opening);
 
 /* Net glass area of an opening (m2), without recording steps. */

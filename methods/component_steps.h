@@ -6,7 +6,7 @@
 
 #include "methods/method.h"
 
-/* "sky component"; "SC", with all corrections. */
+/* Names and symbols of the components: "sky component"; "SC", with all corrections. */
 extern const char *const pp_component_steps_names[PP_COMPONENT_COUNT];
 extern const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT];
 
@@ -16,7 +16,7 @@ enum pp_component pp_component_steps_given(const struct pp_method *method);
 double pp_component_steps_figure(const struct pp_amounts *amounts,
                                  enum pp_component component);
 
-/* Records the corrections of an opening, D among them, and the corrected components,
+/* Records the corrections of an opening, D included, and the corrected components,
  * after the method's own steps, which begin at index `first`. */
 void pp_component_steps_add(struct pp_steps *steps, const struct pp_method *method,
                             const struct pp_world *world, int index,

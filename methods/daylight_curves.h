@@ -1,15 +1,15 @@
 /* daylight_curves.h - contours of the daylight factor and the no-sky line, as curves.
  *
- * The direct component is by `exact` at the working plane, facing up. A constant may be
- * added for the internally reflected component, as in A+B with a formula for an
- * average. The no-sky line bounds the part of the working plane from which no sky is
- * seen directly, whatever the sky's luminance and the glass.
+ * The direct component is that of `exact` for receivers on the working plane that face
+ * up. A constant may be added for the internally reflected component, as in a pair A+B
+ * in which B gives an average. The no-sky line bounds the part of the working plane
+ * from which no sky is seen directly, whatever the sky's luminance and the glass.
  *
- * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal where that
- * is more; they begin and end on the plane's edge or are closed. direct_plane.h
- * describes where figures close to walls and openings are taken. The direct component
- * of `exact` is evaluated to 1e-6 of the open sky; that of non-uniformly lit diffusing
- * panes by fixed rules, to a relative error of 1e-5, or some 1e-4 close to the pane.
+ * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal if that is
+ * more; they begin and end on the plane's edge or are closed. direct_plane.h defines
+ * the values close to walls and openings. The direct component of `exact` is evaluated
+ * to 1e-6 of the open sky; that of non-uniformly lit diffusing panes by fixed rules, to
+ * a relative error of 1e-5, or of about 1e-4 close to the pane.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
@@ -35,10 +35,10 @@ enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   int level_count, struct pp_error *err);
 
 /* Fills plan as pp_daylight_curves does, but with the direct component by any method
- * that gives values at points and does not count squares or dots, to another tolerance
- * (m; 0: the default). The plan's name is "direct+irc_name". If irc_name is NULL, the
- * figures are the direct component only. PP_BAD_INPUT with the reason if the method
- * does not cover the room. */
+ * that gives values at points and does not count squares or dots, and to the given
+ * tolerance (m; 0: the default). The plan's name is "direct+irc_name". If irc_name is
+ * NULL, the figures are the direct component only. PP_BAD_INPUT with the reason if the
+ * method does not cover the room. */
 enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,
@@ -47,9 +47,9 @@ enum pp_status pp_daylight_curves_by(struct pp_daylight_plan *plan,
                                      int level_count, double tolerance_m,
                                      struct pp_error *err);
 
-/* Contours of any daylight factor over the working plane, as above, and the no-sky
- * line. `errors` gives its standard error, for the bands; NULL: none. Both functions
- * are called with `context`. */
+/* Finds contours of any daylight factor over the working plane, at round levels as
+ * above, and the no-sky line. `errors` gives the standard error, for bands about the
+ * contours; NULL: no bands. Both functions are called with `context`. */
 enum pp_status pp_daylight_curves_of(struct pp_daylight_plan *plan,
                                      const struct pp_world *world, const char *name,
                                      pp_field_function values, pp_field_function errors,
@@ -61,7 +61,7 @@ enum pp_status pp_daylight_curves_no_sky(struct pp_daylight_plan *plan,
                                          const struct pp_world *world,
                                          struct pp_error *err);
 
-/* The accuracy (m) of curves over a plane. */
+/* The default accuracy (m) of curves over a plane. */
 double pp_daylight_curves_tolerance(const struct pp_region *plane);
 
 #endif

@@ -1,5 +1,5 @@
-/* direct_plane.h - the direct component by a method at any place of a room's working plane,
- * facing up.
+/* direct_plane.h - the direct component, by one method, anywhere on a room's working
+ * plane, for a receiver that faces up.
  *
  * The direct component is not defined in the plane of a vertical opening. Points nearer
  * to one than 20 mm or 1/500 of the plane's diagonal, whichever is less, have the value
@@ -15,9 +15,9 @@
 struct pp_method; /* methods/method.h */
 struct pp_direct_plane;
 
-/* Evaluates a plane by a method for single points that does no counting. World and
- * light must outlive *plane, which on success is the caller's. PP_BAD_INPUT, with the
- * reason, if the method does not cover the room. */
+/* Prepares a plane for a method that gives values at points and does not count squares
+ * or dots. World and light must outlive *plane, which on success is the caller's.
+ * PP_BAD_INPUT, with the reason, if the method does not cover the room. */
 enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

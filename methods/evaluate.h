@@ -24,9 +24,9 @@
 #include "model/results/report.h"
 
 /* Adds the columns of a selection of methods (selection.h) to `report`, whose world,
- * light, receivers and receiver_count the caller has set. A column that the report has
- * already is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some columns may
- * have been added; pp_report_clear frees them. The points are shared among
+ * light, receivers and receiver_count the caller has set. A column that the report
+ * already has is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some
+ * columns may have been added; pp_report_clear frees them. The points are shared among
  * report->threads threads; the numbers do not depend on how many there are.
  *
  * With report->explain the readings of each point (and, for methods that give room

@@ -4,9 +4,9 @@
 #define PP_METHODS_INTERPOLATE_H
 
 /* The value at x of the cubic through the four entries nearest to x, of `count` (4 or
- * more) entries at equal steps from low to high. Outside that range the value at the
- * nearer end. For a smooth function the error is 0.023 step^4 times the fourth
- * derivative, twice that in the first and last step. */
+ * more) entries at equal steps from low to high. Outside that range it returns the
+ * value at the nearer end. For a smooth function the error is 0.023 step^4 times the
+ * fourth derivative, twice that in the first and last step. */
 double pp_interpolate_cubic(const double *values, int count, double low, double high,
                             double x);
 
@@ -23,8 +23,8 @@ void pp_interpolate_tabulate_integral(double *values, int count, double low,
 double pp_interpolate_inverse(const double *values, int count, double low, double high,
                               double value);
 
-/* Linear interpolation at x between `count` (2 or more) rows {x, y}, x ascending; the
- * first row's y before that row, the last row's y after that row. */
+/* Linear interpolation at x between `count` (2 or more) rows {x, y}, x ascending;
+ * before the first row it returns that row's y, and after the last row that row's. */
 double pp_interpolate_linear(const double (*rows)[2], int count, double x);
 
 /* The two rows that x lies between: returns the index of the upper one, 1 to count - 1,

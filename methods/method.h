@@ -77,32 +77,32 @@ struct pp_method {
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
     bool of_real_room; /* fitted to real rooms: obstructions and ground have the room's
-                        * own values, not the ones of a standard room */
-    bool of_all_surfaces; /* an average over the room's surfaces, not its working plane:
-                           * not to be compared with one */
+                        * own values, not those of a standard room */
+    bool of_all_surfaces; /* an average over the room's surfaces: not comparable with
+                           * averages over the working plane */
     unsigned allowances;  /* corrections already contained in its figures, enum
                            * pp_allowance */
     double own_ground;    /* ground reflectance built into its figures, whatever the
                            * room's; 0: none */
-    bool by_name;         /* left out of "all": made for points that few rooms have */
-    bool counts;      /* counts squares or dots: readings are multiples of the worth of
-                   * one */
+    bool by_name;         /* left out of "all": made for receivers that few rooms
+                           * have */
+    bool counts;      /* counts squares or dots: readings are multiples of the value of
+                       * one */
     bool has_average; /* PP_FOR_POINT only: evaluate without a receiver gives the
                        * average over the working plane, in place of an integral over
                        * points */
 
     /* Reason why the method does not apply to this room, or to this receiver in the
-     * room (NULL: the room as a whole): a static sentence ("the table holds the
-     * overcast sky only"), or NULL if the method applies. NULL function: it always
-     * does. */
+     * room (NULL: the room as a whole): a static sentence ("valid only for the CIE
+     * overcast sky"), or NULL if the method applies. NULL function: it always does. */
     const char *(*refuses_room)(const struct pp_world *world,
                                 const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver);
 
     /* Reason why the method does not cover this opening for this receiver (NULL for the
-     * room), as the static end of a sentence that begins with "window W1" ("slopes; the
-     * table holds vertical openings only"), or NULL if the method covers the opening.
-     * NULL function: it covers all. */
+     * room), as the static end of a sentence that begins with "window W1" ("is not
+     * vertical, but the method covers only vertical windows"), or NULL if the method
+     * covers the opening. NULL function: it covers all. */
     const char *(*refuses)(const struct pp_world *world,
                            const struct pp_outside_light *light,
                            const struct pp_opening *opening,
@@ -121,8 +121,8 @@ struct pp_method {
                                            struct pp_error *err);
     void (*destroy_tools)(void *tools); /* NULL tools are allowed */
 
-    /* The components of one opening. Called only where neither function above refuses,
-     * with part zero but for its steps, and from several threads at once. */
+    /* The components of one opening. Called only if neither function above refuses,
+     * with all of `part` zero except the steps, and from several threads at once. */
     enum pp_status (*evaluate)(const struct pp_world *world,
                                const struct pp_outside_light *light,
                                const struct pp_opening *opening,
@@ -131,7 +131,7 @@ struct pp_method {
 
     /* The mean of the components of one opening over the working plane of the beams'
      * world, for receivers that face up, in place of an integral over points; *known is
-     * false where there is none for this opening. May be NULL. */
+     * false if the method has no such mean for this opening. May be NULL. */
     enum pp_status (*average)(struct pp_beams *beams,
                               const struct pp_outside_light *light,
                               const struct pp_opening *opening, const void *tools,
@@ -157,7 +157,7 @@ struct pp_method {
                                        const void *tools, struct pp_part *part,
                                        struct pp_error *err);
 
-    /* Direct method that has the same figures in this world, or NULL. */
+    /* Returns a direct method that gives the same figures in this world, or NULL. */
     const struct pp_method *(*same_as)(const struct pp_world *world);
 };
 

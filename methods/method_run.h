@@ -9,7 +9,7 @@
 #include "model/base/thread_pool.h"
 #include "model/results/report.h"
 
-/* Estimated relative error of an average over points, and the most points. */
+/* Relative error allowed in an average over points, and the limit on their number. */
 #define PP_AVERAGE_ERROR 1e-3
 enum { PP_AVERAGE_POINTS = 2000 };
 
@@ -26,7 +26,8 @@ struct pp_method_run {
     bool varied;      /* by a variant */
     const struct pp_world *world;
     const struct pp_outside_light *light;
-    double *factors; /* product of the missing corrections, one for each opening */
+    double *factors; /* product of the corrections that the figures lack, for each
+                      * opening */
     void *tools;     /* made by the method; NULL for a room that it refuses */
     struct pp_formulary *formulary;
     struct pp_method_shared shared;
@@ -34,7 +35,8 @@ struct pp_method_run {
     bool roughly; /* by evaluate_roughly, for an average */
 };
 
-/* The components by a method over all openings, corrected, or why there are none. */
+/* A method's corrected components, summed over all openings, or the reason why there
+ * are none. */
 struct pp_method_answer {
     struct pp_amounts amounts;
     const char *why;                  /* not owned; NULL: the amounts are valid */
@@ -53,14 +55,14 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   struct pp_method_shared shared, struct pp_error *err);
 void pp_method_run_clear(struct pp_method_run *run);
 
-/* The sum over the openings for a receiver (NULL: for the room), or why there is none.
- * The caller sets answer->steps, and owns them. Several threads may call it. */
+/* Finds the sum over the openings for a receiver (NULL: for the room), or why there is
+ * none. The caller sets answer->steps, and owns them. Several threads may call it. */
 enum pp_status pp_method_run_answer(const struct pp_method_run *run,
                                     const struct pp_receiver *receiver,
                                     struct pp_method_answer *answer,
                                     struct pp_error *err);
 
-/* The average over the working plane by a method that gives values at points. */
+/* Finds the average over the working plane by a method that gives values at points. */
 enum pp_status pp_method_run_average(const struct pp_method_run *run,
                                      struct pp_method_answer *answer,
                                      struct pp_error *err);

@@ -21,7 +21,8 @@ struct pp_part_steps {
     double sky;                  /* sum of the sky components so far */
 };
 
-/* Called before the first of `parts` parts, with a worksheet or for steps alone. */
+/* To be called before the first of `parts` parts: with a worksheet, or to record steps
+ * alone. */
 struct pp_part_steps pp_part_steps_on(struct pp_worksheet *sheet, int parts);
 struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 
@@ -34,8 +35,8 @@ void pp_part_steps_next(struct pp_part_steps *terms);
 double pp_part_steps_work(struct pp_part_steps *terms, bool hidden,
                           const struct pp_formula *formula, const char *what);
 
-/* Records a quantity that was read for the current part: from a scale, a table, a
- * count. */
+/* Records a quantity that was read for the current part from a scale or a table, or
+ * that was counted. */
 void pp_part_steps_read(const struct pp_part_steps *terms, enum pp_step_unit unit,
                         double value, const char *name, const char *what);
 

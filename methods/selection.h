@@ -4,7 +4,7 @@
  *               does not cover the room, also the pair that replaces it
  *               (default_methods.h)
  *     all       every direct method with bre, exact with every internal one, all whole
- *     A+B       direct component by A, internally reflected by B, and both components
+ *     A+B    direct component by A, internally reflected one by B, and their sum
  *     NAME      one method, with the components that it gives
  */
 #ifndef PP_METHODS_SELECTION_H
@@ -33,8 +33,8 @@ enum pp_status pp_selection_parse(struct pp_selection *selection, const char *te
                                   struct pp_error *err);
 void pp_selection_clear(struct pp_selection *selection);
 
-/* Adds the entries of `all` for a method, unless the selection has the method
- * already. */
+/* Adds the entries of `all` for a method, unless the selection already has the
+ * method. */
 enum pp_status pp_selection_include(struct pp_selection *selection,
                                     const struct pp_method *method,
                                     struct pp_error *err);

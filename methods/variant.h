@@ -3,9 +3,9 @@
  *
  *     irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)     split-flux: irc = ...
  *
- * The left side names the formula to be replaced. Without the name of a method it is
- * the formula of the first method, in list order, that has a formula for the symbol
- * with all the quantities used.
+ * The left side names the formula to be replaced. If no method is named, it is the
+ * formula of the first method, in list order, that has a formula for this symbol with
+ * all the quantities used.
  */
 #ifndef PP_METHODS_VARIANT_H
 #define PP_METHODS_VARIANT_H

@@ -2,7 +2,7 @@
  * weighted sum of the values at points around it.
  *
  * The weights reproduce every quadratic that the points can determine; with few points,
- * or points on a line, fewer terms. */
+ * or points on a line, fewer terms are fitted. */
 #ifndef PP_STUDIES_MOVING_FIT_H
 #define PP_STUDIES_MOVING_FIT_H
 

@@ -33,8 +33,8 @@ enum pp_status pp_plan_study_make(struct pp_plan_study *study,
                                   const struct pp_study_options *options,
                                   bool *by_clock, struct pp_error *err);
 
-/* Plan by hand methods for the screen: contours to that tolerance (m, above 0), and
- * without the grid over the plane. */
+/* Makes a plan by hand methods for the screen: with contours to the given tolerance (m,
+ * above 0), and without the grid over the plane. */
 enum pp_status pp_plan_study_sketch(struct pp_plan_study *study,
                                     const struct pp_study_room *room,
                                     const struct pp_study_options *options,

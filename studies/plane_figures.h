@@ -25,7 +25,8 @@ enum pp_status pp_plane_figures_fill(struct pp_report *report,
                                      const struct pp_study_room *room,
                                      struct pp_error *err);
 
-/* Fills `plane` of one column from its readings at the points of a grid. */
+/* Fills `plane` of one column from its readings at the points of a grid; has_plane
+ * becomes false if a reading has no value. */
 enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
                                        const struct pp_reading *points, int count,
                                        struct pp_error *err);

@@ -28,8 +28,8 @@ enum pp_status pp_plane_margin_init(struct pp_plane_margin *margin,
 void pp_plane_margin_clear(struct pp_plane_margin *margin);
 
 /* Copies the averages of `inside`, a report with the same columns for the margin's room
- * (NULL: there is none), to the report's columns. A formula for the whole plane gets
- * none. */
+ * (NULL: there is none), to the report's columns. A column by a formula for the whole
+ * plane gets none. */
 enum pp_status pp_plane_margin_take(struct pp_report *report,
                                     const struct pp_report *inside,
                                     struct pp_error *err);

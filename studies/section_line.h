@@ -34,9 +34,9 @@ enum pp_status pp_section_place_read(struct pp_section_place *place, const char 
  * the line is perpendicular to the wall, from the opening's centre into the room as far
  * as that is free. For a rooflight, it is perpendicular to the wall of the largest
  * window, or along the longer side of a room without windows. Without openings it is
- * along the longer side through the middle. At an x or y it is the longest piece in the
- * room. PP_BAD_INPUT if the place is not in the room, or if there is no space for two
- * points. */
+ * along the longer side through the middle. At a given x or y it is the longest piece
+ * in the room. PP_BAD_INPUT if the place is not in the room, or if there is no space
+ * for two points. */
 enum pp_status pp_section_line(struct pp_study_room *room,
                                const struct pp_section_place *place,
                                struct pp_error *err);

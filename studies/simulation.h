@@ -19,15 +19,15 @@
 
 struct pp_simulation;
 
-/* The report's world and receivers must outlive it. */
+/* The report's world and receivers must outlive *simulation. */
 enum pp_status pp_simulation_create(struct pp_simulation **simulation,
                                     const struct pp_engine *engine,
                                     const struct pp_report *report,
                                     const struct pp_engine_options *options,
                                     struct pp_error *err);
 
-/* The same in the diffuse scene of the report's world; the scene must outlive it,
- * too. */
+/* Does the same in the diffuse scene of the report's world; the scene must also outlive
+ * *simulation. */
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
                                        const struct pp_engine *engine,
                                        const struct pp_light_scene *scene,

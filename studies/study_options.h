@@ -36,7 +36,7 @@ struct pp_study_options {
 
     bool simulate;
     double error;   /* target standard error over daylight factor; 0: not given */
-    long samples;   /* paths a point in each randomisation; 0: not given */
+    long samples;   /* paths per point in each randomisation; 0: not given */
     double seconds; /* 0: not given */
     uint64_t seed;
     int threads; /* 0: one for each processor */

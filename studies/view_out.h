@@ -6,7 +6,8 @@
  *                and other parts of the room before it
  *   distance     median, over solid angle, of the distance from the glass along lines
  *                of sight; that of the sky is infinite. Lines that end less than 2 m
- *                beyond the glass are left out: a window sill or a railing is no view
+ *                beyond the glass are left out: a window sill or a railing is not a
+ *                view
  *   layers       sky, landscape (all objects outside, and ground less than 5 degrees
  *                below the horizon) and ground
  *

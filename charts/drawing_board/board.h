@@ -35,8 +35,8 @@ void pp_board_tints(cairo_t *cr, const struct pp_style *style,
 void pp_board_outline(cairo_t *cr, const struct pp_style *style,
                       const struct pp_board_map *map, const struct pp_region *region);
 
-/* Draws samples of both tints with their words, from x, y on; only measures unless
- * `drawn`. Returns the box. */
+/* Draws a sample of the sky's tint and, if hidden_too, one of the obstructions', each
+ * with its word, from x, y on; only measures unless `drawn`. Returns the box. */
 struct pp_box pp_board_tint_keys(cairo_t *cr, const struct pp_style *style, double x,
                                  double y, bool hidden_too, bool drawn);
 

@@ -26,7 +26,8 @@ struct pp_protractor_disc {
 /* Width of the figures outside the rim, mm. */
 double pp_protractor_disc_border(const struct pp_style *style);
 
-/* Radius of the primary scale's arc, and of the outermost semicircle. */
+/* Radius of the primary scale's arc and of the outermost semicircle, which is the same;
+ * radius: that of the rim. In mm. */
 double pp_protractor_disc_arc(const struct pp_style *style, double radius);
 
 /* Position on paper of a point at this distance from the centre, at this angle of the

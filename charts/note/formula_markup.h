@@ -1,5 +1,6 @@
-/* formula_markup.h - a formula in print as marked-up text: names in italics, text after
- * an underscore as a subscript, whole powers raised, names of functions upright. */
+/* formula_markup.h - a formula as marked-up text for print: names in italics, text
+ * after an underscore as a subscript, numeric exponents raised, names of functions
+ * upright. */
 #ifndef PP_CHARTS_NOTE_FORMULA_MARKUP_H
 #define PP_CHARTS_NOTE_FORMULA_MARKUP_H
 

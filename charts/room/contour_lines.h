@@ -8,8 +8,8 @@
 #include "model/geometry/curve.h"
 
 /* Draws a curve with its level's figure in a gap, along the line and not upside down.
- * The figure avoids labels of other owners and is itself noted in `labels`. False: the
- * line has no figure, since it is too short or has no free place. */
+ * The figure avoids labels of other owners and is itself registered in `labels`. False:
+ * the line has no figure, since it is too short or has no free place. */
 bool pp_contour_lines_draw(cairo_t *cr, const struct pp_style *style,
                            const struct pp_room_plan *plan,
                            const struct pp_curve *curve, double weight_mm,

@@ -119,7 +119,7 @@ static void label_beside(struct plan_drawing *drawing, int owner, const char *wo
     pp_labels_note_box(drawing->labels, box);
 }
 
-/* Notes every line before any is labelled, so that values and labels avoid all of
+/* Registers every line before any is labelled, so that values and labels avoid all of
  * them. */
 static void note_lines(struct plan_drawing *drawing)
 {

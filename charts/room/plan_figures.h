@@ -26,9 +26,9 @@ struct pp_plan_figure {
     bool on_lines; /* covers lines: there is no other place */
 };
 
-/* Finds places for the values of the report's receivers, and notes them and the
- * points; list: as many as there are receivers. Lines must be noted before; their own
- * labels are placed afterwards. */
+/* Finds places for the values of the report's receivers, and registers them and the
+ * points in `labels`; list: as many entries as there are receivers. Lines must be
+ * registered before; their own labels are placed afterwards. */
 void pp_plan_figures_place(struct pp_plan_figure *list, cairo_t *cr,
                            const struct pp_style *style,
                            const struct pp_room_plan *plan,

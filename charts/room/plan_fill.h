@@ -17,7 +17,7 @@ void pp_plan_fill_draw(cairo_t *cr, const struct pp_room_plan *plan,
                        const struct pp_daylight_plan *daylight, enum pp_plan_fill fill);
 
 /* Draws the bar with a field for each area and the levels between them, from x, y on;
- * its height is pp_plan_fill_bar_mm's. */
+ * its height is pp_plan_fill_bar_mm. */
 void pp_plan_fill_bar(cairo_t *cr, const struct pp_style *style,
                       const struct pp_daylight_plan *daylight, enum pp_plan_fill fill,
                       double x, double y, double width);

@@ -5,8 +5,8 @@
 
 #include "charts/room/plan_frame.h"
 
-/* Draws objects above the cut in dashed lines, and objects below it in thin full lines.
- * Facades are drawn where the cut meets them. */
+/* Draws objects above the cut in dashed lines, and objects below it in thin solid
+ * lines. Facades are drawn where the cut meets them. */
 void pp_plan_outside_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan);
 

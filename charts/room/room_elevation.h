@@ -21,7 +21,7 @@ struct pp_room_elevation {
     double mm_per_m, x, y;
 };
 
-/* Elevation of the face of an opening; NULL opening is not allowed. */
+/* Initialises the elevation of the face of an opening, which must not be NULL. */
 void pp_room_elevation_init(struct pp_room_elevation *elevation,
                             const struct pp_world *world,
                             const struct pp_opening *opening, struct pp_vec3 eye);

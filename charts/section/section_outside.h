@@ -8,7 +8,8 @@
 /* Draws the line of sight out of the window at the near or far end, with the horizontal
  * and the angle between them. An obstruction too far for the drawing is put where the
  * line of sight ends, behind a break in the horizontal: heights are then not to scale,
- * angles are. Below an overhang a dashed line shows up to where sky is seen. */
+ * but angles are correct. Below an overhang a dashed line shows the upper limit of the
+ * visible sky. */
 void pp_section_outside_draw(cairo_t *cr, const struct pp_style *style,
                              const struct pp_room_section *section, bool near);
 

@@ -22,8 +22,8 @@
 /* Date of every PDF, so that equal drawings are equal files. */
 #define FIXED_DATE "2000-01-01T00:00:00Z"
 
-/* A PNG whose pixels need more bytes than the first is drawn in bands of about the
- * second. */
+/* A PNG whose pixels need more than WHOLE_BYTES_MOST is drawn in bands of about
+ * BAND_BYTES. */
 enum { WHOLE_BYTES_MOST = 128 << 20, BAND_BYTES = 32 << 20 };
 
 enum { OUTLINE_LEVELS = 3 };

@@ -50,9 +50,9 @@ cairo_t *pp_canvas_cairo(struct pp_canvas *canvas);
 double pp_canvas_width_mm(const struct pp_canvas *canvas);
 double pp_canvas_height_mm(const struct pp_canvas *canvas);
 
-/* Reports that memory was lacking for a part of a drawing on this context.
- * pp_canvas_finish then fails, as with cairo's own errors, so that no incomplete
- * drawing is kept. Does nothing for a context without a canvas. */
+/* Records that memory ran out for a part of a drawing on this context. pp_canvas_finish
+ * then fails, as with cairo's own errors, so that no incomplete drawing is kept. Does
+ * nothing for a context without a canvas. */
 void pp_canvas_lacks_memory(cairo_t *cr);
 
 /* Sets the small print at the foot of sheets from now on: the drawing's source; copied,
@@ -68,7 +68,7 @@ const struct pp_project *pp_canvas_project(const struct pp_canvas *canvas);
 /* True if the format allows further sheets. */
 bool pp_canvas_has_sheets(const struct pp_canvas *canvas);
 
-/* Begins a further sheet of the same size; PDF only. */
+/* Begins a further sheet of the same size; PP_BAD_INPUT unless the file is a PDF. */
 enum pp_status pp_canvas_next_sheet(struct pp_canvas *canvas, struct pp_error *err);
 
 /* Adds an entry to the PDF's outline, with y_mm on this sheet as its target; does

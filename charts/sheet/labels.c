@@ -62,8 +62,8 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
     return false;
 }
 
-/* True if the box is at least `pad` from all noted places with other owners, and at
- * least pad/4 from those of its owner. */
+/* True if the box is at least `pad` from all registered places with other owners, and
+ * at least pad/4 from those of its owner. */
 static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner,
                     double pad, bool covers_lines)
 {

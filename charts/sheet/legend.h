@@ -24,7 +24,7 @@ struct pp_key {
     char words[96];
 };
 
-/* Draws the keys below each other from x, y on, no wider than `width` (words are cut
+/* Draws the keys one below the other from x, y on, no wider than `width` (words are cut
  * with ... if necessary). Returns the box filled. */
 struct pp_box pp_legend_draw(cairo_t *cr, const struct pp_style *style,
                              const struct pp_key *keys, int count, double x, double y,

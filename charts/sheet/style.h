@@ -38,7 +38,7 @@ void pp_style_grey(cairo_t *cr, double grey);
 
 /* Style of curve `index`; at least the first 24 are different. */
 struct pp_curve_style {
-    int dash_count;   /* 0: a full line */
+    int dash_count;   /* 0: a solid line */
     double dashes[6]; /* mm, for A4 */
     double weight;    /* times style.medium */
     int marker;       /* enum pp_marker */
@@ -64,7 +64,7 @@ struct pp_curve_style pp_style_curve(int index);
 void pp_style_pen(cairo_t *cr, const struct pp_style *style,
                   const struct pp_curve_style *curve);
 
-/* Sets a full line of that weight and grey level (0 black to 1 white). */
+/* Sets a solid line of that weight and grey level (0 black to 1 white). */
 void pp_style_line(cairo_t *cr, double weight_mm, double grey);
 
 /* Draws a marker centred at x, y; open ones are filled white. */

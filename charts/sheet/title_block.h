@@ -9,7 +9,8 @@
 #include "model/room/project.h"
 
 /* Draws the block with its lower left corner at x, bottom; facts that are not given have
- * no cell. Returns its height in mm, 0 without any fact; `drawn` false: only that. */
+ * no cell. Returns its height in mm, 0 if no fact is given; `drawn` false: only
+ * measures it. */
 double pp_title_block_draw(cairo_t *cr, const struct pp_style *style,
                            const struct pp_project *project, double x, double bottom,
                            double width, bool drawn);

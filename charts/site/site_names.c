@@ -171,7 +171,7 @@ static void name_shape(struct pp_site_drawing *drawing, int index)
 
 /* ---- rooms and gardens ---- */
 
-/* True if two rooms lie above each other. */
+/* True if one room lies above the other. */
 static bool same_place(const struct pp_site_shape *a, const struct pp_site_shape *b)
 {
     double p[2], q[2];
@@ -180,7 +180,7 @@ static bool same_place(const struct pp_site_shape *a, const struct pp_site_shape
     return hypot(p[0] - q[0], p[1] - q[1]) < 0.5;
 }
 
-/* Writes the names of rooms that lie above each other into the lowest one. */
+/* Writes the names of rooms that lie one above the other into the lowest one. */
 static void name_rooms(struct pp_site_drawing *drawing, int index)
 {
     const struct pp_site_sheet *sheet = drawing->sheet;

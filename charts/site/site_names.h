@@ -1,6 +1,6 @@
 /* site_names.h - names on a site plan: of rooms, buildings, gardens, and of windows whose
- * figures are in a table. A name is put as near to the middle of its object as a place is
- * free, or else left out. */
+ * figures are in a table. A name is put at the free place nearest to the middle of its
+ * object, or else left out. */
 #ifndef PP_CHARTS_SITE_SITE_NAMES_H
 #define PP_CHARTS_SITE_SITE_NAMES_H
 
@@ -17,7 +17,8 @@ double pp_site_names_near(const struct pp_style *style, int storey);
  * do not fit into the strips. */
 void pp_site_names_windows(struct pp_site_drawing *drawing);
 
-/* Writes all other names; after everything else is drawn and noted. */
+/* Writes all other names; to be called after everything else is drawn and
+ * registered. */
 void pp_site_names_draw(struct pp_site_drawing *drawing);
 
 #endif

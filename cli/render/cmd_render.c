@@ -55,7 +55,7 @@ static enum pp_exit write_errors(const struct pp_made_picture *made, const char 
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
-/* Warns if there is no light, since the picture is then black. */
+/* Warns if the picture is black, that is, if no light reaches the surfaces in view. */
 static void say_if_black(const struct pp_picture *picture)
 {
     size_t count = 3 * (size_t)picture->width * (size_t)picture->height;

@@ -5,7 +5,8 @@
 
 #include "formats/gbxml/gbxml_prism.h"
 
-/* Corners are welded within WELD_M if the volume changes by at most this share. */
+/* Corners are also welded within WELD_M, if that changes the volume by at most
+ * weld_share. */
 #define WELD_M 0.02
 static const double weld_share = 0.01;
 

@@ -9,9 +9,9 @@
 
 enum { PP_PLANE_VALUES = 2 };
 
-/* Light of one centre at a point of the working plane: values, not negative, for a
- * receiver that faces up. Called from several threads at once; false stops the
- * integration. */
+/* Light from one centre at a point of the working plane: values (not negative) for a
+ * receiver that faces up. Called from several threads at once. Returning false stops
+ * the integration. */
 typedef bool pp_plane_function(void *data, int centre,
                                const struct pp_receiver *receiver,
                                double values[PP_PLANE_VALUES]);
@@ -25,11 +25,12 @@ typedef bool pp_plane_function(void *data, int centre,
  *
  * With a relative error of 1e-3 and 2000 points, averages by brs-table and protractor
  * in 50 random boxes with 1 to 4 windows from 0.08 m wide differed by 2.4e-3 rms from
- * midpoint sums of 150 x 150 cells, 95 of 100 by less than 4.4e-3, the worst by 1.1e-2,
- * mostly the error of the midpoint sums. Cubature over rectangles of the plane had
- * errors of 2.5e-2 rms and 19 % at worst.
+ * midpoint sums of 150 x 150 cells, 95 % of them by less than 4.4e-3, the worst by
+ * 1.1e-2. Most of this is the error of the midpoint sums. Cubature over rectangles of
+ * the plane had errors of 2.5e-2 rms and 19 % at worst.
  *
- * *stopped: the function has stopped the integration; mean is then undefined. */
+ * *stopped: true if the function stopped the integration; mean is then undefined.
+ * PP_BAD_INPUT if the room has no working plane. */
 enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
                                 const struct pp_world *world,
                                 const struct pp_plane_centre *centres, int count,

@@ -10,7 +10,7 @@
 #include "methods/exact/quadrature.h"
 #include "model/light/outside_light.h"
 
-/* Light of one direction: luminances through the glass, over Eh. */
+/* Light through the glass as a function of direction: luminances divided by Eh. */
 struct pp_plane_light {
     pp_luminance_function *sky;      /* luminance of the sky in that direction,
                                       * visible or hidden */
@@ -29,9 +29,9 @@ enum pp_status pp_plane_light_average(double mean[2], struct pp_beams *beams,
                                       const struct pp_plane_light *light,
                                       struct pp_error *err);
 
-/* Mean of the light of sky, ground and obstructions through `glass` (clear, or none),
- * defined as for pp_direct_through at a point. All users of one `beams` must have the
- * same light. */
+/* Means of the sky component and the externally reflected component through `glass`
+ * (clear, or none), which are defined as for pp_direct_through at a point. All users of
+ * one `beams` must have the same light. */
 enum pp_status pp_plane_light_direct(double mean[2], struct pp_beams *beams,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening,

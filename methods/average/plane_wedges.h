@@ -3,17 +3,18 @@
  *
  * A narrow opening lights a narrow strip, which a cubature over rectangles of the plane
  * would miss. The plane is therefore divided into wedges. Their apex in the plan is
- * behind the opening, where the lines between its jambs cross. The light of any opening
- * fills its wedges, and the result does not depend on the orientation of the room:
+ * behind the opening, where the lines between opposite jambs of the inside and outside
+ * outlines cross. The light of any opening fills its wedges, and the result does not
+ * depend on the orientation of the room:
  *
  *     apex       behind the inside outline by half of its width w, or by the reveal r,
- *                whichever is more
+ *                whichever is greater
  *     sides      at tan = w/r from the normal: light farther to the side does not pass
  *                both outlines
  *
  * Between the sides there are wedges between all corners of a convex piece of the
- * plane. A rooflight, horizontal or sloping, lights places on both sides of it in the
- * plan: its apex is in its middle, with wedges in all directions.
+ * plane. A rooflight, horizontal or sloping, lights the plan on all sides of it: its
+ * apex is in its middle, with wedges in all directions.
  */
 #ifndef PP_METHODS_AVERAGE_PLANE_WEDGES_H
 #define PP_METHODS_AVERAGE_PLANE_WEDGES_H
@@ -33,16 +34,17 @@ struct pp_plane_centre {
 struct pp_plane_centre pp_plane_centre_of(const struct pp_opening *opening);
 
 /* A part of a wedge, from a near to a far edge of a convex piece. Its two coordinates
- * run from 0 to 1: one with the angle, one with the root of the distance from the near
- * edge, since daylight changes most near the window. */
+ * run from 0 to 1: one with the angle, the other with the square root of the distance
+ * from the near edge, since daylight changes most near the window. */
 struct pp_plane_wedge {
     int centre; /* index of the centre */
     double apex[2];
-    double low_rad, wide_rad;     /* angle about the apex */
+    double low_rad, wide_rad;     /* start and width of the angle about the apex */
     double near[2][2], far[2][2]; /* two points of each edge */
     bool from_apex;               /* the wedge begins at its apex and has no near
                                    * edge */
-    double low, wide;             /* root of the distance: lowest value and width */
+    double low, wide;             /* square root of the distance: lowest value and
+                                   * width */
 };
 
 struct pp_plane_wedges {
@@ -50,7 +52,7 @@ struct pp_plane_wedges {
     struct pp_plane_wedge *list;
 };
 
-/* The wedges of all centres; freed by the caller. */
+/* Finds the wedges of all centres. The caller frees wedges->list. */
 enum pp_status pp_plane_wedges_find(struct pp_plane_wedges *wedges,
                                     const struct pp_region *plane,
                                     const struct pp_plane_centre *centres, int count,

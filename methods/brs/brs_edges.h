@@ -1,10 +1,11 @@
 /* brs_edges.h - simplified daylight tables read at the edges of rectangles [HLG58].
  *
  * A table T(up, aside) gives the sky component of a rectangle with one corner at the
- * origin of the table: `up` to its far edge, `aside` to its far jamb, over the distance
- * d of its plane. Interpolation is linear between neighbours in both directions, linear
- * in the reciprocal between the last printed column or row and infinity, and linear to
- * zero below the first. As published:
+ * origin of the table. `up` and `aside` are the distances from there to its far edge
+ * and to its far jamb, divided by the distance d of its plane. Interpolation is linear
+ * between neighbours in both directions, linear in the reciprocal between the last
+ * printed column or row and infinity, and linear to zero below the first one. As
+ * published:
  *
  *   - readings of jambs on both sides of the origin are added; for jambs on one side the
  *     narrower reading is subtracted from the wider one
@@ -19,8 +20,8 @@
 #include "methods/method.h"
 #include "methods/part_steps.h"
 
-/* A table as csv2c.awk writes it: the first row holds `aside`, each other row `up`, from
- * infinity down, then per cent. */
+/* A table as csv2c.awk writes it: the first row holds `aside`; each other row holds
+ * `up` (from infinity down), then the values in per cent. */
 struct pp_brs_cells {
     int rows, columns;
     const double *cells;
@@ -35,7 +36,8 @@ double pp_brs_edges_read(const struct pp_brs_cells *table, double up, double asi
 void pp_brs_edges_place(const struct pp_brs_cells *table, double up, double aside,
                         double *row, double *column);
 
-/* Edges over d, as the table measures them; right is positive. */
+/* Positions of the edges, divided by d, as the table measures them; right is
+ * positive. */
 struct pp_brs_rectangle {
     double left, right, low, high;
     bool hidden;   /* true: an obstruction; false: sky */
@@ -50,9 +52,9 @@ void pp_brs_edges_work(struct pp_part_steps *terms, struct pp_part *sum,
                        const struct pp_brs_cells *table,
                        const struct pp_brs_rectangle *rectangle, const char *measure);
 
-/* Rows for a method's list of formulae. _FORMULAE: for all tables. The others are for
- * tables with edges on both sides of the origin, and for obstructions that are
- * subtracted. */
+/* Rows for a method's list of formulae. PP_BRS_EDGES_FORMULAE: for all tables.
+ * PP_BRS_EDGES_ACROSS_FORMULAE: for tables with edges on both sides of the origin, and
+ * for obstructions that are subtracted. */
 extern const struct pp_formula pp_brs_edges_upper[3], pp_brs_edges_lower[3],
     pp_brs_edges_sky[2], pp_brs_edges_equivalent[2], pp_brs_edges_reflected,
     pp_brs_edges_across[4], pp_brs_edges_less;

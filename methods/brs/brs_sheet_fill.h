@@ -11,8 +11,8 @@
 void pp_brs_sheet_fill_blank(struct pp_brs_sheet *sheet);
 
 /* Fills the sheet with the readings of pp_method_brs_table and their sums. PP_BAD_INPUT
- * if it does not cover the room, an opening or the receiver. On success the caller
- * clears the sheet. */
+ * if the method does not apply to the room, an opening or the receiver. On success the
+ * caller clears the sheet. */
 enum pp_status pp_brs_sheet_fill_room(struct pp_brs_sheet *sheet,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

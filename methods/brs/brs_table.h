@@ -3,8 +3,8 @@
 #define PP_METHODS_BRS_BRS_TABLE_H
 
 /* Sky component (a fraction, 0 to 0.15) of a window whose sill is at the height of the
- * point and one of whose jambs is on the normal through the point, from h/d and w/d
- * (each 0 to infinity; 0 for negative ones). Equal to the printed value where one is
+ * point and one of whose jambs is on the normal through the point, from h/d and w/d,
+ * each up to infinity; 0 if one is negative. Equal to the printed value where one is
  * printed; the rules of interpolation are in brs_table.c. */
 double pp_brs_table_read(double h_over_d, double w_over_d);
 

@@ -55,7 +55,8 @@ enum pp_status pp_direct_through(struct pp_direct *sum, const struct pp_world *w
                                  const struct pp_receiver *receiver,
                                  const struct pp_glass *glass, struct pp_error *err);
 
-/* Moments of the part of a patch within `more` half-spaces, at most three. */
+/* Moments of the part of a patch that is also within the half-spaces `more`, at most
+ * three. */
 enum pp_status pp_direct_moments(struct pp_moments *moments,
                                  const struct pp_visible *visible,
                                  const struct pp_visible_patch *patch,

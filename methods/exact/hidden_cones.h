@@ -10,8 +10,8 @@
  *
  * Each cone of a polygon lies in a circular cap about the mean direction to its
  * corners, which reaches the farthest corner: a cap of less than a hemisphere is
- * convex. The caps alone show which cones are far from a path of the sun, without a
- * test of their half-spaces.
+ * convex. The caps alone show which cones are far from a path of the sun, so that their
+ * half-spaces need no test.
  */
 #ifndef PP_METHODS_EXACT_HIDDEN_CONES_H
 #define PP_METHODS_EXACT_HIDDEN_CONES_H

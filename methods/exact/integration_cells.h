@@ -34,7 +34,8 @@ struct integration_cells {
     int count, capacity;
 };
 
-/* Adds the edges of a ring within planes n.(x, y, distance_m) > 0. */
+/* Adds the edges of the part of a ring within the half-spaces n.(x, y, distance_m) >
+ * 0. */
 enum pp_status pp_integration_cells_add_ring(struct integration_cells *cells,
                                              const struct pp_ring *ring,
                                              const struct pp_vec3 *planes,

@@ -7,7 +7,7 @@
 #include "model/light/glass.h"
 #include "model/light/sky.h"
 
-/* The context of the functions; not owned. */
+/* The context of the functions. The pointers are not owned. */
 struct pp_pane_luminance {
     const struct pp_sky *sky;
     const struct pp_glass *glass; /* no panes: unglazed */

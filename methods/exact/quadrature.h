@@ -1,4 +1,4 @@
-/* quadrature.h - illuminance of a receiver by a part of a view, for any luminance L:
+/* quadrature.h - illuminance of a receiver from a part of a view, for any luminance L:
  *
  *     integral over the part of L(u) (n.u) domega
  *
@@ -16,8 +16,8 @@
 #include "model/geometry/region.h"
 
 /* Relative error bounds of `exact` without a table (pane_light.h), with glass and
- * without. The actual errors are smaller by two powers of ten or more: over random
- * windows at 0.05 to 8 m the worst error was 1e-7 and 1e-11. */
+ * without. The actual errors are smaller by a factor of 100 or more: for random windows
+ * at 0.05 to 8 m the worst were 1e-7 and 1e-11. */
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 
@@ -31,8 +31,8 @@
  * 0.1 m and 1e-6 at larger distances; the worst is 2e-4. */
 #define PP_QUADRATURE_ROUGH 1e-3
 
-/* A luminance with grain is summed in steps of its grain, or in steps this much larger
- * if PP_QUADRATURE_ROUGH is enough. */
+/* A luminance with grain is summed in steps of its grain, or in steps this many times
+ * larger if PP_QUADRATURE_ROUGH is enough. */
 #define PP_QUADRATURE_GRAINS_ROUGH 3.0
 
 /* Luminance towards the eye from direction u (unit, room's axes). */

@@ -19,8 +19,8 @@
 struct pp_sky_view {
     const struct pp_world *world; /* not owned */
     struct pp_vec3 normal;
-    struct pp_visible *visible; /* one for each opening; without patches if nothing
-                                 * is visible */
+    struct pp_visible *visible; /* one view for each opening; no patches if nothing is
+                                 * visible */
 };
 
 /* On success the caller clears *view. */
@@ -39,14 +39,15 @@ struct pp_sky_piece {
 typedef void pp_sky_view_sink(void *data, const struct pp_sky_piece *piece);
 
 /* Calls a function with each piece of sky and of the ground below the horizon, at most
- * size_rad wide and high. */
+ * size_rad wide and high. PP_BAD_INPUT if an outline has too many corners. */
 enum pp_status pp_sky_view_pieces(const struct pp_sky_view *view, double size_rad,
                                   pp_sky_view_sink *sink, void *data,
                                   struct pp_error *err);
 
-/* Illuminance by the sun's centre in direction u (unit) over that of a plane normal to
- * it; 0: hidden, behind the receiver or below the horizon. *opening (may be NULL):
- * index of the opening that the sun shines through. */
+/* Illuminance from the sun, its centre in direction u (unit), over that of a plane
+ * outside normal to u. It is 0 if the sun is hidden, behind the receiver or below the
+ * horizon; *opening is then unchanged. Otherwise *opening (may be NULL) is the index of
+ * the opening that the sun shines through. */
 double pp_sky_view_sun(const struct pp_sky_view *view, struct pp_vec3 u, int *opening);
 
 #endif

@@ -13,7 +13,7 @@
  *                                     + (Gamma_i x r_i)(1 - cos Theta_i)) ]
  *
  * A sky of gradation b (graded_sky.h) is (E0 + b E1)/(1 + b) times the luminance of its
- * zenith. Any polygon, convex or not, any tilt of it and of the receiver.
+ * zenith. The polygon need not be convex; it and the receiver may have any tilt.
  */
 #ifndef PP_METHODS_EXACT_SOLID_ANGLE_H
 #define PP_METHODS_EXACT_SOLID_ANGLE_H
@@ -41,10 +41,10 @@ void pp_solid_angle_add_moments(struct pp_moments *sum, const struct pp_vec3 *ve
                                 const struct pp_vec3 *half_spaces,
                                 int half_space_count);
 
-/* True if the moments suffice for the sky's luminance. */
+/* True if the light of the sky follows from the moments. */
 bool pp_solid_angle_has_closed_form(const struct pp_sky *sky);
 
-/* Illuminance by a patch of such a sky with these moments, over Eh. */
+/* Illuminance, over Eh, from a patch of such a sky with these moments. */
 double pp_solid_angle_sky_component(const struct pp_moments *moments,
                                     const struct pp_sky *sky);
 

@@ -7,8 +7,8 @@
  * so that it crosses the plane of an edge where n.u = n.p + n.q cos h + n.r sin h = 0:
  * each half-space of a hidden cone is an arc of hour angles, and a cone is the
  * intersection of its arcs. The hours of sun are the time between sunrise and sunset
- * outside all cones. These are possible hours, for a cloudless sky, a flat horizon and
- * a point sun; refraction is neglected.
+ * when the sun is outside all cones. These are possible hours, for a cloudless sky, a
+ * flat horizon and a point sun; refraction is neglected.
  */
 #ifndef PP_METHODS_EXACT_SUNLIT_HOURS_H
 #define PP_METHODS_EXACT_SUNLIT_HOURS_H
@@ -16,8 +16,8 @@
 #include "methods/exact/hidden_cones.h"
 
 /* Position on the earth (radians); north_rad as in pp_world. Days are local: midnight
- * is longitude_rad, east positive, before that of Greenwich. NAN: unknown, treated as
- * Greenwich. */
+ * is earlier than that of Greenwich by the hour angle longitude_rad (east positive).
+ * NAN: unknown, treated as Greenwich. */
 struct pp_sunlit_place {
     double latitude_rad, north_rad, longitude_rad;
 };
@@ -36,8 +36,8 @@ struct pp_sunlit_sun {
 };
 
 /* Adds the times within that interval at which the sun is above the horizon and not
- * hidden. If the day had times before, call pp_sunlit_hours_unite afterwards. The
- * caller clears the day, after a failure too. */
+ * hidden. If the day already contains times, call pp_sunlit_hours_unite afterwards. The
+ * caller clears the day, even after a failure. */
 enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
                                    const struct pp_hidden_cones *cones,
                                    struct pp_sunlit_place place,
@@ -51,7 +51,7 @@ enum pp_status pp_sunlit_hours_of_day(struct pp_sunlit_day *day,
                                       struct pp_sunlit_place place, int month, int date,
                                       struct pp_error *err);
 
-/* Finds the times as pp_sunlit_hours_of_day does, but only with the sun above an
+/* Finds the times as pp_sunlit_hours_of_day does, but only those with the sun above an
  * altitude (rad, 0 to below pi/2). */
 enum pp_status pp_sunlit_hours_above(struct pp_sunlit_day *day,
                                      const struct pp_hidden_cones *cones,

@@ -39,7 +39,7 @@ void pp_axial_table_init(struct pp_axial_table *table, pp_axial_function *functi
 
 /* Fills a table for all directions, c from -1 to 1. A constant is subtracted from each
  * of F, F c and F s / s, so that their integrals over a whole meridian are 0 and the
- * potential is regular opposite to the axis, too: k1, kc and ks then belong to
+ * potential is also regular opposite to the axis: k1, kc and ks then belong to
  *
  *     F(c) p - balance[0] p + (q.a) (F(c) c - balance[1]) + Q (F(c) - balance[2])   (3)
  *
@@ -60,8 +60,9 @@ struct pp_axial_light {
 /* The potential (2) about the light's axis, for pp_arc_sum. */
 double pp_axial_table_potential(const void *light, const struct pp_arc_nodes *nodes);
 
-/* Light of a ring within half-spaces, from a table of pp_axial_table_init. longest:
- * longest arc for one rule. width: F changes fast where |a.u| is below it. */
+/* Light from the part of a ring within the half-spaces, by a table of
+ * pp_axial_table_init. longest: longest arc for one rule. width: F changes fast where
+ * |a.u| is below it. */
 double pp_axial_table_sum(const struct pp_axial_light *light, double longest,
                           double width, const struct pp_vec3 *vertices, int count,
                           const struct pp_vec3 *half_spaces, int half_space_count);

@@ -45,7 +45,7 @@ struct pp_beam {
 };
 
 /* Fills a beam in which world, opening and with_outside are set and all else is zero.
- * The caller destroys it, after a failure too. */
+ * The caller destroys it, even after a failure. */
 enum pp_status pp_beam_pieces_find(struct pp_beam *beam, struct pp_error *err);
 
 #endif

@@ -1,4 +1,4 @@
-/* pane_light.h - the light of a patch through a pane, from tables that serve many
+/* pane_light.h - the light from a patch through a pane, by tables that serve many
  * points. It is a sum over the patch's edges (arc_sum.h) instead of a quadrature over
  * its area. */
 #ifndef PP_METHODS_FAST_PANE_LIGHT_H
@@ -27,7 +27,7 @@ struct pp_pane_part {
     const struct pp_vec3 *half_spaces; /* at most PP_HALF_SPACES_MOST */
     int half_space_count;
     bool glazed;
-    bool rough; /* to 1e-6 of the open sky; else to 1e-9 */
+    bool rough; /* accurate to 1e-6 of the open sky; else to 1e-9 */
 };
 
 /* True if the tables contain the light of that sky for this part. pp_pane_light_sky

@@ -111,7 +111,7 @@ static void find_sun_part(struct pp_sky_table *table,
 /* ---- the table ---- */
 
 /* The cosine c = w.u at t, and its slope -dc/dt. Beyond t = 1 (grazing incidence) c
- * rises again: a function of c is smooth in t there, too. */
+ * rises again: a function of c is also smooth in t there. */
 static double cosine_of(double t)
 {
     return (1.0 - t * t) * (1.0 - t * t);

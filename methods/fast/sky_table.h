@@ -1,11 +1,11 @@
 /* sky_table.h - the light of any polygon from a sky of ISO 15469 through one pane on
- * one plane, from a table: some microseconds in place of up to a millisecond.
+ * one plane, from a table: in a few microseconds instead of up to a millisecond.
  *
  * For one sky, pane and normal the integrand depends on direction alone,
  *
  *     f(u) = L(u) T(w.u) (n.u)
  *
- * with w through the pane, perpendicular to it, and L continued smoothly below the
+ * where w is the outward normal of the pane, and L is continued smoothly below the
  * horizon. All directions through the pane lie about w, so that w is the axis of
  * arc_sum.h, and the potential B is tabulated over the half space before the pane. A
  * sun causes a cusp of f; its circumsolar part, times the plane that touches the rest
@@ -18,12 +18,13 @@
  *
  * The table has equal steps in t, w.u = (1 - t^2)^2, and in the tangent of the angle
  * round w, between -1 and 1, in two charts; t is negative on the other side of w. Steps
- * of w.u shrink towards grazing incidence, where the transmittance of glass bends. f is
- * summed along t by two Gauss points to a step, B interpolated by cubic B-splines.
+ * of w.u shrink towards grazing incidence, where the transmittance of glass falls off.
+ * f is summed along t with two Gauss points per step, and B is interpolated by cubic
+ * B-splines.
  *
- * Over 24,000 random windows before planes that face up, of any slope and pane under
- * all types, the worst error was 7e-7 of the open sky and the rms error 5e-8; 1e-5 on
- * planes that are tilted to a low sun under types 14 and 15.
+ * For 24,000 random windows of any slope and glazing, planes that face up, and all sky
+ * types, the worst error was 7e-7 of the open sky and the rms error 5e-8. On planes
+ * tilted towards a low sun under types 14 and 15 the error is up to 1e-5.
  */
 #ifndef PP_METHODS_FAST_SKY_TABLE_H
 #define PP_METHODS_FAST_SKY_TABLE_H
@@ -53,9 +54,9 @@ void pp_sky_table_destroy(struct pp_sky_table *table); /* NULL is allowed */
 /* True if the table was made for a plane with that normal. */
 bool pp_sky_table_is_for(const struct pp_sky_table *table, struct pp_vec3 normal);
 
-/* Illuminance over Eh by the part of a ring within the half-spaces, both in the view's
- * axes (arc_sum.h); one of the half-spaces must be the sky above the horizon, one that
- * in front of the plane. */
+/* Illuminance, over Eh, from the part of a ring within the half-spaces, both in the
+ * view's axes (arc_sum.h). One of the half-spaces must be that above the horizon,
+ * another that in front of the plane. */
 double pp_sky_table_sum(const struct pp_sky_table *table,
                         const struct pp_vec3 *vertices, int count,
                         const struct pp_vec3 *half_spaces, int half_space_count);

@@ -1,9 +1,9 @@
 /* fitted_constants.h - constants of the formulae that were fitted to simulated rooms,
  * as printed in their texts, and the data of the fit [ATLAS].
  *
- * bench/fit_formulae writes the constants, with their uncertainty: rooms with even
- * numbers were fitted, rooms with odd numbers are held out. docs/theory.md lists the
- * forms that were tried and their errors.
+ * bench/fit_formulae writes the constants, with their uncertainty: the constants are
+ * fitted to the rooms with even numbers; rooms with odd numbers are held out.
+ * docs/theory.md lists the forms that were tried and their errors.
  */
 #ifndef PP_METHODS_FITTED_FITTED_CONSTANTS_H
 #define PP_METHODS_FITTED_FITTED_CONSTANTS_H
@@ -29,7 +29,7 @@
 /* Constant of `split-flux-atlas`: low glass. */
 #define PP_FITTED_FLUX_LOW "0.86"
 
-/* Constants of `average-df-atlas`: factor, reveal, floor, light of the ground. */
+/* Constants of `average-df-atlas`: factor, reveal, floor, light from the ground. */
 #define PP_FITTED_DF "0.73"
 #define PP_FITTED_DF_REVEAL "0.70"
 #define PP_FITTED_DF_FLOOR "0.43"

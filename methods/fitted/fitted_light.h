@@ -1,22 +1,24 @@
-/* fitted_light.h - the light on the outside of an opening by its source, for the
+/* fitted_light.h - the light on the outside of an opening, source by source, for the
  * formulae that were fitted to simulated rooms.
  *
  *   V     from the sky alone: the vertical sky component
  *   C_b   from obstructions outside, by the convention of `exact` (exterior.h)
  *   C_g   from the visible ground, with the ground reflectance of the room file
  *
- *   E_b, E_g   effective values of C_b and C_g. The convention of `exact` takes an
- *         obstruction as bright as the sky behind it times its reflectance. But
- *         obstructions and ground are shaded, as the opening is, and give less light by
- *         a power of V / 39.6 % (39.6 %: V of the open sky). The ground faces more of
- *         the sky than the opening does, and has half of the exponent
+ *   E_b, E_g   effective values of C_b and C_g. The convention of `exact` gives an
+ *              obstruction the luminance of the sky behind it, times its reflectance.
+ *              But obstructions and ground are shaded, as the opening is: their light
+ *              is reduced by a power of V / 39.6 % (39.6 %: V of the open sky). The
+ *              ground faces more of the sky than the opening does, so its exponent is
+ *              half as large
  *
  *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^(b/2),   V / 39.6 at least 0.003
  *
  * with b fitted [ATLAS].
  *
- * All over Eh, at the middle of the opening's outside and without glass, under the CIE
- * overcast sky. They do not depend on the receiver and are calculated once for a world.
+ * All are divided by Eh, and are valid at the middle of the opening's outside, without
+ * glass, under the CIE overcast sky. They do not depend on the receiver and are
+ * calculated once for a world.
  */
 #ifndef PP_METHODS_FITTED_FITTED_LIGHT_H
 #define PP_METHODS_FITTED_FITTED_LIGHT_H
@@ -48,8 +50,8 @@ extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
             "illuminance on the opening from the visible ground"                       \
     }
 
-/* Prepares a method for each opening of the world, in their order; *tools is freed by
- * free(). */
+/* A method's `prepare`: calculates V, C_b and C_g for each opening of the world, in
+ * order. The caller frees *tools with free(). */
 enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        struct pp_error *err);

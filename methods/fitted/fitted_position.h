@@ -4,22 +4,22 @@
  * A room that is deep relative to its height and width acts as a light pipe. Reflected
  * light spreads along it by diffusion and loses the share 1 - R at each reflection. It
  * falls off exponentially over a range l / sqrt(1 - R), with l twice the area of the
- * section over half its perimeter. It starts where the light from outside falls first,
- * c l / k behind the window's wall; a room no deeper than that is equally bright at its
- * back:
+ * section over half its perimeter. This begins where the light from outside first
+ * falls, c l / k behind the window's wall; a room no deeper than that is as bright at
+ * its back as near the window:
  *
  *     l = 2 w_r h_r / (w_r + h_r)
  *     f_d = q_d exp(-q_d x / d_r) / (1 - exp(-q_d)),   q_d = sqrt(1 - R) (k d_r / l - c) (1)
  *     f_s = q_s exp(-2 q_s y / w_r) / (1 - exp(-q_s)),
  *                                                 q_s = s (w_r - w) sqrt(1 - R) / l      (2)
  *
- * Sideways the width of wall beside the opening counts: an opening as wide as its wall
- * lights the room evenly from side to side.
+ * Sideways, the width of wall beside the opening matters: an opening as wide as its
+ * wall lights the room evenly from side to side.
  *
  * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening
- * in the middle of its wall; For R to 1 both are 1 (the light in a furnace is the same
- * everywhere). In an infinitely deep room they fall to 0. k, c and s are fitted
- * [ATLAS].
+ * in the middle of its wall. As R approaches 1, both approach 1 (the light in a furnace
+ * is the same everywhere). In an infinitely deep room (1) falls to 0. k, c and s are
+ * fitted [ATLAS].
  *
  *   x, y      from the opening's wall, and from its middle along the wall
  *   d_r, w_r  the room's depth and breadth, perpendicular to that wall and along it
@@ -66,10 +66,11 @@ void pp_fitted_position_put_room(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_opening *opening);
 
-/* Last steps of a component by position. Calculates the mean over the working plane.
- * Records f_d, f_s and their quantities, except those already on the sheet: R and, at a
- * point, the room's extents and w. Calculates and returns the value at the point.
- * Without a receiver f_d and f_s are 1, their mean over the working plane. */
+/* Adds the last steps of a component that varies with position. Calculates the mean
+ * over the working plane. Records f_d, f_s and their quantities, except those already
+ * on the sheet: R and, at a point, the room's extents and w. Calculates and returns the
+ * value at the point. Without a receiver f_d and f_s are 1, their mean over the working
+ * plane. */
 double pp_fitted_position_work(struct pp_worksheet *sheet,
                                const struct pp_formula *mean,
                                const struct pp_formula *at_point,

@@ -1,4 +1,4 @@
-/* irc_atlas.h - the first step of `irc-atlas`, which nomogram IV uses, too. */
+/* irc_atlas.h - the first step of `irc-atlas`, which is also used by nomogram IV. */
 #ifndef PP_METHODS_FITTED_IRC_ATLAS_H
 #define PP_METHODS_FITTED_IRC_ATLAS_H
 

@@ -1,5 +1,5 @@
 /* lumen_cavity.h - flux transfer in the room of the lumen method for light from above,
- * with which the table of coefficients for such light is made. */
+ * from which the table of coefficients for such light is made. */
 #ifndef PP_METHODS_LUMEN_LUMEN_CAVITY_H
 #define PP_METHODS_LUMEN_LUMEN_CAVITY_H
 

@@ -16,7 +16,7 @@
  * are in closed form again; the one approximation is a uniform exitance over each
  * patch.
  *
- * A room of endless width is taken as 10,000 window heights wide, which changes the
+ * A room of infinite width is treated as 10,000 window heights wide, which changes the
  * illuminances in its middle by less than 1e-4.
  */
 #ifndef PP_METHODS_LUMEN_LUMEN_ROOM_H
@@ -25,7 +25,7 @@
 #include "model/base/error.h"
 #include "model/light/sky.h"
 
-/* The method's points, in shares of the depth from the window, on the normal through
+/* The method's points, as fractions of the depth from the window, on the normal through
  * the window's middle. */
 enum { PP_LUMEN_POINTS = 5 };
 extern const double pp_lumen_places[PP_LUMEN_POINTS]; /* 0.1, 0.3, 0.5, 0.7, 0.9 */
@@ -52,7 +52,7 @@ enum pp_status pp_lumen_room_create(struct pp_lumen_room **room, double width,
 void pp_lumen_room_destroy(struct pp_lumen_room *room); /* NULL is allowed */
 
 /* Sets the light source: a sky that is the same on both sides of the window's outward
- * normal, which is -y; NULL: an evenly bright ground. */
+ * normal, which is -y; NULL: a ground of uniform luminance. */
 void pp_lumen_room_light(struct pp_lumen_room *room, const struct pp_sky *sky);
 
 /* The coefficients with those reflectances, each 0 to below 1. To be called after
@@ -61,7 +61,7 @@ struct pp_lumen_coefficients pp_lumen_room_solve(
     struct pp_lumen_room *room, const struct pp_lumen_finishes *finishes);
 
 /* Error of the last solution's flux balance: the flux absorbed by ceiling, plane and
- * walls and lost through the window, over the flux that has entered, less 1. */
+ * walls and lost through the window, over the flux that has entered, minus 1. */
 double pp_lumen_room_imbalance(const struct pp_lumen_room *room);
 
 /* Sky of the tables for a ratio Ev/Eh of the illuminances on the window and on the

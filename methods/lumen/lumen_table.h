@@ -51,18 +51,19 @@ struct pp_lumen_query {
     double at[PP_LUMEN_SIDE_AXES];
 };
 
-/* The coefficients at the five positions and the average: between neighbouring lines
- * linear in Ev/Eh and in the reflectances, geometric in depth and in the reciprocal of
- * the width. Half-way between lines this agrees with flux transfer in the room itself
- * (lumen_room.h) to 8 %. Without averages in the table, the average is the mean of the
- * five positions. False, with the reason in `why` as the end of a sentence that begins
- * with an opening, outside the table's range. */
+/* The coefficients at the five positions and the average: interpolated between
+ * neighbouring lines, linearly in Ev/Eh and in the reflectances, geometrically in depth
+ * and in the reciprocal of the width. Half-way between lines this agrees with flux
+ * transfer in the room itself (lumen_room.h) to 8 %. If the table has no averages, the
+ * average is the mean of the five positions. Outside the table's range, or if the table
+ * has no coefficients for that light, the function returns false, with the reason in
+ * `why` as the end of a sentence that begins with an opening. */
 bool pp_lumen_table_side(double cu[PP_LUMEN_POSITIONS],
                          const struct pp_lumen_table *table,
                          const struct pp_lumen_query *query, char *why, size_t room);
 
-/* The coefficient at a share of the depth from the window, 0.1 to 0.9: geometric
- * between the five positions. */
+/* The coefficient at a share of the depth from the window, 0.1 to 0.9, interpolated
+ * geometrically between the five positions. */
 double pp_lumen_table_at_depth(const double cu[PP_LUMEN_POSITIONS], double share);
 
 /* The coefficient for light from above, linear between neighbouring lines; NAN, with

@@ -15,7 +15,7 @@
 
 #include "model/results/nomogram_sheet.h"
 
-/* The rule of nomograms I to III: R_cw = k R_fw. */
+/* Assumption of nomograms I to III: R_cw = k R_fw. */
 #define PP_NOMOGRAM_K 1.5
 
 /* The ends of scale B. */

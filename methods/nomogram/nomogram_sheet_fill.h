@@ -8,12 +8,13 @@
 #include "model/results/nomogram_sheet.h"
 #include "model/room/world.h"
 
-/* The height of the scales, their breadth, and the least distances of marks and of numbered marks. */
+/* Height and width of the scales, and the least distances between marks and between
+ * numbered marks. */
 struct pp_nomogram_spacing {
     double height_mm, width_mm, fine_mm, number_mm;
 };
 
-/* A sheet without readings. Even after a failure the sheet can be cleared. */
+/* Makes a sheet without readings. It can be cleared even after a failure. */
 enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
                                             enum pp_nomogram_kind kind,
                                             struct pp_nomogram_spacing spacing,
@@ -22,7 +23,7 @@ enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
 /* Fills the sheet with readings for the room's openings: vertical ones on I, II and IV,
  * all others on III. receiver: the point of IV; unused otherwise. The world must
  * outlive the sheet. PP_BAD_INPUT if the sky is not overcast, the mean reflectance is
- * outside scale B, or if the room has no opening for that nomogram, or one with a value
+ * outside scale B, the room has no opening for that nomogram, or an opening has a value
  * off its scales. The sum of I is the component by the method `nomogram`; those of IV
  * are the results of `irc-atlas` for the room and the point. */
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,

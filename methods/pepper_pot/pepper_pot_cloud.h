@@ -3,7 +3,8 @@
  *
  * The drawing is the opening's own plane at unit distance from the point: (a, b) is
  * seen in the direction a along, b up the slope, 1 out. A dot represents a piece of the
- * sky that gives `worth` to the receiver (normal n), u directions above the horizon:
+ * sky that gives `worth` to the receiver (normal n). For directions u above the
+ * horizon,
  *
  *     dSC = L(u) tau(out.u) (n.u) domega
  *
@@ -29,7 +30,7 @@ struct pp_pepper_pot_cloud {
     double (*dots)[2]; /* a and b */
 };
 
-/* worth: above 1e-5. The caller clears the cloud; empty on failure. */
+/* worth must be above 1e-5. The caller clears the cloud; empty on failure. */
 enum pp_status pp_pepper_pot_cloud_init(struct pp_pepper_pot_cloud *cloud,
                                         const struct pp_sky *sky,
                                         const struct pp_glass *glass,

@@ -43,7 +43,8 @@ struct pp_pepper_pot {
     double worth;      /* worth of a dot */
     double whole;      /* worth of all dots together: the light of an infinite window */
     struct pp_glass_curve losses;           /* losses of the glass */
-    double below[PP_PEPPER_POT_PANELS + 1]; /* light from below even altitudes */
+    double below[PP_PEPPER_POT_PANELS + 1]; /* light from below equally spaced
+                                             * altitudes */
     double low_rad, high_rad; /* azimuths from which light reaches the receiver */
     /* Cosine and weight at the quadrature nodes between the azimuths. */
     double ahead[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];

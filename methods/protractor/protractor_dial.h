@@ -1,9 +1,10 @@
 /* protractor_dial.h - a protractor with tabulated scales, calculated once for many
  * readings [BRE309].
  *
- * The primary scale reads the share of an endless window up to any section altitude.
- * The auxiliary scale has semicircles for average altitudes 10 degrees apart; between
- * them readings are interpolated along the jamb's sight line. The angle of that line is
+ * The primary scale gives the sky component of an infinitely long window from the
+ * horizon up to any section altitude. The auxiliary scale has semicircles for average
+ * altitudes 10 degrees apart; between them readings are interpolated along the jamb's
+ * sight line. The angle of that line is
  *
  *   for vertical openings, on the plan, the jamb's azimuth phi from the normal:
  *       tan phi = x / distance on the plan
@@ -24,8 +25,8 @@ enum {
     PP_DIAL_SEMICIRCLES = 19, /* at 0 to 180 degrees */
 };
 
-/* The auxiliary scale at one average altitude: CF and dCF/dtheta at even steps of theta
- * from 0 to pi/2. */
+/* The auxiliary scale at one average altitude: CF and dCF/dtheta at equal steps of
+ * theta from 0 to pi/2. */
 struct pp_protractor_semicircle {
     double average_rad, cos_average;
     double factor[PP_DIAL_STEPS + 1], rate[PP_DIAL_STEPS + 1];
@@ -35,14 +36,14 @@ struct pp_protractor_dial {
     struct pp_protractor protractor;
     double range_rad; /* the end of the primary scale */
 
-    /* F and dF/dgamma at even steps of gamma from 0 to the range. */
+    /* F and dF/dgamma at equal steps of gamma from 0 to the range. */
     double primary[PP_DIAL_STEPS + 1], slope[PP_DIAL_STEPS + 1];
 
     struct pp_protractor_semicircle semicircles[PP_DIAL_SEMICIRCLES];
 };
 
-/* Takes 1 ms. Errors are up to 5e-7 of the open sky in readings of the primary scale,
- * 1e-7 in factors. */
+/* Takes about 1 ms. Errors are up to 5e-7 of the open sky in readings of the primary
+ * scale, and up to 1e-7 in factors. */
 void pp_protractor_dial_init(struct pp_protractor_dial *dial,
                              const struct pp_protractor *protractor);
 

@@ -1,12 +1,12 @@
 /* protractor_scale.h - the scales of a BRS daylight protractor, for any glass, slope
  * and sky without azimuth.
  *
- * A protractor represents an endless strip of sky above horizontal edges parallel to
- * the glass [BRE309]. In the section perpendicular to the glass a sight line has the
- * altitude gamma, from 0 on the horizon in front of the glass over 90 degrees at the
- * zenith to 180 degrees behind it; theta is the angle of a direction out of that
- * section, within the tilted plane that holds the sight line and the line through the
- * point parallel to the edges:
+ * A protractor represents an infinitely long strip of sky above horizontal edges
+ * parallel to the glass [BRE309]. In the section perpendicular to the glass a sight
+ * line has the altitude gamma, from 0 on the horizon in front of the glass, through 90
+ * degrees at the zenith, to 180 degrees behind it; theta is the angle of a direction
+ * out of that section, within the tilted plane that holds the sight line and the line
+ * through the point parallel to the edges:
  *
  *     u = cos theta (cos gamma, sin gamma) + sin theta along
  *     dSC = L(u) tau(cos i) sin gamma cos^2 theta dtheta dgamma,
@@ -14,21 +14,22 @@
  *
  * primary scale     F(gamma), integral over all theta, and over gamma from 0
  * auxiliary scale   CF(gamma, theta), share of the strip at gamma that lies between
- *                   the section and theta, to one side: 1/2 for an endless window
+ *                   the section and theta, to one side: 1/2 if the window is infinite
  *
  * Without glass (protractors 9 and 10), with p and q of graded_sky.h:
  *
  *     F = p (1 - cos gamma) + q (gamma - sin gamma cos gamma)
  *
- * The horizontal receiver lies at the protractor's centre. Fractions of Eh.
+ * The horizontal receiver lies at the protractor's centre. All values are fractions of
+ * Eh.
  *
  * For a vertical receiver the weight sin gamma cos theta of a direction is replaced by
  * cos gamma cos theta for a receiver that faces straight ahead, or by sin theta for a
  * receiver that faces perpendicular to the section. The scales of the latter count one
  * side only, since both sides cancel. A receiver at the azimuth psi reads cos psi times
  * the first plus sin psi times the second. Straight ahead and without glass F is the
- * light of a vertical plane from below an endless skyline of the angle gamma, VSC(0) -
- * VSC(gamma).
+ * illuminance of a vertical plane from below an infinitely long skyline of the angle
+ * gamma, VSC(0) - VSC(gamma).
  */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
@@ -79,8 +80,8 @@ void pp_protractor_scale_densities(double *densities,
                                    double gamma_rad, const struct pp_angle *thetas,
                                    int count);
 
-/* Primary scale: sky component of an endless strip from the horizon to gamma_rad, 0 to
- * pi (angles beyond the range add nothing). Relative error 1e-9. */
+/* Primary scale: sky component of an infinitely long strip from the horizon to
+ * gamma_rad, 0 to pi (angles beyond the range add nothing). Relative error 1e-9. */
 double pp_protractor_scale_primary(const struct pp_protractor *protractor,
                                    double gamma_rad);
 

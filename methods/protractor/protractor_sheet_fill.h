@@ -12,18 +12,18 @@ struct pp_mark_spacing {
     double fine_rad, label_rad;
 };
 
-/* A protractor for any glass but diffusing glass, slopes from 0 to pi/2, skies without
- * azimuth dependence; else PP_BAD_INPUT. glass_words names the glass ("clear single
- * glass"). Even after a failure the sheet can be cleared. */
+/* Makes a sheet of a protractor for any glass except diffusing glass, slopes from 0 to
+ * pi/2, and skies without azimuth dependence; else PP_BAD_INPUT. glass_words names the
+ * glass ("clear single glass"). The sheet can be cleared even after a failure. */
 enum pp_status pp_protractor_sheet_fill_blank(struct pp_protractor_sheet *sheet,
                                               const struct pp_protractor *protractor,
                                               const char *glass_words,
                                               struct pp_mark_spacing spacing,
                                               struct pp_error *err);
 
-/* The protractor and its readings for the opening with the largest direct component at
- * the receiver. The world must outlive the sheet. PP_BAD_INPUT if the receiver sees no
- * opening, or where there is no protractor for an opening. */
+/* Makes a sheet of the protractor and its readings for the opening with the largest
+ * direct component at the receiver. The world must outlive the sheet. PP_BAD_INPUT if
+ * the receiver sees no opening, or if there is no protractor for an opening. */
 enum pp_status pp_protractor_sheet_fill_room(struct pp_protractor_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_outside_light *light,

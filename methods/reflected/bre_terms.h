@@ -3,9 +3,9 @@
  *
  * The formula is defined only here: `bre` evaluates it, `bre-min` divides it,
  * `bre-table` uses its last factor, and the nomograms represent it by scales. The
- * notation is that of [GEEBELEN]. Several openings add up, each with its own W, C, R_fw
- * and R_cw and the common A and R; in R_fw and R_cw the openings of the other walls
- * count with 0.1.
+ * notation is that of [GEEBELEN]. The results for several openings are added; each has
+ * its own W, C, R_fw and R_cw, while A and R are common. In R_fw and R_cw, openings in
+ * the other walls have a reflectance of 0.1.
  */
 #ifndef PP_METHODS_REFLECTED_BRE_TERMS_H
 #define PP_METHODS_REFLECTED_BRE_TERMS_H
@@ -42,7 +42,7 @@ extern const struct pp_formula pp_bre_terms_irc;    /* formula of `bre` */
 extern const struct pp_formula pp_bre_terms_IRC_av; /* the same formula, as a quantity
                                                      * of `bre-min` */
 
-/* Reflectance of the ground in that constant. */
+/* Reflectance of the ground in PP_BRE_TERMS_GROUND. */
 #define PP_BRE_GROUND_REFLECTANCE 0.1
 
 struct pp_bre_terms {

@@ -2,13 +2,13 @@
  * the upper and the lower part of the room, for `split-flux` and `sphere`.
  *
  * The transmittance tau is that of the pane for diffuse light, 0.827 for clear single
- * glass and its stated one for a diffusing pane. The published 0.85 is used in `bre`
+ * glass and the stated value for a diffusing pane. The published 0.85 is used in `bre`
  * only, whose factors are based on it.
  *
  * C is the illuminance of the glass from above the horizon, over Eh, C_g that from the
  * ground. C of a vertical opening under the overcast sky is that of the BRE table
- * (obstruction.h). For other slopes and skies [GEEBELEN] prints it with 0.39; here
- * C_hv, the illuminance of glass of that slope from the open sky over Eh (sky.h),
+ * (obstruction.h). For other slopes and skies [GEEBELEN] prints C with the factor 0.39;
+ * here C_hv, the illuminance of glass of that slope from the open sky over Eh (sky.h),
  * replaces 0.39.
  *
  * For glass with a well (well.h) C and C_g are the light through the foot of the well,
@@ -59,7 +59,7 @@ extern const struct pp_formula pp_entering_light_C, pp_entering_light_C_g,
 #define PP_ENTERING_LIGHT_WELL_FORMULAE                                                \
     &pp_entering_light_E_w, &pp_entering_light_with_well
 
-/* Records all of these quantities; u for a diffusing pane only. */
+/* Records all quantities of these lists; u for a diffusing pane only. */
 enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light,

@@ -1,10 +1,10 @@
 /* irc_minimum.h - the published table of the minimum internally reflected component in
  * side-lit rooms, with its factors [BRE310].
  *
- * Interpolation between printed figures is linear, for the floor area linear in its
- * square root, in which 10, 40 and 90 m2 are equal steps. There is no extrapolation
- * (pp_irc_minimum_lacks), except for less glass than printed: the minimum is then
- * proportional to the glass. Conditions: tables/irc_minimum.csv.
+ * Interpolation between printed figures is linear; for the floor area it is linear in
+ * the square root, in which 10, 40 and 90 m2 are equal steps. There is no extrapolation
+ * (pp_irc_minimum_lacks), except to smaller glass areas than printed: the minimum is
+ * then proportional to the glass area. tables/irc_minimum.csv states the conditions.
  */
 #ifndef PP_METHODS_REFLECTED_IRC_MINIMUM_H
 #define PP_METHODS_REFLECTED_IRC_MINIMUM_H

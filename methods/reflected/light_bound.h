@@ -1,4 +1,4 @@
-/* light_bound.h - an upper bound of a room's average by the light that enters.
+/* light_bound.h - an upper bound of a room's average, from the light that enters.
  *
  * Through an opening of glass area W = area x frame factor, with the transmittance tau
  * and the illuminance E on its outside (of Eh, from the open sky and from the ground),
@@ -25,9 +25,9 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* Averages over the working plane (fractions): of direct light, and of all light.
- * INFINITY where there is no bound: no working plane, or surfaces that give off
- * light. */
+/* Upper bounds of averages over the working plane (fractions): of direct light, and of
+ * all light. INFINITY if there is no bound: without a working plane, or with surfaces
+ * that emit light. */
 struct pp_light_bound {
     double direct, any;
 };

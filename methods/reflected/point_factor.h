@@ -1,5 +1,5 @@
 /* point_factor.h - the share of the light through a point that falls directly on a
- * horizontal region, for diffuse light and for light of the sky. */
+ * horizontal region, for diffuse light and for skylight. */
 #ifndef PP_METHODS_REFLECTED_POINT_FACTOR_H
 #define PP_METHODS_REFLECTED_POINT_FACTOR_H
 
@@ -15,7 +15,7 @@
 double pp_point_factor(struct pp_vec3 from, struct pp_vec3 normal,
                        const struct pp_region *region, double z);
 
-/* Sky light of an unglazed opening at `from`, whose normal points in, that falls
+/* Skylight through an unglazed opening at `from` (its normal points in) that falls
  * directly on the region below, over Eh: from 0 to the light on the opening. The sky
  * has a gradation and no azimuth dependence. */
 double pp_point_factor_sky(struct pp_vec3 from, struct pp_vec3 normal,

@@ -1,19 +1,21 @@
 /* room_zones.h - the room over the working plane as three zones, each uniformly lit:
  * the plane, the ceiling and the walls between them.
  *
- * F is the form factor between plane and ceiling, m that from the walls to each of
- * them, rho_p, rho_c, rho_v the reflectances. The share u_w of light on the walls
- * reaches the plane by reflections above it, u_c of light on the ceiling, u_p of light
- * reflected by the plane. With the light phi_v on walls and phi_c on the ceiling,
+ * F is the form factor between plane and ceiling, and m that from the walls to each of
+ * them; rho_p, rho_c and rho_v are the reflectances of plane, ceiling and walls. u_w,
+ * u_c and u_p are the fractions of the light on the walls, on the ceiling, and leaving
+ * the plane that reach the plane after reflections above it. If phi_v is the light on
+ * the walls, and phi_c that on the ceiling,
  *
  *     phi_v = source + rho_v (1 - 2 m) phi_v + rho_c (1 - F) phi_c
  *     phi_c = source + rho_v m phi_v
  *     u     = rho_v m phi_v + rho_c F phi_c
  *
- * solved for a source of 1 on either. A ceiling that is not horizontal is replaced by
- * the reflectance of its cavity, and so is the space below the plane. The walls are as
- * high as their area over the plane's outline; F is that of the rectangle with the
- * plane's area and outline [HSM16]. Objects in the room are neglected.
+ * solved with a source of 1 in one equation and 0 in the other. A sloping ceiling, and
+ * the space below the plane, are treated as cavities with an effective reflectance. The
+ * height of the walls is their area divided by the perimeter of the plane; F is that of
+ * a rectangle with the plane's area and perimeter [HSM16]. Objects in the room are
+ * neglected.
  */
 #ifndef PP_METHODS_REFLECTED_ROOM_ZONES_H
 #define PP_METHODS_REFLECTED_ROOM_ZONES_H

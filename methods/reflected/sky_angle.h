@@ -4,9 +4,9 @@
  * It runs in the plane of the face's inside from the obstruction alpha
  * (reflected/obstruction.h) up to the head of the reveal. Vertical glass without a
  * reveal has 90 degrees less alpha, sloping glass 180 degrees less its slope beta and
- * alpha. Losses in its well enter by the well's efficiency (well.h). For horizontal
- * glass alpha is subtracted from both sides: it is then 90 degrees times the hidden
- * share of the sky's light, so that theta is 0 if all is hidden.
+ * alpha. Losses in a well are included by the well's efficiency (well.h). For
+ * horizontal glass alpha is subtracted from both sides: it is then 90 degrees times the
+ * hidden share of the sky's light, so that theta is 0 if all is hidden.
  */
 #ifndef PP_METHODS_REFLECTED_SKY_ANGLE_H
 #define PP_METHODS_REFLECTED_SKY_ANGLE_H

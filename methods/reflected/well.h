@@ -2,19 +2,20 @@
  * at the foot.
  *
  * A rooflight with a reveal has a well, a straight shaft from the glass down to the
- * ceiling, of the ceiling's reflectance. The hand formulae of the room take the foot of
- * the well for the opening; its sides are not part of the room. Its shape is described
- * by the well index [IES84], which is 1 for a cube:
+ * ceiling, of the ceiling's reflectance. The hand formulae of the room treat the foot
+ * of the well as the opening; the sides of the well are not part of the room. Its shape
+ * is described by the well index [IES84], which is 1 for a cube:
  *
  *     w = d (a + b) / (2 a b),   d depth, a and b the sides of the plan
  *
  * The efficiencies are calculated from the geometry of the well, not read from a curve.
- * Direct sky light passes a section of the shaft in proportion to the overlap of glass
+ * Direct skylight passes a section of the shaft in proportion to the overlap of glass
  * and section along the light. Light on the sides is exchanged between 12 bands, each
- * uniformly lit and diffuse, by closed-form factors (lumen/rectangle_factor.h). Above
- * horizontal glass is the sky of the room file, the overcast sky in place of those of
- * ISO 15469; light through sloping glass or diffusing panes is assumed uniform. A well
- * that is not rectangular is replaced by a square one of the same index.
+ * uniformly lit and diffuse, by closed-form factors (lumen/rectangle_factor.h). The sky
+ * above horizontal glass is that of the room file, with the overcast sky in place of
+ * skies of ISO 15469; light through sloping glass or diffusing panes is assumed
+ * uniform. A well that is not rectangular is replaced by a square one of the same
+ * index.
  */
 #ifndef PP_METHODS_REFLECTED_WELL_H
 #define PP_METHODS_REFLECTED_WELL_H
@@ -29,14 +30,14 @@ struct pp_well_shape {
     double sides;                      /* reflectance, 0 to 1 */
 };
 
-/* Shares, 0 to 1, of the light that enters through the glass. N is the symbol in
+/* Shares, 0 to 1, of the light that enters through the glass, with their symbols in
  * reports. */
 struct pp_well_efficiency {
     double whole;  /* N: leaves the foot */
     double direct; /* N_d: leaves the foot without touching the sides */
 };
 
-/* A glazed opening that is not vertical and has a reveal. */
+/* True for a glazed opening that is not vertical and has a reveal. */
 bool pp_well_is(const struct pp_opening *opening);
 
 /* b: gradation of the sky above (graded_sky.h), 0 for uniform light. glass without

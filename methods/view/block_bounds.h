@@ -33,7 +33,7 @@ struct pp_block_bounds {
 
 /* Fills empty bounds with the blocks that may be visible, roughly ordered by distance
  * (two in wrong order differ by at most a hundredth of the range of 1/distance). The
- * caller clears them, after a failure too. */
+ * caller clears them, even after a failure. */
 enum pp_status pp_block_bounds_find(struct pp_block_bounds *bounds,
                                     const struct pp_world *world,
                                     const struct pp_block_view *view,

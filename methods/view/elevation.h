@@ -1,9 +1,9 @@
 /* elevation.h - an opening and the obstructions in front of it as vertical rectangles,
  * for tables and protractors.
  *
- * Rectangles are measured as seen from a point, over the distance d of the point from
- * the opening's plane: x/d along the opening, to the right as seen from inside, and z/d
- * above the point.
+ * Rectangles are measured as seen from a point, as lengths divided by the distance d of
+ * the point from the opening's plane: x/d along the opening, to the right as seen from
+ * inside, and z/d above the point.
  *
  * The visible part of the opening above the point's horizon becomes one rectangle. For
  * a rectangular opening that is the rectangle itself or, with a reveal, the

@@ -25,7 +25,7 @@ struct pp_elevation_obstructions {
 
 /* Adds the parts of `seen`, which is not empty, to an empty elevation. Obstructions are
  * not empty either; they are put in order, the nearest first. The caller clears
- * *elevation, after a failure too. */
+ * *elevation, even after a failure. */
 enum pp_status pp_elevation_strips_cut(struct pp_elevation *elevation,
                                        const struct pp_elevation_part *seen,
                                        struct pp_elevation_obstructions *obstructions,

@@ -25,7 +25,7 @@ struct pp_fragment {
     double low[2], high[2];
 };
 
-/* Begin with all zero; to be cleared. */
+/* Initialise with zeros; clear after use. */
 struct pp_fragments {
     int count, capacity;
     struct pp_fragment *list;

@@ -8,8 +8,8 @@
 #include "methods/view/visible.h"
 #include "model/geometry/clipper.h"
 
-/* The caller sets scene, in_parts, sky_only and, for an outline that is no rectangle, clipper and
- * open; all other members are zero. */
+/* The caller sets scene, in_parts, sky_only and, for an outline that is not a
+ * rectangle, clipper and open; all other members are zero. */
 struct pp_patch_builder {
     struct pp_occluders_scene scene;
     struct pp_occluders inside, outside;

@@ -1,14 +1,14 @@
 /* slope_rectangles.h - an opening that is not vertical, and the obstructions seen
  * through it, as rectangles in its plane, for protractors and tables.
  *
- * Lengths are over the distance d of the plane from the point, and measured from the
- * foot of the perpendicular: b up the slope, x along the horizontal edges, to the right
- * as seen from inside. All edges of a horizontal opening are level: its section is
- * perpendicular to the longer ones. The visible part above the point's horizon is the
- * rectangle itself; any other shape is read as one of equal area, with the same middle
- * and proportions. An obstruction is the rectangle of equal area with the jambs of the
- * hidden part and its edge nearer to the zenith; it lies within the opening's
- * rectangle.
+ * Lengths are divided by the distance d from the point to the plane, and measured from
+ * the foot of the perpendicular: b up the slope, x along the horizontal edges, to the
+ * right as seen from inside. All edges of a horizontal opening are level: its section
+ * is perpendicular to the longer ones. The visible part above the point's horizon is
+ * the rectangle itself; any other shape is read as a rectangle of equal area, with the
+ * same centre and proportions. An obstruction is the rectangle of equal area with the
+ * jambs of the hidden part and its edge nearer to the zenith; it lies within the
+ * opening's rectangle.
  */
 #ifndef PP_METHODS_VIEW_SLOPE_RECTANGLES_H
 #define PP_METHODS_VIEW_SLOPE_RECTANGLES_H
@@ -33,16 +33,16 @@ struct pp_slope_rectangles {
     struct pp_slope_rectangle *list;
 };
 
-/* Slope of an opening (rad): 0 horizontal, pi/2 vertical, over pi/2 if its outer side
- * faces down. */
+/* Slope of an opening (rad): 0 horizontal, pi/2 vertical, more than pi/2 if its outer
+ * side faces down. */
 double pp_slope_rectangles_slope(const struct pp_opening *opening);
 
 /* The direction of x of an opening of that slope. */
 struct pp_vec3 pp_slope_rectangles_along(const struct pp_opening *opening,
                                          double slope_rad);
 
-/* Altitude (rad) in section of an edge at b, over pi/2 where the plane leans over the
- * point; 0 below the horizon. */
+/* Altitude (rad) in section of an edge at b, more than pi/2 where the plane leans over
+ * the point; 0 below the horizon. */
 double pp_slope_rectangles_altitude(double b, struct pp_angle slope);
 
 /* Rectangles as seen from the point. On success the caller clears *rectangles. */

@@ -72,11 +72,11 @@ enum pp_status pp_visible_opening(struct pp_visible *visible,
                                   const struct pp_opening *opening, struct pp_vec3 eye,
                                   struct pp_error *err);
 
-/* Patch as a region on the plane at unit distance: x along opening->along, y along
- * opening->up, from the foot of the perpendicular, over the distance from the face's
- * plane. Not cut at the position's horizon. Empty if the position lies behind the
- * opening or in its plane. The region may consist of adjacent convex rings; the caller
- * clears it. */
+/* Finds the patch of pp_visible_opening as a region on the plane at unit distance: x
+ * along opening->along, y along opening->up, both from the foot of the perpendicular
+ * and divided by the distance from the face's plane. The region is not cut at the
+ * position's horizon. It is empty if the position lies behind the opening or in its
+ * plane. The region may consist of adjacent convex rings; the caller clears it. */
 enum pp_status pp_visible_open_part(struct pp_region *region,
                                     const struct pp_world *world,
                                     const struct pp_opening *opening,

@@ -2,8 +2,8 @@
  * perspective, for the pepper-pot and Waldram diagrams.
  *
  * The drawing lies on the plane parallel to the opening at unit distance from the
- * point: (a, b) is a to the right and b up along the opening's own axes, over the
- * distance of the opening's plane. Straight edges are straight in the drawing.
+ * point: (a, b) is a to the right and b up along the opening's own axes, both divided
+ * by the distance of the opening's plane. Straight edges are straight in the drawing.
  */
 #ifndef PP_METHODS_VIEW_WINDOW_DRAWING_H
 #define PP_METHODS_VIEW_WINDOW_DRAWING_H
@@ -44,7 +44,7 @@ enum pp_status pp_window_drawing_init(struct pp_window_drawing *drawing,
                                       const struct pp_opening *opening,
                                       struct pp_vec3 point, struct pp_error *err);
 
-/* The drawing of any view, along its own axes. */
+/* Makes the drawing of any view, along the view's own axes. */
 enum pp_status pp_window_drawing_of_view(struct pp_window_drawing *drawing,
                                          const struct pp_visible *visible,
                                          const struct pp_sky *sky,

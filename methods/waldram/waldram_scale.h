@@ -52,8 +52,8 @@ struct pp_waldram {
     bool upright;          /* the receiver is a wall's outside; else it faces up */
     struct pp_vec3 facing; /* normal of a vertical receiver, unit, horizontal */
     struct pp_glass glass; /* clear single, or none */
-    double x[PP_WALDRAM_PANELS + 1]; /* X at even steps of azimuth from 0 to pi/2 */
-    double y[PP_WALDRAM_PANELS + 1]; /* Y at even steps of altitude from 0 to pi/2 */
+    double x[PP_WALDRAM_PANELS + 1]; /* X at equal steps of azimuth from 0 to pi/2 */
+    double y[PP_WALDRAM_PANELS + 1]; /* Y at equal steps of altitude from 0 to pi/2 */
 };
 
 /* Makes the diagram of a sky whose luminance does not depend on azimuth; PP_BAD_INPUT

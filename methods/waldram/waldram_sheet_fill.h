@@ -25,8 +25,8 @@ enum pp_status pp_waldram_sheet_fill_room(struct pp_waldram_sheet *sheet,
                                           const struct pp_receiver *receiver,
                                           struct pp_error *err);
 
-/* The diagram of a vertical receiver without windows; a sky with azimuth dependence is
- * refused. */
+/* Fills a sheet for a vertical receiver, without windows. Refuses a sky with azimuth
+ * dependence. */
 enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
                                              const struct pp_sky *sky,
                                              struct pp_error *err);
@@ -40,7 +40,7 @@ enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
 
 /* Replaces the droop lines of perpendicular edges by those of horizontal edges at an
  * angle to the window in plan, on all panels of a filled sheet. The edge is nearest at
- * that azimuth, -pi/2 to pi/2, positive to the right; the lines are labelled by the
+ * that azimuth, -pi/2 to pi/2, positive to the right; the lines are labelled with the
  * altitude there. */
 enum pp_status pp_waldram_sheet_fill_inclined(struct pp_waldram_sheet *sheet,
                                               double incline_rad, struct pp_error *err);

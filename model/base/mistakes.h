@@ -19,7 +19,7 @@ struct pp_mistakes {
 enum { PP_MISTAKES_MOST = 1000 };
 
 /* Allocates the list, for users of pepperpot.h, which does not define the struct. NULL
- * without memory. */
+ * if memory runs out. */
 struct pp_mistakes *pp_mistakes_create(const char *file);
 void pp_mistakes_destroy(struct pp_mistakes *mistakes); /* NULL is allowed */
 int pp_mistakes_count(const struct pp_mistakes *mistakes);

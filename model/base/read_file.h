@@ -11,9 +11,9 @@
 
 /* Reads the file; path "-" is standard input. On success the caller frees *bytes.
  * *length is at most `most` + 1; that value means that the file is larger than `most`.
- * PP_BAD_INPUT if there is no such file, for a directory or a device, and for a stream
- * of more than PP_READ_FILE_STREAM_MOST. PP_INTERRUPTED by a signal; PP_SYSTEM for
- * other failures. */
+ * PP_BAD_INPUT if there is no such file, if it is a directory or a device, or if a
+ * stream is longer than PP_READ_FILE_STREAM_MOST. PP_INTERRUPTED after a signal;
+ * PP_SYSTEM for other failures. */
 enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
                             struct pp_error *err);
 

@@ -34,8 +34,8 @@ int pp_text_edit_distance(const char *a, const char *b);
  * "oak-floor"). NULL if none is similar. */
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
 
-/* Writes "did you mean NAME?" with NAME between `before` and `after`, which may be
- * longer than quotes; empty if name is NULL. All suggestions of the program use it. */
+/* Writes "did you mean NAME?" with NAME between `before` and `after` (quotation marks,
+ * or longer texts); empty if name is NULL. All suggestions of the program use it. */
 const char *pp_text_did_you_mean(char *text, size_t room, const char *before,
                                  const char *name, const char *after);
 
@@ -81,7 +81,7 @@ static inline bool pp_text_is_white(char c)
  * no byte after a NUL. */
 int pp_text_letter(const char *text, size_t left, int32_t *letter);
 
-/* True if the text has no control characters, which a terminal would execute. */
+/* True if the text has no control characters, which a terminal would interpret. */
 bool pp_text_is_plain(const char *text);
 
 /* Copies a user's text for a message: control characters become '?', and it is cut to

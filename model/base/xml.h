@@ -60,8 +60,8 @@ struct pp_xml {
     struct pp_arena memory; /* owns the whole tree */
 };
 
-/* Parses the bytes. PP_OK even if there are mistakes; fails only without memory. On
- * success the caller clears the tree. */
+/* Parses the bytes. Returns PP_OK even if there are mistakes; fails only if memory runs
+ * out. On success the caller clears the tree. */
 enum pp_status pp_xml_parse(struct pp_xml *xml, const char *bytes, size_t length,
                             const struct pp_xml_format *format,
                             struct pp_mistakes *mistakes, struct pp_error *err);

@@ -17,10 +17,11 @@ struct pp_xml_text {
 };
 
 /* Checks and converts the bytes. Reports the first mistake that makes parsing useless
- * or slow: a wrong or unknown encoding, a NUL byte, a tag of more than
+ * or slow: too many bytes, a wrong or unknown encoding, a NUL byte, a tag of more than
  * PP_XML_TAG_BYTES_MOST, an empty file. The encoding is given by the byte order mark,
  * or else by the declaration. UTF-8 that declares itself as UTF-16, as saved by some
- * editors, is read as UTF-8. The text refers to `bytes`. Fails only without memory. */
+ * editors, is read as UTF-8. The text refers to `bytes`. Fails only if memory runs
+ * out. */
 enum pp_status pp_xml_text_read(struct pp_xml_text *text, const char *bytes,
                                 size_t length, const struct pp_xml_format *format,
                                 struct pp_mistakes *mistakes, struct pp_error *err);

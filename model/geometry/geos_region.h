@@ -21,7 +21,7 @@ GEOSGeometry *pp_geos_region_polygons(GEOSContextHandle_t geos,
                                       const struct pp_region *regions, int count);
 
 /* Converts shape to *region and destroys it. Rings narrower than two grid steps (0: no
- * grid) are rounding and left out. */
+ * grid) are rounding errors and are left out. */
 enum pp_status pp_geos_region_from(struct pp_region *region, GEOSContextHandle_t geos,
                                    GEOSGeometry *shape, double grid,
                                    struct pp_error *err);

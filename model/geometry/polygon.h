@@ -15,7 +15,8 @@
 #include "model/geometry/vec.h"
 
 /* Plane and simple; counter-clockwise seen against its normal, which points to the
- * viewer. Faces of an envelope may be 1 mm uneven; neighbours share corners exactly. */
+ * viewer. Faces of an envelope may be uneven by 1 mm; neighbours share corners
+ * exactly. */
 struct pp_polygon {
     int count;
     struct pp_vec3 *vertices;

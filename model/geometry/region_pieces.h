@@ -14,7 +14,7 @@ struct pp_region_pieces {
     int count;
 };
 
-/* Divides the figure, given by orthogonal unit axes along and up from the origin. A
+/* Divides the figure, given in the orthogonal unit axes along and up from the origin. A
  * ring without holes is one piece; others become triangles. Pieces smaller than
  * least_m2 are left out. The caller clears *pieces in any case. */
 enum pp_status pp_region_pieces_cut(struct pp_region_pieces *pieces,

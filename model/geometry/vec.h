@@ -61,7 +61,7 @@ static inline bool pp_vec_same(struct pp_vec3 a, struct pp_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Direction a mirrored at a plane with unit normal n. */
+/* Direction a, reflected in a plane with unit normal n. */
 static inline struct pp_vec3 pp_vec_mirrored(struct pp_vec3 a, struct pp_vec3 n)
 {
     return pp_vec_along(a, -2.0 * pp_vec_dot(n, a), n);

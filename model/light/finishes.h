@@ -8,7 +8,7 @@ struct pp_finish {
     double red, green, blue; /* relative channels of the colour; NAN: grey */
     double specular;         /* specular part of the reflectance; NAN: none */
     double along, across;    /* roughness along and across; across NAN: equal */
-    const char *metal;       /* "yes": the gloss has the colour too */
+    const char *metal;       /* "yes": the gloss is coloured too */
     const char *source;      /* as explained at the head of the table */
     const char *description;
 };

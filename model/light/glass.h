@@ -47,11 +47,11 @@ struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal
 struct pp_glass pp_glass_diffusing(double transmittance);
 
 /* Transmittance for a cosine of the angle of incidence, 0 to 1. For a diffusing glazing
- * its hemispherical transmittance. */
+ * this is its hemispherical transmittance. */
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);
 
 /* Specular reflectance, equal for both sides; at most 1 - transmittance. For a
- * diffusing glazing 0.1, its diffuse reflectance. */
+ * diffusing glazing this is its diffuse reflectance, 0.1. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
 /* Calculates both at once. */

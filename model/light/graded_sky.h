@@ -2,14 +2,14 @@
  *
  *     L(gamma) = Lz (1 + b sin gamma) / (1 + b)                             (1)
  *
- * The gradation b is 2 of the CIE overcast sky [MS42], whose zenith is three times as
- * bright as its horizon, and 0 of the uniform sky. Over the hemisphere, with (1) times
+ * The gradation b is 2 for the CIE overcast sky [MS42], whose zenith is three times as
+ * bright as its horizon, and 0 for the uniform sky. Over the hemisphere, with (1) times
  * sin gamma,
  *
  *     Eh = pi Lz (1 + 2b/3) / (1 + b)                                       (2)
  *
- * 7 pi Lz / 9 of the overcast sky, pi Lz of the uniform one. Everything below is over
- * Eh, and is (1) integrated in closed form with, by (1) and (2),
+ * which is 7 pi Lz / 9 for the overcast sky and pi Lz for the uniform one. Everything
+ * below is over Eh, and is (1) integrated in closed form with, by (1) and (2),
  *
  *     p = 3 / (2 (3 + 2b))       half of pi L(0)/Eh: 3/14 overcast, 1/2 uniform
  *     q = 2b / ((3 + 2b) pi)     4/(7 pi) overcast, 0 uniform
@@ -36,8 +36,8 @@ double pp_graded_sky_horizon(double b);
  * p (1 + cos beta) + q (sin beta + (pi - beta) cos beta). */
 double pp_graded_sky_on_plane(double b, double beta_rad);
 
-/* Illuminance of a vertical plane above an endless skyline parallel to it, with the
- * section angle alpha, 0 to pi/2: p (1 - sin alpha) + q cos^2 alpha. */
+/* Illuminance of a vertical plane from above an infinitely long skyline parallel to it,
+ * with the section angle alpha, 0 to pi/2: p (1 - sin alpha) + q cos^2 alpha. */
 double pp_graded_sky_over_skyline(double b, double alpha_rad);
 
 /* Skyline angle alpha for an illuminance; 0 if it exceeds that of the open sky, pi/2 if

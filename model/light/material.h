@@ -74,18 +74,18 @@ struct pp_material {
 /* Constructors. Reflectances are fractions; colours are linear. The name is empty. */
 struct pp_material pp_material_diffuse(struct pp_rgb reflectance);
 
-/* Radiance's `plastic`: the share `specular` is reflected white; the rest is diffuse,
- * with the colour. */
+/* Radiance's `plastic`: the share `specular` is reflected without colour; the rest is
+ * diffuse and coloured. */
 struct pp_material pp_material_plastic(struct pp_rgb colour, double specular,
                                        double along, double across);
 
-/* Radiance's `metal`: the gloss has the colour too. */
+/* Radiance's `metal`: the gloss is coloured too. */
 struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
                                      double along, double across);
 
-/* Radiance's `trans`: of the light not reflected white (`specular`), the share `trans`
- * is transmitted, and of that the share `through_specular` straight on or as a gloss.
- * All are multiplied by the colour. */
+/* Radiance's `trans`: the share `specular` is reflected without colour. Of the rest the
+ * share `trans` is transmitted, and of that the share `through_specular` straight on or
+ * as a gloss. All are multiplied by the colour. */
 struct pp_material pp_material_trans(struct pp_rgb colour, double specular,
                                      double roughness, double trans,
                                      double through_specular);
@@ -95,7 +95,7 @@ struct pp_material pp_material_mirror(struct pp_rgb reflectance);
 /* Clear glazing, equal in all channels. A diffusing one becomes a translucent surface
  * with its hemispherical transmittance and reflectance. The frame covers 1 -
  * clear_share of the area and has the reflectance `frame`; `dirt` is the share of the
- * light transmitted by dirt. */
+ * light that passes the dirt. */
 struct pp_material pp_material_glazing(const struct pp_glass *glass, double clear_share,
                                        double dirt, double frame);
 

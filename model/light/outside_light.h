@@ -1,12 +1,13 @@
-/* outside_light.h - outdoor light: sky, ground and, in pictures of one moment, the sun.
+/* outside_light.h - outdoor light: sky, ground and, in pictures for a given moment, the
+ * sun.
  *
  * Outdoor light is a separate argument of all methods and simulations, not a part of a
  * room's geometry, so that a room can be calculated for another light without
  * rebuilding it.
  *
  * All values are relative to Eh, the horizontal illuminance of the open sky. The ground
- * is an endless diffuse plane; its exitance is its reflectance if nothing shades it. An
- * unobstructed plane whose normal has the z component n_z has the illuminance
+ * is an infinite diffuse plane; its exitance is its reflectance if nothing shades it.
+ * An unobstructed plane whose normal has the z component n_z has the illuminance
  *
  *     E = Es + rho_ground (1 - n_z)/2
  *
@@ -31,16 +32,16 @@ struct pp_outside_light {
     struct pp_outside_sun sun;
 };
 
-/* Illuminance by the unobstructed sun of a plane with unit normal n. */
+/* Illuminance from the unobstructed sun on a plane with unit normal n. */
 double pp_outside_light_sun_on_plane(const struct pp_outside_light *light,
                                      struct pp_vec3 n);
 
-/* Exitance of the ground lit by the sky only, equal to its reflectance; and with the
- * sun. */
+/* Exitance of the ground: lit by the sky only, where it equals the reflectance; and lit
+ * by sky and sun. */
 double pp_outside_light_ground(const struct pp_outside_light *light);
 double pp_outside_light_sunlit_ground(const struct pp_outside_light *light);
 
-/* Illuminance by the unobstructed ground of a plane with unit normal n. */
+/* Illuminance from the unobstructed ground on a plane with unit normal n. */
 double pp_outside_light_ground_on_plane(const struct pp_outside_light *light,
                                         struct pp_vec3 n);
 

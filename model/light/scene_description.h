@@ -68,8 +68,8 @@ enum pp_gensky_kind {
     PP_GENSKY_INTERMEDIATE = 4,
 };
 
-/* A distant endless obstruction: from every point it hides the directions u with 0 <
- * u.z < slope (u . outward). */
+/* A distant, infinitely long obstruction: from every point it hides the directions u
+ * with 0 < u.z < slope (u . outward). */
 struct pp_pattern_skyline {
     struct pp_vec3 outward; /* horizontal, unit, towards the obstruction */
     double slope;           /* tangent of its angle */

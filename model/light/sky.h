@@ -55,9 +55,9 @@ struct pp_sky pp_sky_graded(double b);
  * sun, scaled by its horizontal illuminance. */
 struct pp_sky pp_sky_of_parameters(const double parameters[5], struct pp_vec3 sun);
 
-/* ISO 15469 sky of type 1 to 15 with the sun in unit direction sun, above the horizon;
- * ignored by types without a sun. PP_BAD_INPUT for another type, or a sun below the
- * horizon. */
+/* ISO 15469 sky of type 1 to 15 with the sun in unit direction sun, not below the
+ * horizon; types without a sun ignore it. PP_BAD_INPUT for another type, or a sun below
+ * the horizon. */
 enum pp_status pp_sky_iso(struct pp_sky *sky, int type, struct pp_vec3 sun,
                           struct pp_error *err);
 

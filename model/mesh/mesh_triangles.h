@@ -1,7 +1,7 @@
 /* mesh_triangles.h - triangles in space, from files of other programs.
  *
- * Corners are finite, in the units and axes of the file. Triangles are three corner
- * indices, of either orientation, and have an area apart from rounding.
+ * Corners are finite, in the units and axes of the file. A triangle is three corner
+ * indices, in either orientation; its area is more than rounding error.
  */
 #ifndef PP_MODEL_MESH_MESH_TRIANGLES_H
 #define PP_MODEL_MESH_MESH_TRIANGLES_H
@@ -27,16 +27,16 @@ struct pp_mesh_triangles {
 
 void pp_mesh_triangles_clear(struct pp_mesh_triangles *mesh);
 
-/* The functions below return the reason why a corner or face could not be added,
- * static, or NULL on success. Without memory the reason is this pointer. */
+/* The functions below return NULL on success, or the reason why a corner or face could
+ * not be added (a static string). If memory runs out, they return this pointer. */
 extern const char *const pp_mesh_triangles_no_memory;
 
 const char *pp_mesh_triangles_add_corner(struct pp_mesh_triangles *mesh,
                                          struct pp_vec3 corner);
 
-/* Adds a face with these corners (indices, 3 or more) as triangles: a plane face by its
- * outline, another one as a fan. Repeated corners and faces without area are left
- * out. */
+/* Splits a face (3 or more corner indices) into triangles and adds them. Planar faces
+ * may be concave; non-planar and self-intersecting ones become a fan from the first
+ * corner. Consecutive equal corners, and triangles without area, are left out. */
 const char *pp_mesh_triangles_add_face(struct pp_mesh_triangles *mesh,
                                        const int *corners, int count);
 

@@ -21,16 +21,16 @@ struct pp_false_colour_scale {
 
 /* Fits a scale to the picture, whose values are luminances times `unit`. Its range
  * excludes the darkest and lightest half per cent of the pixels, and is rounded
- * outwards to 1, 2, 5 and their decades. It has at most four decades; a linear scale
- * begins at 0. Black and NaN pixels do not count. */
+ * outwards to 1, 2 or 5 times a power of ten. It has at most four decades; a linear
+ * scale begins at 0. Black and NaN pixels do not count. */
 enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
                                          const struct pp_picture *picture, double unit,
                                          bool logarithmic, struct pp_error *err);
 
 enum { PP_FALSE_COLOUR_LEVELS_MOST = 40 };
 
-/* Round values of the scale, ascending from end to end: 1, 2, 5 and their decades, or
- * equal steps. Returns their number. */
+/* Round values of the scale, ascending from end to end: 1, 2 and 5 times powers of ten,
+ * or equal steps. Returns their number. */
 int pp_false_colour_scale_levels(const struct pp_false_colour_scale *scale,
                                  double levels[PP_FALSE_COLOUR_LEVELS_MOST]);
 

@@ -11,11 +11,11 @@
 #include "model/geometry/curve.h"
 #include "model/pictures/picture.h"
 
-/* Adds the lines of `count` levels (above 0, ascending, in the unit of luminance times
- * `unit`). Points are in pixels from the upper left corner; the centre of the first
- * pixel is (0.5, 0.5). `tags` (may be NULL) identifies the surface of each pixel, by
- * rows. `smooth`: standard deviation of the smoothing in pixels. Lines shorter than
- * `shortest` pixels are left out. */
+/* Adds the lines on which unit x luminance equals one of the levels (ascending, above
+ * 0). Points are in pixels from the upper left corner; the centre of the first pixel is
+ * (0.5, 0.5). tags: surface of each pixel, row by row; NULL: not known. smooth:
+ * standard deviation of the smoothing, in pixels. Lines shorter than `shortest` pixels
+ * are left out. */
 enum pp_status pp_iso_lines(struct pp_curve_list *lines,
                             const struct pp_picture *picture, const int *tags,
                             double unit, const double *levels, int count, double smooth,

@@ -25,7 +25,7 @@ struct pp_hdr_notes {
                         * programs ignore it; empty: radiance */
     const char
         *software; /* the program that made it, for pp_picture_hdr_write; NULL: not
-                           * said; not owned */
+                    * stated; not owned */
 };
 
 /* Writes the picture, run-length encoded if its width allows. Pixels that are not

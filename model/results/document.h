@@ -3,8 +3,8 @@
  * of paper (charts/document/document_sheets.h).
  *
  * A document grows at its end: additions go to the last table, its last row, and the
- * last cell of that row. Texts are copied; their formats are those of printf. Without
- * memory the rest is left out; pp_document_status reports that.
+ * last cell of that row. Texts are copied; their formats are those of printf. If memory
+ * runs out the rest is left out; pp_document_status reports that.
  */
 #ifndef PP_MODEL_RESULTS_DOCUMENT_H
 #define PP_MODEL_RESULTS_DOCUMENT_H
@@ -111,7 +111,7 @@ void pp_document_note(struct pp_document *document, const char *note);
 /* True if the table has a head. */
 bool pp_document_has_head(const struct pp_document_table *table);
 
-/* PP_SYSTEM if a part of the document is missing, for lack of memory. */
+/* PP_SYSTEM if part of the document is missing because memory ran out. */
 enum pp_status pp_document_status(const struct pp_document *document,
                                   struct pp_error *err);
 

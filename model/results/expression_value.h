@@ -6,8 +6,9 @@
 
 /* Evaluates the expression; values[i] is the value of the i-th name of the list. The
  * result follows IEEE 754 in any case. *fault (may be NULL) is set to the first
- * operation without a result, such as a division by 0. what: the reason, as in "divides
- * by nothing", static, NULL if all have a result; column: position in the text. */
+ * operation without a result, such as a division by 0. what: the reason ("divides by
+ * zero"), static; NULL if all operations have a result. column: position in the
+ * text. */
 struct pp_expression_fault {
     const char *what;
     int column;

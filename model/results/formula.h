@@ -38,9 +38,9 @@ struct pp_formula {
  * quantities. */
 bool pp_formula_is_open(const struct pp_formula *formula, const char *symbol);
 
-/* True if the expression's dimension matches the formula's left side. Hidden units of
- * numbers are allowed, as in the average daylight factor, where degrees become per
- * cent. */
+/* True if the expression has the dimension, in metres, of the formula's left side.
+ * Other units are not compared, since numbers may hide them, as in the average daylight
+ * factor, where degrees become per cent. */
 bool pp_formula_comes_out(const struct pp_formula *formula,
                           const struct pp_expression *expression);
 

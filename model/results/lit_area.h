@@ -1,5 +1,5 @@
-/* lit_area.h - the sufficiently lit part of a room, bounded by one of two lines used in
- * planning and rights-of-light cases.
+/* lit_area.h - the sufficiently lit part of a room in planning and rights-of-light
+ * cases, bounded by the no-sky line or by a sky-factor contour.
  *
  * studies/lit_line.h defines and traces the lines.
  */

@@ -17,7 +17,7 @@ struct pp_protractor_reading {
     double factor;        /* luminance factor of sky (1) or obstruction */
     double edge_rad[2];   /* altitudes of lower and upper edge in the section */
     double share[2];      /* readings of the primary scale for the edges */
-    double initial;       /* difference of the two, for an endless opening */
+    double initial;       /* difference of the two, for an infinitely long opening */
     double average_rad;   /* altitude, mean of both edges */
     double jamb_rad[2];   /* left and right jamb, in plan */
     double correction[2]; /* readings of the auxiliary scale for the jambs; negative

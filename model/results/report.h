@@ -30,7 +30,8 @@ struct pp_column {
     char name[48];
     struct pp_reading average; /* over the whole working plane */
     struct pp_reading
-        margin_average;      /* over the plane inside 0.5 m (plane_margin.h); */
+        margin_average;      /* over the plane less a strip of 0.5 m along its edge
+                              * (plane_margin.h) */
     bool has_margin_average; /* true if requested */
     bool of_all_surfaces;    /* average is over the room's surfaces and cannot be
                            * compared with averages over its working plane */
@@ -77,8 +78,8 @@ struct pp_report {
 };
 
 /* Adds a column after the others of its component; all readings, one per point if
- * for_points, are "not computed". NULL without memory. The pointer is valid until the
- * next call. */
+ * for_points, are "not calculated". NULL if memory runs out. The pointer is valid until
+ * the next call. */
 struct pp_column *pp_report_add(struct pp_report *report, enum pp_component component,
                                 const char *name, bool for_points);
 
@@ -86,13 +87,13 @@ struct pp_column *pp_report_add(struct pp_report *report, enum pp_component comp
 const struct pp_column *pp_report_find(const struct pp_report *report,
                                        enum pp_component component, const char *name);
 
-/* Makes a text for a reading's why. The report owns it until it is cleared; equal texts
- * are stored once. NULL without memory. */
+/* Makes a text for `why` of a reading. The report owns it until it is cleared; equal
+ * texts are stored once. NULL if memory runs out. */
 const char *pp_report_say(struct pp_report *report, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Makes an empty list of steps, owned by the report until it is cleared; NULL without
- * memory. */
+/* Makes an empty list of steps, owned by the report until it is cleared; NULL if memory
+ * runs out. */
 struct pp_steps *pp_report_steps(struct pp_report *report);
 
 /* Frees the columns, sentences and steps; the other members stay. */

@@ -23,7 +23,7 @@ struct pp_worksheet {
                                            * recorded */
     const struct pp_formulary *formulary; /* not owned; NULL: published formulae only */
     /* First reader's variant without a result: the reason, as the end of a sentence
-     * ("divides by nothing"), and the column in its text. */
+     * ("divides by zero"), and the column in its text. */
     struct pp_expression_fault fault;
     bool varied; /* true once a reader's variant was evaluated */
     int part;    /* number appended to the symbols of new steps; 0: none */

@@ -51,7 +51,7 @@ enum pp_status pp_building_read_again(struct pp_building **building,
 void pp_building_destroy(struct pp_building *building); /* NULL is allowed */
 
 const char *pp_building_name(
-    const struct pp_building *building); /* NULL: a lone room */
+    const struct pp_building *building); /* NULL: a single room */
 int pp_building_room_count(const struct pp_building *building);
 struct pp_room *pp_building_room(struct pp_building *building, int index);
 
@@ -70,7 +70,7 @@ bool pp_building_has_cumulative(const struct pp_building *building);
 
 /* Replaces the rooms by those of a state other than PP_STATE_BOTH; pointers to rooms
  * become invalid. A building just read is in the proposed state.
- * Fails only without memory. */
+ * Fails only if memory runs out. */
 enum pp_status pp_building_set_state(struct pp_building *building,
                                      enum pp_site_state state, struct pp_error *err);
 
@@ -88,8 +88,8 @@ const struct pp_project *pp_building_project(const struct pp_building *building)
 /* Text of the file as it was read; not owned. */
 const char *pp_building_text(const struct pp_building *building, size_t *length);
 
-/* Height (m) of the block with that name, of the building or of a lone room; the height
- * of its walls if it has a roof. NAN if there is none, or several. */
+/* Height (m) of the block with that name, of the building or of a single room; the
+ * height of its walls if it has a roof. NAN if there is none, or several. */
 double pp_building_block_height(const struct pp_building *building, const char *name);
 
 /* Changes the height (m, greater than 0) of the block with that name; its roof moves
@@ -119,7 +119,7 @@ enum pp_status pp_building_divide_block(struct pp_building *building, const char
                                         const struct pp_building_cell *cells, int count,
                                         struct pp_error *err);
 
-/* Gets up to `most` names of blocks, of the building or of a lone room; not owned.
+/* Gets up to `most` names of blocks, of the building or of a single room; not owned.
  * Returns their number. */
 int pp_building_block_names(const struct pp_building *building, const char **names,
                             int most);

@@ -1,5 +1,5 @@
-/* placement.h - position of a room in its building: its origin, and its rotation about
- * it, counter-clockwise seen from above.
+/* placement.h - position of a room in its building: the room's origin, and its rotation
+ * about that origin, counter-clockwise seen from above.
  *
  *     p_building = (x, y, z) + R(rotate) p_room
  */

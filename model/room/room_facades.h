@@ -7,7 +7,8 @@
 
 /* Adds a facade to every vertical wall with a window that has no facade. It extends by
  * reach_m to both sides and upwards, and down to the ground, each only if it does not
- * cross the room; it ends at a corner of the house round which there is a window. If an opening slopes there is no building above, and it does not
+ * cross the room. It ends at a corner of the house if there is a window round that
+ * corner. If an opening slopes there is no building above, and the facade does not
  * extend upwards. `world` is the world of the unchanged room. *added: number of new
  * facades. */
 enum pp_status pp_room_facades_add(struct pp_room *room, const struct pp_world *world,

@@ -54,7 +54,7 @@ struct pp_plan_part {
     bool envelope;  /* given by faces, not as a plan */
     bool rectangle; /* given by width and depth, not by vertices */
     double width_m, depth_m, height_m;
-    struct pp_vertices vertices; /* vertices of a plan that is no rectangle */
+    struct pp_vertices vertices; /* vertices of a plan that is not a rectangle */
     struct pp_face_part *faces;  /* faces of an envelope */
     int face_count;
     int line; /* 0: none in the file */

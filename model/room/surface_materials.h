@@ -23,8 +23,8 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int s
  *     straight(cosine) = tau(cosine) F M K         mirrored(cosine) = rho(cosine) F
  *
  *   F   frame factor: glass area over opening area
- *   M   maintenance factor: share of the light transmitted by dirt
- *   K   share of the light transmitted by curtains
+ *   M   maintenance factor: share of the light that passes the dirt
+ *   K   share of the light that passes the curtains
  *
  * All simulations use these functions. The tracer, its cache, photons, pictures and the
  * Radiance export use a material named "glazing", seen from inside or outside.
@@ -58,8 +58,8 @@ struct pp_surface_materials {
     int (*sides)[2]; /* indices of front and back; surfaces, then panes */
 };
 
-/* Makes the materials; equal ones usually share an entry. diffuse: surfaces without
- * gloss and colour. */
+/* Makes the materials; equal ones usually share an entry. matt: surfaces without gloss
+ * and colour. */
 enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
                                          const struct pp_world *world, bool matt,
                                          struct pp_error *err);

@@ -64,7 +64,7 @@ struct pp_surface {
 
 /* State in which a part exists: always; only before the new building; with it; or only
  * with the new building and others that are permitted nearby. A part of the proposed
- * state exists in the cumulative one, too. */
+ * state also exists in the cumulative one. */
 enum pp_site_state {
     PP_STATE_BOTH,
     PP_STATE_EXISTING,
@@ -90,9 +90,9 @@ struct pp_opening {
     double middle_z_m;        /* z at mid-height, between upper and lower part */
     struct pp_glass glass;
     double frame_factor;      /* glass area / opening area */
-    double maintenance;       /* share of the light transmitted by dirt */
+    double maintenance;       /* share of the light that passes the dirt */
     bool maintenance_is_auto; /* from the world's edition of dirt */
-    double curtains;          /* share of the light transmitted by curtains; 1: none */
+    double curtains;          /* share of the light that passes the curtains; 1: none */
     double reveal_m;          /* depth; 0: glass in the plane of the face */
     int facade;               /* facade that it looks out of; -1: none */
     double recess_m;          /* distance of the glass behind that facade's plane */
@@ -109,9 +109,9 @@ struct pp_opening {
     bool faces_open_out; /* no face has a part outside the plane of its glass */
 };
 
-/* An endless obstruction parallel to a wall, from the ground up. With a distance it is
- * also a wall among the surfaces, long enough to appear endless from the room
- * (skylines.c). Without one it hides directions. */
+/* An infinitely long obstruction parallel to a wall, from the ground up. With a
+ * distance it is also a wall among the surfaces, long enough to appear infinite from
+ * the room (skylines.c). Without one it hides directions. */
 struct pp_skyline {
     int face;          /* index of the wall; outline.normal points away from the
                         * skyline */

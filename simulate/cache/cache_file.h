@@ -1,15 +1,16 @@
 /* cache_file.h - a cache's records as a file.
  *
- * All numbers are little-endian; each field except the first (16 bytes) has 8 bytes:
+ * All numbers are little-endian; each field except the first (16 bytes) is 8 bytes
+ * long:
  *
  *     "pepperpot cache\n", version, hashes of the scene, the light and the options,
  *     number of records of depth 0, of depth 1,
  *     each record: 38 + PP_CACHE_SECTORS doubles (in the order of cache_file.c),
  *     a checksum of all bytes before it
  *
- * Radii are stored after neighbours have limited each other, values and gradients
- * before smoothing (cache_smooth.h). Smoothing is repeated after reading, with the same
- * sums in the same order.
+ * Radii are stored as limited by neighbouring records, and values and gradients before
+ * smoothing (cache_smooth.h). Smoothing is repeated after reading, with the same sums
+ * in the same order.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_FILE_H
 #define PP_SIMULATE_CACHE_CACHE_FILE_H

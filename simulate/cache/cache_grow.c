@@ -124,7 +124,7 @@ struct request_rays {
     struct ray_requests *requests; /* requests of the chunk's rays */
 };
 
-/* Follows a ray without next-event estimation, and notes its requests. */
+/* Follows a ray without next-event estimation, and stores its requests. */
 static bool trace_one(void *data, int worker, int i)
 {
     (void)worker;

@@ -8,7 +8,7 @@
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
 
-/* A place may lie on the edge that its rays meet: nearer hits are moved to this
+/* A place may lie on an edge that its rays meet: nearer hits are moved to this
  * distance, so that gradients stay finite. */
 static const double NEAREST_M = 1e-6;
 

@@ -57,7 +57,7 @@ bool pp_cache_layer_covers(const struct pp_cache_layer *layer,
                            const struct pp_cache_place *place);
 
 /* Expected radius of a record at the place: the smaller radius of the record that is
- * nearest in normalised distance; 0: there is no record. */
+ * nearest in normalised distance; 0: no record is valid for the place. */
 double pp_cache_layer_guess(const struct pp_cache_layer *layer,
                             const struct pp_cache_place *place);
 

@@ -6,7 +6,8 @@
 #include "simulate/cache/cache_layer.h"
 
 enum {
-    PP_CACHE_DEPTHS = 2, /* records of visible surfaces; of surfaces that light these */
+    PP_CACHE_DEPTHS = 2, /* 0: records of visible surfaces; 1: of surfaces that light
+                          * these */
     PP_CACHE_BATCH = 32  /* records calculated from the same state of the cache */
 };
 

@@ -1,6 +1,6 @@
 /* cache_smooth.h - noise reduction by fitting records to their neighbours.
  *
- * A record comes from a few hundred rays. Its value has a random error of some per
+ * A record comes from a few hundred rays. Its value has a random error of a few per
  * cent; its gradient adds error over the radius, more so if surfaces are near. Without
  * smoothing, records show as faint discs, mainly in dark rooms and in corners. But the
  * irradiance is smooth over an ellipse, so that neighbours help to find a place's value

@@ -1,7 +1,7 @@
 /* cached_points.h - daylight factors at a room's points, with the interreflected light
  * taken from an irradiance cache.
  *
- * Light of the sky and of surfaces outside is sampled at the point itself, by
+ * Light from the sky and from surfaces outside is sampled at the point itself, by
  * next-event estimation of the windows, and never interpolated. Internally reflected
  * light is sampled by a hemisphere of rays at the point; the irradiance of the surfaces
  * that the rays meet is read from the cache (depth 1).
@@ -33,7 +33,7 @@ struct pp_cached_points;
 
 /* Copies the needed data of the receivers and requests the places needed from the
  * cache, whose light is used. scene (of a world), store (may be NULL) and cache must
- * outlive the points. */
+ * outlive the points. PP_BAD_INPUT if the number of samples is out of range. */
 enum pp_status pp_cached_points_create(
     struct pp_cached_points **points, const struct pp_light_scene *scene,
     const struct pp_opening_store *store, struct pp_irradiance_cache *cache,

@@ -32,9 +32,9 @@ struct pp_cache_options {
     double accuracy;  /* -aa: above 0 to 1; a smaller value makes records closer */
     int resolution;   /* -ar: least distance of records is the scene's size times
                        * accuracy over resolution; 0: no limit */
-    int divisions;    /* -ad: rays of a hemisphere, one in each of its cells; 16 up,
-                       * rounded up to a square */
-    int supersamples; /* -as: more rays where neighbouring cells differ; 0 up */
+    int divisions;    /* -ad: rays of a hemisphere, one in each of its cells; 16 or
+                       * more, rounded up to a square */
+    int supersamples; /* -as: more rays where neighbouring cells differ; 0 or more */
     int bounces;      /* -ab: most diffuse reflections of a path; -1: no limit */
     struct pp_rgb constant; /* -av: radiance that replaces the light of further bounces,
                              * and all light of materials left out */
@@ -46,7 +46,7 @@ struct pp_cache_options {
     int threads; /* 0: one for each processor */
 };
 
-/* accuracy 0.1, resolution 128, divisions 1024, supersamples 256, no limit of bounces,
+/* accuracy 0.1, resolution 128, divisions 1024, supersamples 256, no limit on bounces,
  * black constant, no material left out, seed 0. */
 struct pp_cache_options pp_irradiance_cache_defaults(void);
 
@@ -60,7 +60,7 @@ struct pp_irradiance_cache;
 
 /* Creates a cache. scene, environment (of a world; NULL: of a description) and store
  * (may be NULL) must outlive the cache. options->bounces replaces light->bounces.
- * Checks options. */
+ * PP_BAD_INPUT if an option is out of range. */
 enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
                                           const struct pp_light_scene *scene,
                                           const struct pp_environment *environment,

@@ -8,7 +8,7 @@
 
 #include "simulate/sampling/hash.h"
 
-/* Writes or reads the lowest 1 to 8 bytes of a number at *at, which moves behind
+/* Writes or reads the lowest 1 to 8 bytes of a number at *at, and moves *at past
  * them. */
 static inline void pp_little_endian_put(unsigned char **at, uint64_t value, int bytes)
 {

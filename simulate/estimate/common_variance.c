@@ -9,7 +9,7 @@ double pp_common_variance_of_all(const struct pp_planner *planner, int count)
 {
     struct pp_sampled *list = calloc((size_t)count + 1, sizeof *list);
     if (!list)
-        return 1.0; /* without memory: full correlation, the conservative value */
+        return 1.0; /* out of memory: full correlation, the conservative value */
     for (int i = 0; i < count; i++)
         list[i] = pp_planner_sampled(planner, i);
     double common = pp_spread_common(list, count);
@@ -71,7 +71,7 @@ double pp_common_variance_of_near(const struct pp_planner *planner,
     struct neighbourhood of = {planner, places, count, step,
                                calloc((size_t)asked + 1, sizeof *of.common)};
     if (!of.common)
-        return 1.0; /* without memory: full correlation, the conservative value */
+        return 1.0; /* out of memory: full correlation, the conservative value */
     pp_thread_pool_run(pp_planner_crew(planner), 0, asked, ask, &of);
     double sum = 0.0;
     for (int i = 0; i < asked; i++)

@@ -108,7 +108,7 @@ static struct outlook doubled(const struct outlook *outlook, int k)
     return more;
 }
 
-/* Statistic that more paths are to reduce. */
+/* The statistic that additional paths should reduce. */
 enum aim { VARIANCE, SKEWNESS, BOUND };
 
 static double height(const struct outlook *outlook, enum aim aim)

@@ -44,8 +44,8 @@ struct pp_sampler {
     int estimators; /* number of estimators of each point */
     int values;     /* read from the sums; the target error is for the last one */
 
-    /* Exponent of the fall of an estimator's variance of the mean with its paths, n to
-     * the minus this. */
+    /* The variance of an estimator's mean over n paths falls as n to the power
+     * -fall. */
     double fall[PP_ESTIMATORS_MOST];
 
     /* Number of paths of each estimator in a randomisation: in the pilot, and the final
@@ -86,7 +86,7 @@ struct pp_sampler {
     void (*follow)(const void *client, void *state, const struct pp_path_range *range,
                    struct pp_randomisation *randomisation);
 
-    /* A value by one randomisation that has paths of all estimators. */
+    /* A value from one randomisation that has paths of all estimators. */
     double (*value)(const void *client, int point,
                     const struct pp_randomisation *randomisation, int value);
 

@@ -1,9 +1,9 @@
 /* control_variate.h - a coarse radiosity solution of the room, interpolated between patches.
  *
- * Some thousand patches gather light from the openings and, along a few random rays, from
- * other patches; values between their centres are bilinear. The solution is the control
- * variate G of path.h, so that its errors do not bias a result. Room, light and seed alone
- * determine it (control_variate_solve.h).
+ * About 1,200 patches gather light from the openings and, along a few random rays, from
+ * other patches; values between their centres are interpolated bilinearly. The solution
+ * is the control variate G of path.h, so that its errors do not bias a result. Room,
+ * light and seed alone determine it (control_variate_solve.h).
  */
 #ifndef PP_SIMULATE_FAST_CONTROL_VARIATE_H
 #define PP_SIMULATE_FAST_CONTROL_VARIATE_H
@@ -17,7 +17,7 @@ struct pp_control_variate_grid {
     int first;           /* index of the first value; -1: no patches on this side */
     int columns, rows;   /* along the part's a and b */
     double a0, b0;       /* position of the first centre, along a and b */
-    double per_a, per_b; /* patches a metre */
+    double per_a, per_b; /* patches per metre */
 };
 
 struct pp_control_variate {

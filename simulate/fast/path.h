@@ -9,7 +9,7 @@
  * gives the irradiance from the exitance of other surfaces, and let G be a coarse
  * radiosity solution (control_variate.h), used as control variate:
  *
- *     direct      light that enters by an opening and reaches the point without
+ *     direct      light that enters through an opening and reaches the point without
  *                 reflection, by next-event estimation
  *     gather      the mean of G over the cosine lobe of the point; in a convex room
  *                 by cells (gather_cells.h), and their remainder by rays
@@ -34,18 +34,18 @@
  * In an empty convex room directions to the openings are directions to the mouths of
  * their niches. A direction that ends on a side of a niche adds the side's G to the
  * direct light, and rays from the room that reach a side add nothing. Sides are small
- * and bright, so that few rays met them: rooms with reveals took up to ten times
- * longer.
+ * and bright, so that few rays would meet them: when they were left to rays, rooms with
+ * reveals took up to ten times longer.
  *
  * Paths are those of the light transport (transport/light_path.h), in the scene of a
- * world with diffuse finishes only. Indoors, every surface gets the light of the
+ * world with diffuse finishes only. Indoors, every surface gets the light from the
  * openings by next-event estimation; a ray of the cosine lobe that reaches an opening
- * adds nothing for light that enters by it, and is reflected by glass and frame.
+ * adds nothing for light that enters through it, and is reflected by glass and frame.
  *
  * Light of other openings that glass reflects to the point itself is sampled with the
  * direct light, by the images of the openings, and excluded from the correction's own
- * rays. Rays met it so seldom that, in rooms with windows in several walls, one point
- * in a hundred had three to fifteen times the target error.
+ * rays. When it was left to rays, they met it so seldom that, in rooms with windows in
+ * several walls, one point in a hundred had three to fifteen times the target error.
  *
  * All light is over Eh.
  */
@@ -91,8 +91,8 @@ struct pp_start {
     struct pp_vec3 normal;
 };
 
-/* The irradiance by the openings at a point indoors, from that many directions with the
- * random numbers of a vertex. Components: directly from the sky, from outside, and
+/* The irradiance from the openings at a point indoors, from that many directions with
+ * the random numbers of a vertex. Components: directly from the sky, from outside, and
  * (`rest`) from sides of niches (by G) and from the room itself through other
  * openings. */
 struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,

@@ -480,7 +480,7 @@ double pp_tracer_common_near(const struct pp_tracer *tracer)
     int count = tracer->receiver_count;
     struct pp_vec3 *places = calloc((size_t)count + 1, sizeof *places);
     if (!places)
-        return 1.0; /* without memory: full correlation, the conservative value */
+        return 1.0; /* out of memory: full correlation, the conservative value */
     for (int i = 0; i < count; i++)
         places[i] = tracer->points[i].start.position;
     double common = pp_common_variance_of_near(tracer->planner, places, count);

@@ -28,11 +28,13 @@ struct pp_tracer_options {
         error; /* target standard error over the daylight factor, at every point; never
                 * under PP_TRACER_LEAST_ERROR. 0: by samples or the caller's clock
                 * alone */
-    long samples; /* paths a point in each randomisation instead of error; 0: not set */
+    long samples; /* paths per point in each randomisation instead of error; 0: not
+                   * set */
     uint64_t seed;
     int threads;    /* 0: one for each processor */
-    bool average;   /* the average over the working plane too */
-    bool alone;     /* points share no light: faster for ten points or less at 1 % */
+    bool average;   /* also the average over the working plane */
+    bool alone;     /* points share no light: faster for up to ten points at an error of
+                     * 1 % */
     bool direct;    /* sky and externally reflected component only; the target error is
                      * for their sum, and no other reading is valid */
     bool every_ray; /* also trace rays whose result is known in advance (for checks) */

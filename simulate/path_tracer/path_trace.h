@@ -3,8 +3,8 @@
  * This is the plain calculation of simulated light in the scene of a room: one loop and
  * next-event estimation of the openings. docs/theory.md explains it step by step. The
  * tracer of simulate/fast/ and the transport of simulate/transport/ calculate the same
- * faster, with control variates, shared points and weights of several samplers; tests
- * compare them with this one.
+ * light faster, with control variates, shared points and multiple importance sampling;
+ * tests compare them with this calculation.
  *
  * Terms and symbols are those of [PJH23]:
  *
@@ -43,8 +43,8 @@ struct pp_rgb pp_path_trace_openings(struct pp_path_walk *walk,
                                      const struct pp_lit_point *at,
                                      enum pp_path_first *first);
 
-/* One sample of the irradiance by the surfaces that rays meet: pi times the radiance in
- * a direction of the point's cosine lobe. counted, first: as above. */
+/* One sample of the irradiance from the surfaces that rays meet: pi times the radiance
+ * in a direction of the point's cosine lobe. counted, first: as above. */
 struct pp_rgb pp_path_trace_lobe(struct pp_path_walk *walk,
                                  const struct pp_lit_point *at, bool counted,
                                  enum pp_path_first *first);

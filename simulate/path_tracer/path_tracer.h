@@ -1,8 +1,8 @@
 /* path_tracer.h - daylight factors of a room by plain path tracing.
  *
- * This tracer has the same expectations, options and readings as the main one
- * (simulate/fast/tracer.h), but uses only the loop of path_trace.c: it is slower and
- * easy to verify. Tests compare the two.
+ * This tracer estimates the same quantities as the main one, with the same options and
+ * readings (simulate/fast/tracer.h). It uses only the loop of path_trace.c, so that it
+ * is slower but easy to verify. Tests compare the two.
  *
  * At a point in a room the daylight factor is the sum of
  *
@@ -30,10 +30,11 @@ struct pp_path_tracer_options {
     double
         error; /* target standard error over the daylight factor, at every point; 0: by
                 * samples or the caller's clock alone */
-    long samples; /* paths a point in each randomisation instead of error; 0: not set */
+    long samples; /* paths per point in each randomisation instead of error; 0: not
+                   * set */
     uint64_t seed;
     int threads;  /* 0: one for each processor */
-    bool average; /* the average over the working plane too */
+    bool average; /* also the average over the working plane */
 };
 
 struct pp_path_tracer;

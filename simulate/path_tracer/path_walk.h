@@ -37,8 +37,8 @@ enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
                                   const struct pp_light_ray *ray,
                                   struct pp_light_hit *hit);
 
-/* The lobes of the surface's BSDF towards wo; the ground outside, which is no part of the
- * scene, is diffuse. */
+/* The lobes of the surface's BSDF towards wo; the ground outside, which is not part of
+ * the scene, is diffuse. */
 struct pp_lobes pp_path_walk_lobes(const struct pp_path_walk *walk,
                                    const struct pp_light_hit *hit, struct pp_vec3 wo);
 

@@ -1,5 +1,5 @@
-/* cache_warm_up.c - requests the rays of a picture's pixels from the cache, one part of
- * the pixels after another. */
+/* cache_warm_up.c - requests records from the cache for the rays of a picture's pixels,
+ * one part of the pixels after another. */
 #include "simulate/render/cache_warm_up.h"
 
 #include <math.h>

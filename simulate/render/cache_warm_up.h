@@ -14,7 +14,7 @@
 struct pp_cache_warm_up;
 
 /* cache and scene must outlive the warm-up. part_pixels: approximate number of pixels
- * in a part; 0: a million, which take some 100 MB. */
+ * in a part; 0: a million, which take about 100 MB. */
 enum pp_status pp_cache_warm_up_create(struct pp_cache_warm_up **warm_up,
                                        struct pp_irradiance_cache *cache,
                                        const struct pp_light_scene *scene,

@@ -36,7 +36,7 @@ struct pp_render_options {
                         * as in the tracer */
     bool indoors;      /* for a parallel view: begins at the cut through the room */
     enum pp_pixel_filter filter;
-    int samples;        /* a pixel; the next power of two is taken */
+    int samples;        /* per pixel, rounded up to a power of two */
     int randomisations; /* number of randomisations among which samples are divided, a
                          * power of two from 4 on, to give each pixel a standard error;
                          * 0: one, with least noise and no standard error */

@@ -12,15 +12,16 @@ struct pp_render {
     const struct pp_environment *environment; /* NULL: of a description */
     struct pp_render_options options;         /* samples: a power of two */
     struct pp_planner *planner;
-    struct pp_render_tile tile;        /* at hand */
+    struct pp_render_tile tile;        /* the current tile */
     enum pp_space eye_space;           /* space of all rays except those of a
                                         * parallel view */
     struct pp_picture picture, errors; /* errors: empty if not requested */
     int *tags;
     int tiles_across, tile_count;
-    unsigned char *tile_done; /* 1: it is */
+    unsigned char *tile_done; /* 1: the tile is done */
     int done_count;
-    struct pp_render_work resumed; /* the work behind a checkpoint */
+    struct pp_render_work resumed; /* work done before the checkpoint from which the
+                                    * render was resumed */
 };
 
 #endif

@@ -44,8 +44,8 @@ struct pp_gloss {
     double scale[PP_GLOSS_AZIMUTHS][PP_GLOSS_COSINES];
 };
 
-/* Calculates s, in some milliseconds, or tens if the roughnesses differ. They must not
- * be those of a mirror. */
+/* Calculates s; this takes a few milliseconds, or a few tens if the roughnesses differ.
+ * They must not be those of a mirror. */
 enum pp_status pp_gloss_init(struct pp_gloss *gloss, double along, double across,
                              struct pp_error *err);
 

@@ -72,8 +72,8 @@ static double receiver_weight(struct pp_vec3 v, double length, struct pp_vec3 n,
                         : brightness.ground);
 }
 
-/* Multiplies a complex number by exp(i sign omega), omega the solid angle of the
- * rectangle from the foot of a point to x, y on its plane. */
+/* Multiplies a complex number by exp(i sign omega), where omega is the solid angle of
+ * the rectangle from the foot of a point to x, y on its plane. */
 static void turn_by_solid_angle(double z[2], double sign, double x, double y,
                                 double off)
 {

@@ -1,7 +1,7 @@
 /* scatter.h - the BRDF and BTDF of a material at one point, as a sum of lobes.
  *
- * Diffuse lobes are Lambertian, glosses those of gloss.h; the lobe of a gloss that goes
- * through is the same with its direction mirrored in the surface.
+ * Diffuse lobes are Lambertian, glosses those of gloss.h; the lobe of a transmitted
+ * gloss is the same, with its direction mirrored in the surface.
  */
 #ifndef PP_SIMULATE_SAMPLING_SCATTER_H
 #define PP_SIMULATE_SAMPLING_SCATTER_H

@@ -88,8 +88,8 @@ double pp_emitters_importance(const struct pp_emitter *emitter,
                               const struct pp_light_scene *scene, struct pp_vec3 from,
                               struct pp_vec3 n);
 
-/* The angular size of an emitter from a point: the root of its area over its
- * distance. */
+/* The angular size of an emitter from a point: the square root of its area, divided by
+ * its distance. */
 double pp_emitters_angular_size(const struct pp_emitter *emitter,
                                 const struct pp_light_scene *scene,
                                 struct pp_vec3 from);

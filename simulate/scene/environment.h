@@ -1,13 +1,13 @@
 /* environment.h - the light of a ray that leaves the scene: sky, ground, skylines.
  *
  * A light from outside (model/light/outside_light.h) prepared for one scene. It is an
- * argument of all integrators: a second one on the same scene costs some microseconds,
+ * argument of all integrators: a second one on the same scene costs a few microseconds,
  * and the scene is not rebuilt.
  *
  * Light is given as pi times luminance over the horizontal illuminance Eh of the open
  * sky, so that the mean over a cosine lobe is an illuminance over Eh.
  *
- * A ground that is not a surface of the scene (scene_ground.h) is an endless diffuse
+ * A ground that is not a surface of the scene (scene_ground.h) is an infinite diffuse
  * plane under the open sky: rho below the horizon. A skyline without a distance
  * (scene_skylines.h) has the exitance
  *
@@ -34,7 +34,7 @@ struct pp_environment {
     struct pp_brightness brightness; /* estimated brightness outside the openings */
 };
 
-/* skylines: of the scene that the light falls on; they must live as long. */
+/* skylines: of the scene that the light falls on; they must outlive *environment. */
 enum pp_status pp_environment_create(struct pp_environment **environment,
                                      const struct pp_scene_skylines *skylines,
                                      const struct pp_outside_light *light,

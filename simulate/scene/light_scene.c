@@ -380,7 +380,8 @@ struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene
         pp_scene_description_pattern_value(&scene->patterns[material->pattern], u));
 }
 
-/* Smallest extended distant source, by angle, among those in direction u. */
+/* The extended distant source in direction u; of several the one of smallest solid
+ * angle. -1: none. */
 static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
 {
     int found = -1;

@@ -4,7 +4,7 @@
  * (light_scene_of_description.h), whose distant sources are part of the scene; a
  * world's light from outside is not (environment.h). Once made it is only read, by any
  * number of threads. Points and directions are the scene's own; the shift and rounding
- * for the ray kernels stay within.
+ * for the ray kernels are internal.
  *
  * Light of a world is over Eh: radiances per steradian, irradiances as daylight
  * factors. Light of a description has the description's unit.
@@ -66,7 +66,7 @@ bool pp_light_scene_first(const struct pp_light_scene *scene,
 
 /* Materials by index, as hits name them. A world's are named after their surfaces
  * ("floor", "ceiling", a wall's name, "reveal", "surface", "block", "glazing"), those
- * of backs with " (outside)" behind. */
+ * of backs have " (outside)" appended. */
 int pp_light_scene_material_count(const struct pp_light_scene *scene);
 const struct pp_material *pp_light_scene_material(const struct pp_light_scene *scene,
                                                   int material);

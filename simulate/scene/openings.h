@@ -17,8 +17,8 @@ struct pp_pane {
     struct pp_target target;
     struct pp_target mouth;   /* mouth of the niche, in the face; equal to the target
                                * without a niche */
-    int sides[PP_PANE_SIDES]; /* parts: of the niche of a rectangle, where their normals
-                               * are along, -along, up and -up; -1: it has none */
+    int sides[PP_PANE_SIDES]; /* parts that are the sides of a rectangular niche, with
+                               * the normals along, -along, up and -up; -1: no niche */
     const struct pp_opening *opening; /* not owned */
     int part;
     bool seen_by_all;  /* no surface can stand between it and a point in the room */
@@ -64,8 +64,8 @@ int pp_openings_choose(const struct pp_light_scene *scene,
                        struct pp_openings_shares *shares, double u,
                        double *probability);
 
-/* The angular size of an opening from a point: the root of its area over its
- * distance. */
+/* The angular size of an opening from a point: the square root of its area, divided by
+ * its distance. */
 double pp_openings_angular_size(const struct pp_pane *pane, struct pp_vec3 from);
 
 #endif

@@ -19,12 +19,13 @@
 #define PP_SCENE_GROUND_FARTHEST_M 1e6
 
 struct pp_scene_ground {
-    bool shaded;    /* false: the ground is no surface */
+    bool shaded;    /* false: the ground is not a surface */
     double level_m; /* z, from the scene's centre */
 };
 
 /* Distance at which the ray from p along u (unit), outdoors, meets the ground if
- * nothing is in front; INFINITY: it does not, or beyond PP_SCENE_GROUND_FARTHEST_M. */
+ * nothing is in front; INFINITY: it does not, or only beyond
+ * PP_SCENE_GROUND_FARTHEST_M. */
 static inline double pp_scene_ground_distance(const struct pp_scene_ground *ground,
                                               struct pp_vec3 p, struct pp_vec3 u)
 {

@@ -14,7 +14,7 @@ struct pp_triangles {
     int count;
 };
 
-void pp_triangles_clear(struct pp_triangles *list); /* leaves the empty list */
+void pp_triangles_clear(struct pp_triangles *list); /* the list is then empty */
 
 /* Appends the triangles of a surface, a face of the room less its openings, as facet
  * `surface`, in coordinates from `centre`. Corners are bit-identical to the polygons',
@@ -37,8 +37,8 @@ enum pp_status pp_triangles_of_plane(struct pp_vec3 (**triangles)[3], int *count
                                      const struct pp_world *world,
                                      struct pp_vec3 centre, struct pp_error *err);
 
-/* The corners in single precision, for the ray kernels; to be freed. NULL: no
- * memory. */
+/* The corners in single precision, for the ray kernels; freed by the caller. NULL if
+ * memory runs out. */
 float (*pp_triangles_single(const struct pp_vec3 (*corners)[3], int count))[3][3];
 
 #endif

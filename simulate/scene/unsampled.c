@@ -94,8 +94,8 @@ static int mirrors_met(const struct pp_light_scene *scene, const int *met, int c
     return path;
 }
 
-/* Follows the emitter's light by mirrors and clear surfaces. *most: the greatest share
- * of the light that arrives by reflections which next-event estimation does not
+/* Follows the emitter's light by way of mirrors and clear surfaces. *most: the greatest
+ * share of the light that arrives by reflections which next-event estimation does not
  * sample. */
 static void probe(const struct pp_light_scene *scene, struct pp_light_ray ray,
                   double share, const int *met, int count, int events, double *most)

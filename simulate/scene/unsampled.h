@@ -27,11 +27,11 @@ double pp_unsampled_probe(const struct pp_light_scene *scene,
 
 /* Irradiances at a point of a scene: of light found only by chance, with the radiance
  * of the brightest emitter of such light; and of all emitters and the sky, if nothing
- * obstructed them. Found only by chance are extended emitters (except skies with a
- * pattern), and concentrated emitters by reflections that next-event estimation does
- * not sample, with curved mirrors treated as plane ones. With by_chance there is no
- * next-event estimation, and all concentrated emitters are included. shares:
- * pp_unsampled_probe of each emitter. */
+ * obstructed them. Light found only by chance is that of extended emitters (except
+ * skies with a pattern), and that of concentrated emitters by reflections that
+ * next-event estimation does not sample, with curved mirrors treated as plane ones.
+ * With by_chance there is no next-event estimation, and all concentrated emitters are
+ * included. shares: pp_unsampled_probe of each emitter. */
 struct pp_unsampled {
     struct pp_rgb by_chance, brightest, all;
 };

@@ -5,7 +5,7 @@
  * of concentrated emitters and windows is added by next-event estimation
  * (light_sources.h, sample_openings.h); then the path continues by one of the
  * material's lobes. If its own ray reaches an emitter or a window that was sampled
- * directly at the ray's origin, that light counts zero after a diffuse lobe, and has
+ * directly at the ray's origin, that light counts as zero after a diffuse lobe, and has
  * the weight of multiple importance sampling after a gloss.
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_PATH_H

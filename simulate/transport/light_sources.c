@@ -7,8 +7,8 @@
 #include "simulate/sampling/sample_discrete.h"
 
 enum {
-    /* Most emitters that are all sampled at the first surface; with more, only one
-     * is. */
+    /* Up to this many emitters, all are sampled at the first surface; with more, only
+     * one is. */
     MOST_EMITTERS = 64,
     /* The same limit for connections by mirrors. */
     MOST_MIRRORED = 8,

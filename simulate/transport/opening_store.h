@@ -1,8 +1,8 @@
 /* opening_store.h - the radiance outside each opening of a room, calculated once for a
  * given light from outside.
  *
- * A path that leaves by an opening then needs at most one ray outside. The ray is still
- * traced to the first surface, so that silhouettes stay sharp, but the surface's
+ * A path that leaves through an opening then needs at most one ray outside. The ray is
+ * still traced to the first surface, so that silhouettes stay sharp, but the surface's
  * radiance is read from the opening's table (opening_table.h).
  */
 #ifndef PP_SIMULATE_TRANSPORT_OPENING_STORE_H

@@ -18,7 +18,7 @@ enum pp_lobe pp_path_scatter_choose_lobe(const struct pp_lobes *lobes, double u,
                                          struct pp_rgb *throughput);
 
 /* Sets the path's direction to one of the lobe, by two numbers in (0, 1); the lobe's
- * share is in the throughput already. False if the path ends. */
+ * share is already in the throughput. False if the path ends. */
 bool pp_path_scatter_by_lobe(const struct pp_radiance_state *state,
                              struct pp_light_path *path, const struct pp_lobes *lobes,
                              enum pp_lobe lobe, const struct pp_light_hit *hit,

@@ -1,5 +1,6 @@
-/* path_vertex.h - the state of a path between two surfaces, and a surface that it
- * shades. Inside simulate/ only; all points are measured from the scene's centre.
+/* path_vertex.h - the state of a path between two surfaces, and the point of a surface
+ * at which its direct light is calculated. Inside simulate/ only; all points are
+ * measured from the scene's centre.
  */
 #ifndef PP_SIMULATE_TRANSPORT_PATH_VERTEX_H
 #define PP_SIMULATE_TRANSPORT_PATH_VERTEX_H
@@ -73,8 +74,8 @@ static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *
         arrival->pdf, pp_reflectors_pdf(scene, reflection, arrival->from, arrival->to));
 }
 
-/* True if openings are sampled by their images in reflectors. A cache with the light of
- * openings also has that of their images in its records. */
+/* True if openings are sampled by their images in reflectors. A cache that contains the
+ * light of openings also contains that of their images. */
 static inline bool pp_path_vertex_images(const struct pp_radiance_state *state)
 {
     return state->options.windows && !state->ambient
@@ -130,13 +131,13 @@ struct pp_light_path {
     enum pp_first_met first_met; /* first surface so far; panes passed do not count */
 };
 
-/* One side of a surface whose direct light is calculated. */
+/* A point on one side of a surface, at which direct light is calculated. */
 struct pp_shading_point {
     struct pp_vec3 point, normal; /* normal: of that side */
     enum pp_space space;
     struct pp_rgb diffuse;        /* albedo of that side's diffuse lobe */
     const struct pp_lobes *lobes; /* for the gloss; NULL: there is none; not owned */
-    int vertex, depth;            /* as the path's that has come here */
+    int vertex, depth;            /* those of the path that has arrived here */
     bool split;
     bool whole_gloss;    /* rays of the gloss do not count the light */
     uint32_t gloss_rays; /* number of rays of the gloss */

@@ -19,18 +19,18 @@ struct pp_radiance_options {
                    * (opening_store.h) instead of being traced along each path */
     double source_size; /* the angular size (size over distance) to which a source or
                          * window is stratified at a path's first scattering surface; 0:
-                         * one direction a source */
-    int source_most;    /* directions to one source or window, at most; for n paths a
-                         * pixel about 64/n is enough */
-    int bounces;        /* diffuse reflections of a path, at most; -1: no limit but
-                         * Russian roulette, which has no bias */
-    bool ground_counts; /* the ground's reflection is among them */
+                         * one direction per source */
+    int source_most;    /* limit on the directions to one source or window; for n paths
+                         * per pixel about 64/n are enough */
+    int bounces;        /* limit on the diffuse reflections of a path; -1: no limit
+                         * except Russian roulette, which has no bias */
+    bool ground_counts; /* reflections by the ground count among them */
     double least;       /* throughput below which Russian roulette begins; after
                          * gloss, mirror and clear glass a tenth of it; greater than
                          * 0 */
 };
 
-/* All estimators on, no limit of bounces, unbiased except for `stored`: size 0.2, at
+/* All estimators on, no limit on bounces, unbiased except for `stored`: size 0.2, at
  * most 64 directions, roulette below 0.3. */
 struct pp_radiance_options pp_radiance_state_defaults(void);
 
@@ -38,7 +38,7 @@ struct pp_radiance_options pp_radiance_state_defaults(void);
  *
  * `irradiance` is called at a hit whose material is diffuse, on the side of its normal,
  * or on the far side of a translucent material, with `normal` reversed. It gives the
- * irradiance by all light that is not sampled directly, whose hemispherical integral
+ * irradiance from all light that is not sampled directly, whose hemispherical integral
  * pp_radiance_indirect samples. `depth` is the number of diffuse reflections of the
  * path before this hit, 0 at the first surface. It returns false if the path has to
  * sample that light itself. Called by several threads at once.

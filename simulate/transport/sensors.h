@@ -30,13 +30,13 @@ struct pp_sensor {
 struct pp_sensors_options {
     double error; /* target standard error over value. 0: by samples or the caller's
                    * clock alone */
-    long samples; /* paths a point in each randomisation; 0: not set */
+    long samples; /* paths per point in each randomisation; 0: not set */
     uint64_t seed;
     int threads;        /* 0: one for each processor */
     double horizontal;  /* irradiance of open horizontal ground; 0: unknown */
-    bool limited;       /* at most `bounces` diffuse reflections on the way, 0 up, those
-                         * outside included */
-    bool ground_counts; /* reflection by the ground counts, too */
+    bool limited;       /* at most `bounces` (0 or more) diffuse reflections on the way,
+                         * including those outside */
+    bool ground_counts; /* reflections by the ground also count */
     int bounces;
     bool by_chance; /* no next-event estimation: concentrated sources are found by rays
                      * only */

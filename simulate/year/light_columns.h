@@ -27,8 +27,8 @@ struct pp_light_columns {
                      * exitance over pi */
 };
 
-/* skies: in the axes of the scene's room; they must live as long. patch_count: 145, 577 or
- * 2305. On success the caller clears *light. */
+/* skies: in the axes of the scene's room; they must outlive *light. patch_count: 145,
+ * 577 or 2305. On success the caller clears *light. */
 enum pp_status pp_light_columns_init(struct pp_light_columns *light,
                                      const struct pp_environment *environment,
                                      const struct pp_perez_sky *skies, int count,

@@ -4,7 +4,7 @@
  * A set of light paths is stored as the places where it meets sky, ground and sunlit
  * surfaces; for every hour the sky is evaluated in the direction of each exit, and the
  * sun is tested at each place. Its only error is noise. Tests compare
- * year_coefficients.h with it; it takes some hundred times as long.
+ * year_coefficients.h with it; it takes about a hundred times as long.
  */
 #ifndef PP_SIMULATE_YEAR_PLAIN_YEAR_H
 #define PP_SIMULATE_YEAR_PLAIN_YEAR_H

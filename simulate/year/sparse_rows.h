@@ -19,7 +19,7 @@ struct pp_sparse_rows {
     unsigned char *is_touched;
 };
 
-/* Columns 0 to width - 1. The caller clears *rows, after a failure too. */
+/* Columns 0 to width - 1. The caller clears *rows, even after a failure. */
 enum pp_status pp_sparse_rows_init(struct pp_sparse_rows *rows, int width,
                                    struct pp_error *err);
 void pp_sparse_rows_clear(struct pp_sparse_rows *rows);

@@ -60,7 +60,8 @@ static double regular_transmittance(const struct pp_light_scene *scene, int pane
         .g;
 }
 
-/* The transmittance along the ray to the sun, 0 if it meets an opaque surface. */
+/* The transmittance along the ray to the sun; 0 if it meets an opaque surface.
+ * *opening: the last opening passed. */
 static double traced(const struct pp_light_scene *scene, struct pp_light_ray ray,
                      int *opening)
 {

@@ -8,11 +8,11 @@
  *
  *     E_c = D_c + N_c s + G_c (E + s),     E_x = D_x + N_x s + G_x (E + s)         (1)
  *
- *   D   by columns of light (light_columns.h) and by outdoor cells, from the paths that
+ *   D   from columns of light (light_columns.h) and outdoor cells, by the paths that
  *       leave through an opening
- *   s   illuminance of cells by the sun
- *   N   by the sun on cells that a path has followed on from
- *   G   by the cells at which paths end
+ *   s   illuminance of cells from the sun
+ *   N   from sunlight on cells at which a path has continued
+ *   G   from the cells at which paths end
  *
  * Solved, with V = G_x (1 - G)^-1:
  *
@@ -63,12 +63,12 @@ struct pp_year_batch {
     /* For blinds: */
     float
         *by_pane; /* [receiver][group]: lx by panes with an even exitance of 1 lm/m2 */
-    float *on_pane;         /* [group][column]: lx on the outside of panes, the mean */
+    float *on_pane;         /* [group][column]: mean lx on the outside of panes */
     float *on_pane_outdoor; /* [group][outdoor cell] */
     struct pp_lit_point *pane_points; /* [group][PP_YEAR_PANE_POINTS]: for the sun */
 };
 
-/* Calculates randomisation `index`; the caller clears *batch, after a failure too. */
+/* Calculates randomisation `index`; the caller clears *batch, even after a failure. */
 enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
                                   const struct pp_year_task *task, int index,
                                   struct pp_error *err);

@@ -21,8 +21,8 @@ enum {
 };
 
 struct pp_year_coefficient_options {
-    int paths;   /* paths of a point in each randomisation; a power of two */
-    int cells;   /* wanted */
+    int paths;   /* paths per point in each randomisation; a power of two */
+    int cells;   /* approximate number of cells */
     int patches; /* 145, 577, 2305 */
     uint64_t seed;
 };
@@ -47,19 +47,19 @@ enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *coefficie
                                           struct pp_error *err);
 
 /* Mean illuminance (lx) over the outside of a group's panes in every hour and batch:
- * lx[batch][hour], with tiles x PP_LIGHT_LANES hours. */
+ * lx[batch][hour]. Each row has tiles x PP_LIGHT_LANES entries. */
 void pp_year_coefficients_on_panes(const struct pp_year_coefficients *coefficients,
                                    int group, float *lx);
 
-/* Illuminance of a receiver by a group's panes with a uniform exitance of 1 lm/m2, in
- * one batch. */
+/* Illuminance of a receiver from a group's panes, each with a uniform exitance of 1
+ * lm/m2, in one batch. */
 float pp_year_coefficients_by_panes(const struct pp_year_coefficients *coefficients,
                                     int receiver, int group, int batch);
 
 /* Parts of a point's illuminances, lx. */
 struct pp_year_point {
-    float *sky; /* sky and ground: [group][batch][hour], with tiles x PP_LIGHT_LANES
-                 * hours */
+    float *sky; /* sky and ground: [group][batch][hour]; each row has tiles x
+                 * PP_LIGHT_LANES entries */
     float *sun; /* sunlight reflected by surfaces: same order */
 };
 

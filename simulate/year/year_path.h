@@ -10,13 +10,13 @@
  *                                          surfaces with an exitance of their own
  *     lit          E += w Es(y)            Es illuminance of the sun on one side of a
  *                                          surface, at y
- *     pane         E += w M/pi             M exitance of a pane, if it were an even emitter in
+ *     pane         E += w M/pi             M exitance of a pane, if it emitted uniformly in
  *                                          place of the light that comes through it
  *
  * E is the irradiance of the receiver. A sink may also end a path at an inside surface
  * whose irradiance it knows.
  *
- * Not counted: specular reflections of sunlight by panes, mirrors or glosses.
+ * Specular reflections of sunlight by panes, mirrors or glosses are not counted.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_PATH_H
 #define PP_SIMULATE_YEAR_YEAR_PATH_H

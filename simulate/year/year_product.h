@@ -5,7 +5,7 @@
 #include "simulate/year/light_columns.h"
 
 /* out[row][hour] = sum over columns of rows[row][column] x light. out has tiles x
- * PP_LIGHT_LANES numbers a row. */
+ * PP_LIGHT_LANES numbers per row. */
 void pp_year_product(float *out, const float *rows, int row_count,
                      const struct pp_light_columns *light);
 

@@ -25,7 +25,7 @@ struct pp_band_rules {
 
 /* Rules of the program's table: 300 rooms, 20 regimes, 0.4 %. With 200 rooms, a regime
  * selected for its narrow band has too narrow a band: only 86.5 % of the rooms held out
- * were in one. */
+ * were inside it. */
 extern const struct pp_band_rules pp_band_tree_rules;
 
 /* Grows the regimes as a list, freed by the caller; each row of the sample is in

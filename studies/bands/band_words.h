@@ -7,11 +7,11 @@
 #include "studies/bands/band_features.h"
 #include "studies/bands/band_regime.h"
 
-/* "the depth of the room over the head of its window"; static. */
+/* Words for a feature: "ratio of room depth to window head height"; static. */
 const char *pp_band_words_feature(int feature);
 
-/* "the point's depth over the head 1.2 to 2.4, the sky's share under 0.3"; "all" of a
- * regime without conditions. */
+/* Writes the conditions of a regime: "mean reflectance 0.3 to 0.5, share of the sky
+ * component under 0.3"; "all" for a regime without conditions. */
 void pp_band_words_regime(char *text, size_t size, const struct pp_band_regime *regime);
 
 #endif

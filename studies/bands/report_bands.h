@@ -26,8 +26,8 @@ enum pp_status pp_report_bands_features(double features[PP_BAND_FEATURES],
 bool pp_report_bands_point(double features[PP_BAND_FEATURES],
                            const struct pp_report *report, int index);
 
-/* True if a column can have bands. Simulated columns and columns by a user's own tables
- * or formulae have none. */
+/* False if a column cannot have bands: it is by a user's own table, or its average is
+ * over all surfaces. Other columns have bands if the table of bands has their name. */
 bool pp_report_bands_has(const struct pp_report *report,
                          const struct pp_column *column);
 

@@ -24,9 +24,9 @@ struct pp_availability_question {
 /* E/D, both greater than 0; INFINITY for D of 0. */
 double pp_availability_needed_lx(double lx, double daylight_factor);
 
-/* Fills the sheet with the curves and, of a report's daylight factors (report may be
- * NULL), with the share of each period in which each place has each illuminance. Places
- * are the report's points, their median where three or more have values, and the
+/* Fills the sheet with the curves and, from the report's daylight factors (report may
+ * be NULL), with the share of each period in which each place has each illuminance.
+ * Places are the report's points, their median where three or more have values, and the
  * average. A share's standard error is half the difference between the shares at one
  * standard error of the daylight factor up and down. PP_BAD_INPUT if a period has no
  * hour whose light is known. *sheet is to be cleared by the caller, in any case. */

@@ -12,12 +12,12 @@
  *     Ed  diffuse irradiance of a horizontal plane, W/m2
  *     En  direct irradiance of a plane perpendicular to the sun, W/m2
  *     E0  1367 W/m2 over the squared distance of the sun in astronomical units
- *     Z   zenith angle of the sun; in radians but for m
+ *     Z   zenith angle of the sun; in radians, except in m
  *     Td  dew point, degrees Celsius
  *
  * The model's authors found diffuse illuminances within 5 % (rms, of measured means).
- * Values are kept within 60 to 250 lm/W, which the model leaves only with irradiances
- * that no sky has.
+ * Values are kept between 60 and 250 lm/W; the model exceeds these limits only for
+ * irradiances that no sky has.
  */
 #ifndef PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H
 #define PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H

@@ -83,7 +83,8 @@ struct pp_assessment {
 
 enum { PP_CRITERIA_MOST = 64 };
 
-/* Marks the criteria selected by the options; an unknown name is PP_BAD_INPUT. */
+/* Marks the criteria of a list of names separated by commas (NULL: all); an unknown
+ * name is PP_BAD_INPUT. */
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
                                     struct pp_error *err);
 

@@ -36,7 +36,7 @@ struct pp_br209_group {
 
 /* *groups: floors and houses in the order in which they appear, floors from below; a
  * house of one floor has one group. Rooms on floors less than 0.5 m apart are on one
- * floor. The caller frees *groups. Fails only without memory. */
+ * floor. The caller frees *groups. Fails only if memory runs out. */
 enum pp_status pp_br209_count_groups(struct pp_br209_group **groups, int *group_count,
                                      const struct pp_assessment *rooms, int count,
                                      struct pp_error *err);

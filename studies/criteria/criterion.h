@@ -61,7 +61,8 @@ struct pp_criterion {
     bool needs_before;       /* is evaluated only if there is a former state of the
                               * room */
     bool needs_mirror_image; /* needs a result with the mirror image */
-    bool of_states;          /* sky and sun that change with the state of the site */
+    bool of_states;          /* judges sky and sun, which change with the state of the
+                              * site */
     bool of_gardens;         /* is evaluated only with a room that has gardens */
     bool of_year;    /* judges by the inquiry's year; it is assessed only if named */
     bool of_factors; /* judges by the inquiry's factors; else they may be NULL */

@@ -17,8 +17,8 @@
 
 /* Checks by simulation those verdicts of an assessment that are based on sampled
  * figures. A verdict that changes loses its confidence and gets a note. Nothing is
- * simulated if there is no such verdict, or no wall to extend. The simulation takes its
- * share of options->study->seconds. */
+ * simulated if there is no such verdict, or if there is no wall to extend and the
+ * ground is not open. The simulation takes its share of options->study->seconds. */
 enum pp_status pp_facade_sensitivity_check(struct pp_assessment *assessment,
                                            const struct pp_assess_options *options,
                                            struct pp_error *err);

@@ -49,8 +49,8 @@ struct pp_finding {
     bool
         is_optional; /* a level above the lowest, which nothing requires: its verdict is
                       * not counted */
-    const char *decided_by; /* criterion that decides where this one is not met, which
-                             * then is no failure; NULL: this one decides. Static */
+    const char *decided_by; /* criterion that decides if this one is not met, which is
+                             * then not a failure; NULL: this one decides. Static */
     char note[320];         /* sentences without the last full stop; may be empty */
 };
 
@@ -62,7 +62,8 @@ const char *pp_finding_verdict(enum pp_verdict verdict);
  * PP_NOT_JUDGED. */
 const char *pp_finding_word(enum pp_verdict verdict);
 
-/* The word for a finding's verdict: "reached" or "not reached" for an optional level. */
+/* Word for a finding's verdict: as pp_finding_word, but "reached" or "not reached" for
+ * an optional level. */
 const char *pp_finding_own_word(const struct pp_finding *finding);
 
 /* The findings of one criterion. */

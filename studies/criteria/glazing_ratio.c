@@ -5,8 +5,8 @@
  *                                                          1204.2
  *   openings in the wall, frames included, over floor area >= 1/8  [MBO02] section 47
  *
- * If the country is known, only its own code applies. All openings count, rooflights
- * too, whatever their glass; the floor is that of the whole room.
+ * If the country is known, only its own code applies. All openings count, including
+ * rooflights, whatever their glass; the floor is that of the whole room.
  */
 #include <math.h>
 #include <string.h>

@@ -7,11 +7,11 @@
 
 /* Angle above the horizontal (rad, 0 to pi/2) of the highest obstruction in the
  * vertical section through the middle of an opening's outside, perpendicular to its
- * wall. Obstructions are skylines of that wall, blocks, free-standing surfaces and
- * other parts of the building, overhangs over the window too; obstructions beside the
- * section do not count. The angle that a room file gives a skyline is that from the
- * outside, whatever the depth of the reveal: [BR209] measures it there. The opening
- * must be vertical. */
+ * wall. Obstructions are skylines of that wall, blocks, free-standing surfaces, other
+ * parts of the building, and overhangs over the window; obstructions beside the section
+ * do not count. The angle that a room file gives a skyline is that from the outside,
+ * whatever the depth of the reveal: [BR209] measures it there. The opening must be
+ * vertical. */
 double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening);
 
 #endif

@@ -10,8 +10,8 @@ struct pp_site_row {
     const struct pp_assessment *room; /* not owned, like all below */
     const struct pp_criterion *criterion;
     const struct pp_finding *finding; /* finding with the verdict */
-    double existing, proposed;        /* NAN: not known; units of finding->compared,
-                                       * of rights of light m2 */
+    double existing, proposed;        /* NAN: not known; in the unit of
+                                       * finding->compared, for rights of light m2 */
     double ratio;                     /* proposed over existing; NAN: not known */
     double cumulative;                /* in the cumulative state; NAN: there is none */
     double cumulative_ratio;          /* cumulative over existing; NAN: not known */
@@ -28,15 +28,16 @@ struct pp_site_row {
 struct pp_site_table {
     bool has_cumulative;         /* some line has a value in the cumulative state */
     bool has_mirror_image;       /* some line has a value by the mirror image */
-    struct pp_site_row *windows; /* vertical sky component, a line a window */
+    struct pp_site_row *windows; /* vertical sky component, one line per window */
     int window_count;
-    struct pp_site_row *rooms; /* area that sees sky, a line a room */
+    struct pp_site_row *rooms; /* area that sees sky, one line per room */
     int room_count;
-    struct pp_site_row *suns; /* share of sunlight hours, a line a window and season */
+    struct pp_site_row *suns; /* share of sunlight hours, one line per window and
+                               * season */
     int sun_count;
-    struct pp_site_row *gardens; /* sunlit share, a line a garden */
+    struct pp_site_row *gardens; /* sunlit share, one line per garden */
     int garden_count;
-    struct pp_site_row *rights; /* rights of light: area adequately lit, a line a
+    struct pp_site_row *rights; /* rights of light: area adequately lit, one line per
                                  * room */
     int rights_count;
     struct pp_lit_change rights_sum; /* sum over the rooms that are judged */

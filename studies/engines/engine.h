@@ -22,7 +22,7 @@
 struct pp_engine_options {
     double error; /* target standard error over daylight factor; 0: use samples or
                    * seconds */
-    long samples; /* paths a point in each randomisation instead; 0: not given */
+    long samples; /* paths per point in each randomisation instead; 0: not given */
     uint64_t seed;
     int threads; /* 0: one for each processor */
 
@@ -50,14 +50,14 @@ struct pp_engine {
                             * simulation" */
     const char *deviation; /* name of the error beside a figure: "one standard error" */
     const char *from;      /* heading for deviations from its results: "from traced,
-                            * %"; NULL: the engine is no reference */
+                            * %"; NULL: the engine is not a reference */
     bool is_truth;         /* true if hand figures can be compared with it */
     bool is_sampled;       /* figures depend on the seed */
     const struct pp_engine
         *plain; /* engine with the same results by a plain implementation; NULL: none */
 
     /* Creates a run at the report's receivers and over its working plane, in the
-     * world's diffuse scene under this environment. *run is set on success only; scene,
+     * world's diffuse scene under this environment. *run is set only on success; scene,
      * environment and receivers must outlive it. */
     enum pp_status (*create)(void **run, const struct pp_light_scene *scene,
                              const struct pp_environment *environment,

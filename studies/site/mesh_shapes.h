@@ -14,8 +14,8 @@
 #include "model/results/sheets/site_sheet.h"
 #include "model/room/world.h"
 
-/* Adds shapes of the world's mesh to the sheet, without a name; the caller clears it, after a
- * failure too. */
+/* Adds shapes of the world's mesh to the sheet, without a name; the caller clears it,
+ * even after a failure. */
 enum pp_status pp_mesh_shapes_add(struct pp_site_sheet *sheet,
                                   const struct pp_world *world,
                                   const struct pp_world_mesh *mesh,

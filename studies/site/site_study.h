@@ -18,7 +18,7 @@ struct pp_site_rooms {
 
 /* Fills sheet, which the caller clears; empty on failure. Objects outside are taken
  * from the first room, and from the first room that existed before. Windows of rooms
- * above each other, in one wall's plane, are counted as storeys from below. */
+ * one above the other, in one wall's plane, are counted as storeys from below. */
 enum pp_status pp_site_study_make(struct pp_site_sheet *sheet,
                                   const struct pp_site_rooms *rooms,
                                   struct pp_error *err);

@@ -42,7 +42,8 @@ void pp_window_sizes_destroy(struct pp_window_sizes *sizes); /* NULL is allowed 
 int pp_window_sizes_count(const struct pp_window_sizes *sizes);
 int pp_window_sizes_now(const struct pp_window_sizes *sizes);
 
-/* Makes each step ten times as fine: step k becomes step 10 k. Numbers stay. */
+/* Makes each step ten times as fine: step k becomes step 10 k. Steps in the number of
+ * windows stay as they are. */
 void pp_window_sizes_refine(struct pp_window_sizes *sizes);
 
 /* Makes the room at that step, owned by the caller (pp_room_destroy). New openings come

@@ -1,8 +1,8 @@
 /* annual.h - the daylight of a room in every hour of a year, and its figures.
  *
- * Direct light of sky and sun at a point is in closed form (methods/exact/sky_view.h);
- * all other light is simulated (simulate/year/). The room's finishes are diffuse, as
- * for daylight factors.
+ * Direct light from sky and sun at a point is calculated in closed form
+ * (methods/exact/sky_view.h); all other light is simulated (simulate/year/). The room's
+ * finishes are diffuse, as for daylight factors.
  *
  * Blinds follow LM-83-12 [LM83]: openings of one wall and one glass are a group; it is
  * closed in hours when more than 2 % of the points have 1000 lx or more of direct sun
@@ -25,7 +25,7 @@ struct pp_annual_options {
     int illuminance_count;
     double illuminances_lx[PP_ANNUAL_ILLUMINANCES_MOST];
     int patches;  /* 145, 577 or 2305 */
-    int samples;  /* paths of a point in each randomisation; 0: by error */
+    int samples;  /* paths per point in each randomisation; 0: by error */
     double error; /* largest standard error over a point's annual light; 0: not set */
     bool blinds;
     bool coefficients; /* keep the coefficients in the sheet */
@@ -41,7 +41,7 @@ struct pp_annual_options {
 extern const struct pp_annual_options pp_annual_options_lm83;
 
 /* Evaluates the room's points: a grid over its plane (is_grid), or others. *sheet
- * refers to world and receivers; the caller clears it, after a failure too. */
+ * refers to world and receivers; the caller clears it, even after a failure. */
 enum pp_status pp_annual_of_room(
     struct pp_annual_sheet *sheet, const struct pp_world *world,
     const struct pp_outside_light *light, const struct pp_receiver *receivers,

@@ -1,5 +1,5 @@
-/* annual_plane.h - the figures of all points together, with standard errors from figures of
- * points without each randomisation. */
+/* annual_plane.h - the figures of all points together, with standard errors from the
+ * points' figures with each randomisation left out in turn. */
 #ifndef PP_STUDIES_YEAR_ANNUAL_PLANE_H
 #define PP_STUDIES_YEAR_ANNUAL_PLANE_H
 

@@ -55,15 +55,16 @@ enum pp_status pp_moment_at(struct pp_moment *moment,
                             const struct pp_moment_source *source,
                             const struct pp_world *world, struct pp_error *err);
 
-/* Sky and sun in the axes of a room whose y axis has that bearing, as pictures and other
- * programs take them; the ground's reflectance stays. PP_BAD_INPUT for a black sky. */
+/* Sky and sun in the axes of a room whose y axis has that bearing, as pictures and
+ * other programs use them; the ground's reflectance stays. PP_BAD_INPUT for a black
+ * sky. */
 enum pp_status pp_moment_light(struct pp_outside_light *light,
                                const struct pp_moment *moment, double north_rad,
                                struct pp_error *err);
 
 /* Fills an annual sheet for this hour alone. year_lxh has the illuminances, and
- * sky_lxh, sun_lxh and sun_reflected_lxh their parts. The caller clears *sheet, after a
- * failure too. */
+ * sky_lxh, sun_lxh and sun_reflected_lxh their parts. The caller clears *sheet, even
+ * after a failure. */
 enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
                                  const struct pp_world *world,
                                  const struct pp_outside_light *light,

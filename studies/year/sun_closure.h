@@ -17,7 +17,8 @@ enum pp_sun_closure_finding {
     PP_CLOSURE_SEASONAL, /* shifted in one half of the year only: summer time in the data */
     PP_CLOSURE_SWAPPED, /* the balance closes if direct and diffuse columns are
                          * swapped */
-    PP_CLOSURE_NONE,    /* closes at no shift: measured data, or damaged ones */
+    PP_CLOSURE_NONE,    /* the balance closes at no shift: the data are measured, or
+                         * damaged */
     PP_CLOSURE_UNKNOWN, /* no records with all three irradiances */
 };
 

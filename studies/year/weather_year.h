@@ -72,8 +72,8 @@ enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
 struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
                                            double north_rad);
 
-/* Sentences on the sun shift, 29 February and the records that needed a decision.
- * Returns text. */
+/* Counts of the records that were ignored or needed a decision, such as those of 29
+ * February; empty if there are none. Returns text. */
 const char *pp_weather_year_notes(char *text, size_t room,
                                   const struct pp_weather_year *year);
 

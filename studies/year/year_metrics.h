@@ -1,9 +1,9 @@
 /* year_metrics.h - figures of one point from its illuminances in the hours of a year.
  *
- * Occupied hours count in the dark, too. Useful daylight illuminance after Mardaljevic:
- * below 100, 100 to 300, 300 to 3000 (both included), above 3000 lx. The median is that
- * of EN 17037, method 2: reached in 2190 of the 4380 hours with the highest diffuse
- * horizontal illuminance. Direct sun counts above 1000 lx [LM83].
+ * Occupied hours include those after dark. Useful daylight illuminance after
+ * Mardaljevic: below 100, 100 to 300, 300 to 3000 (both included), above 3000 lx. The
+ * median is that of EN 17037, method 2: reached in 2190 of the 4380 hours with the
+ * highest diffuse horizontal illuminance. Direct sun counts above 1000 lx [LM83].
  */
 #ifndef PP_STUDIES_YEAR_YEAR_METRICS_H
 #define PP_STUDIES_YEAR_YEAR_METRICS_H
@@ -12,12 +12,13 @@
 #include "studies/climate/working_hours.h"
 #include "studies/year/weather_year.h"
 
-/* Hours of a year needed for the figures; arrays by sky. */
+/* Data on the hours of a year from which the figures are calculated. Arrays are indexed
+ * by sky. */
 struct pp_year_clock {
     int sky_count;
     double *occupied_h, *length_h;
     bool *is_daylight;     /* true in the 4380 brightest hours */
-    double all_occupied_h; /* dark ones included */
+    double all_occupied_h; /* hours of darkness included */
     int median_rank;       /* rank of the median among the daylight values, falling;
                             * there may be fewer values */
     double diffuse_median_lx;
@@ -31,7 +32,7 @@ enum pp_status pp_year_clock_init(struct pp_year_clock *clock,
                                   struct pp_error *err);
 void pp_year_clock_clear(struct pp_year_clock *clock);
 
-/* The illuminances of a point (lx), by sky. */
+/* Illuminances of a point (lx), indexed by sky. */
 struct pp_year_values {
     const float *open;                      /* all light, without blinds */
     const float *sky, *sun, *sun_reflected; /* parts of `open` */

@@ -36,7 +36,7 @@ struct pp_annual_figures {
     struct pp_annual_value sun_h;   /* hours with more than 1000 lx of direct sun */
     struct pp_annual_value mean_lx; /* mean over the hours */
     struct pp_annual_value
-        median_lx; /* reached in 2190 of the 4380 h of most daylight */
+        median_lx; /* reached in 2190 of the 4380 brightest hours of the year */
     struct pp_annual_value year_lxh; /* sum over all hours of the year */
     struct pp_annual_value sky_lxh, sun_lxh, sun_reflected_lxh; /* parts: sky and
                                                                  * ground; direct
@@ -102,7 +102,7 @@ struct pp_annual_discretisation {
         sky;        /* error by patches over the light of sky and ground, mean */
     double sky_rms; /* rms of single hours and points */
     struct pp_annual_value
-        all; /* error over all light but direct sun, mean of the points */
+        all; /* error over all light except direct sun, mean of the points */
 };
 
 struct pp_annual_sheet {

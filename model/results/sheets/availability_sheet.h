@@ -31,7 +31,7 @@ struct pp_availability_period {
     double most_lx;     /* reached in 85 of 100 hours */
 };
 
-/* Values of `place` that are no receiver index. */
+/* Values of `place` that are not receiver indices. */
 enum { PP_PLACE_AVERAGE = -1, PP_PLACE_MEDIAN = -2 };
 
 /* Share of time that one place reaches one illuminance, by one method's daylight
@@ -40,8 +40,8 @@ struct pp_availability_row {
     int place;                         /* receiver index, PP_PLACE_AVERAGE or
                                     * PP_PLACE_MEDIAN */
     const char *method;                /* "exact+bre"; not owned */
-    struct pp_reading df;              /* without a value the other members have none
-                                    * either */
+    struct pp_reading df;              /* if it has no value, the other members have
+                                        * none either */
     double lx;                         /* target on the working plane */
     double needs_lx;                   /* outdoors: lx over df; INFINITY if df is 0 */
     double share[PP_PERIODS_MOST];     /* by period */

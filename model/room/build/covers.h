@@ -1,5 +1,5 @@
-/* covers.h - the step that adds doors and dados: surfaces of another reflectance in
- * front of a wall. Inside model/room/ only.
+/* covers.h - the step that adds doors and dados: surfaces in front of a wall, with a
+ * different reflectance. Inside model/room/ only.
  *
  * A cover is offset from its wall by PP_SET_OFF_M into the room, so that rays hit the
  * cover. It obstructs nothing else. In mean reflectances it replaces that part of its

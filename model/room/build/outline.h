@@ -4,7 +4,7 @@
 
 #include "model/room/build/resolve.h"
 
-/* Reports faults of an outline: too few or repeated vertices, no area, not plane, or
+/* Reports faults of an outline: too few or repeated vertices, no area, not planar, or
  * self-intersection. `what` begins the message. True if there is no fault; false
  * without a message if a coordinate could not be read. */
 bool pp_build_outline_is_good(struct pp_resolver *r, const char *what, int line,

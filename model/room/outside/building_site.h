@@ -17,10 +17,10 @@
 
 #include "model/room/read/read_elements.h"
 
-/* Makes building->rooms: the rooms of that state. PP_STATE_BOTH: the
- * rooms that exist in all states, and the mirror image of
- * the placed rooms at building->boundary. PP_BAD_INPUT if that image is not possible;
- * PP_SYSTEM without memory. After a failure there are no rooms. */
+/* Makes building->rooms: the rooms of that state. PP_STATE_BOTH: the rooms that exist
+ * in all states, and the mirror image of the placed rooms, reflected in
+ * building->boundary. PP_BAD_INPUT if that image is not possible; PP_SYSTEM if memory
+ * runs out. After a failure there are no rooms. */
 enum pp_status pp_building_site_settle(struct pp_building *building,
                                        enum pp_site_state state, struct pp_error *err);
 

@@ -17,7 +17,8 @@
  * thickness. */
 #define PP_ROOM_FRONT_BEHIND_M 1.0
 
-/* Smallest area of a piece of a sheet; smaller ones are rounding of the clipper. */
+/* Smallest area of a piece of a sheet; smaller ones are rounding errors of the
+ * clipper. */
 #define PP_ROOM_FRONT_PIECE_M2 1e-9
 
 struct pp_room_front {

@@ -23,20 +23,22 @@ struct pp_room_shell {
                             * their outer reflectance */
     char **walls;          /* names of the walls */
     int wall_count;
-    struct pp_room *own; /* names, as many as wall_count */
-    bool *is_divided;    /* the room alone in the state, with its own blocks and
-                          * meshes; NULL: no fixed parts */
+    struct pp_room *own; /* the room alone in the state, with its own blocks and meshes;
+                          * NULL: no fixed parts */
+    bool *is_divided;    /* true, by face, if its panes and the rest of it are among
+                          * `carried` */
     struct pp_room_carried *carried;
     int carried_count;
     struct pp_room_front *fronts;
     int front_count;
 };
 
-/* Makes the shell of a room. glass_reflectance: reflectance of windows, by which faces
- * are then divided; NAN: windows reflect like walls. outside: include fixed parts, else
- * the body only. Errors of the room file are reported where the room itself is
- * resolved; such a room has an empty shell here. The caller clears the shell in any
- * case. */
+/* Makes the shell of a room in the given state. outside: include the parts fixed to it;
+ * else the body only. glass_reflectance (used only with outside): if given, faces with
+ * windows are divided into panes of this reflectance and the rest of the wall; NAN:
+ * windows reflect like walls. Mistakes in the room are not reported here, but when the
+ * room itself is resolved; a room with mistakes has no fixed parts or panes, and
+ * perhaps no faces. The caller clears the shell in any case. */
 enum pp_status pp_room_shell_make(struct pp_room_shell *shell,
                                   const struct pp_room *room, enum pp_site_state state,
                                   bool outside, double glass_reflectance,

@@ -1,5 +1,5 @@
-/* skylines.h - the step that adds endless obstructions parallel to a wall. Inside
- * model/room/ only. Comes after the openings and the ground. */
+/* skylines.h - the step that adds infinitely long obstructions parallel to a wall.
+ * Inside model/room/ only. Comes after the openings and the ground. */
 #ifndef PP_MODEL_ROOM_OUTSIDE_SKYLINES_H
 #define PP_MODEL_ROOM_OUTSIDE_SKYLINES_H
 

@@ -11,12 +11,12 @@
 
 enum { PP_READ_ELEMENTS_BYTES_MOST = 8 << 20 }; /* largest room file */
 
-/* Limits of a room file as XML. */
+/* XML format of room files: root elements and limits. */
 extern const struct pp_xml_format pp_read_elements_format;
 
 /* Contents of one file. */
 struct pp_building {
-    char *name; /* NULL: a lone room, or not given */
+    char *name; /* NULL: a single room, or not given */
     struct pp_room
         common; /* data common to all rooms: north (NAN: not given), site, sky,
                  * skylines, blocks, surfaces; no plan */
@@ -41,8 +41,8 @@ struct pp_building {
 };
 
 /* Fills the empty building from the file's elements. folder: base of relative paths;
- * NULL: read from memory. PP_OK even if there are mistakes; fails only without memory.
- * The caller destroys the building in any case. */
+ * NULL: read from memory. Returns PP_OK even if there are mistakes; fails only if
+ * memory runs out. The caller destroys the building in any case. */
 enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xml *xml,
                                 const char *folder, struct pp_mistakes *mistakes,
                                 struct pp_error *err);

@@ -26,17 +26,17 @@ struct pp_reader {
     struct pp_glass glasses[PP_READER_GLASSES];
 };
 
-/* True after too many mistakes, or without memory. */
+/* True after too many mistakes, or if memory has run out. */
 bool pp_reader_should_stop(const struct pp_reader *r);
 
 /* Makes space for one more item in a list of `count` that grows only by this function;
- * `list` is the address of its pointer. False without memory. */
+ * `list` is the address of its pointer. False if memory runs out. */
 bool pp_reader_reserve(struct pp_reader *r, void *list, int count, size_t size);
 
 #define PP_READER_RESERVE(r, list, count)                                              \
     pp_reader_reserve(r, &(list), count, sizeof *(list))
 
-/* Copies a text for the caller; NULL for NULL, or without memory. */
+/* Copies a text for the caller; NULL for NULL, or if memory runs out. */
 char *pp_reader_copy_text(struct pp_reader *r, const char *text);
 
 /* Fills form from the element's attributes, and checks the names and numbers of its

@@ -3,7 +3,7 @@
  * The light of sky, open ground and skylines is known. At a surface, or at the ground
  * in its shadow, a separate path is followed, one direction after another. Light that
  * has passed through the room before is not included: photons carry it, since they may
- * leave by one opening and return by any.
+ * leave through one opening and return through any.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_OUTSIDE_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_OUTSIDE_H

@@ -1,7 +1,7 @@
 /* photon_receiver.h - the contribution of a light-emitting place to a receiver: a
  * connection, (1) of photon_sources.h, with a shadow ray.
  *
- * cos cos'/d^2 is cut at the place's limit. The remaining share,
+ * cos cos'/d^2 is clamped to the place's limit. The remaining share,
  *
  *     w = min(1, limit d^2 / (cos cos'))
  *
@@ -25,8 +25,8 @@ struct pp_photon_receiver {
 double pp_photon_receiver_limit(const struct pp_photon_state *state,
                                 const struct pp_photon_receiver *receiver, int source);
 
-/* Irradiance at the receiver; *last: its component. vertex: of the random numbers
- * outside. */
+/* Irradiance at the receiver; *last: its component. vertex: index of the random numbers
+ * for a path outside. */
 struct pp_rgb pp_photon_receiver_takes(struct pp_photon_state *state,
                                        const struct pp_photon_receiver *receiver,
                                        const struct pp_photon_place *place, int vertex,

@@ -22,7 +22,7 @@ struct pp_photon_state {
 };
 
 enum {
-    /* Limit of vertices, for enclosures in which nothing absorbs. */
+    /* Limit on the vertices of a path, for enclosures in which nothing absorbs. */
     PP_PHOTON_MOST_VERTICES = 1 << 14
 };
 
@@ -53,8 +53,8 @@ static inline enum pp_meeting pp_photon_state_meet(struct pp_photon_state *state
 }
 
 /* Point of a hit, moved back along the ray by half of the distance by which rays are
- * lifted off surfaces (rays.h): in a corner it would otherwise be in the other surface
- * too. */
+ * lifted off surfaces (rays.h): in a corner it would otherwise also be in the other
+ * surface. */
 static inline struct pp_vec3 pp_photon_state_drawn_back(const struct pp_light_hit *hit,
                                                         struct pp_vec3 to)
 {

@@ -420,7 +420,7 @@ double pp_photons_common_near(const struct pp_photons *photons)
         return 0.0;
     struct pp_vec3 *places = calloc((size_t)count, sizeof *places);
     if (!places)
-        return 1.0; /* without memory: full correlation, the conservative value */
+        return 1.0; /* out of memory: full correlation, the conservative value */
     for (int i = 0; i < count; i++)
         places[i] = photons->points[i].receiver.point;
     double common = pp_common_variance_of_near(photons->planner, places, count);

@@ -1,7 +1,7 @@
 /* photons.h - daylight factors of a room by photons followed from the light sources, as
  * in Genelux [MPF95].
  *
- * Photons enter by the openings in proportion to the luminance outside and the
+ * Photons enter through the openings in proportion to the luminance outside and the
  * projected area of the opening, or leave a lamp, and are followed from surface to
  * surface. At each surface their scattered light is added to every receiver
  * (photon_receiver.h), with the same photons for all receivers (photon_store.h).
@@ -34,10 +34,10 @@ struct pp_photons_options {
         error; /* target standard error over the daylight factor, at every point; never
                 * under 0.00002 of Eh. 0: by samples or the caller's clock alone */
     long
-        samples; /* photons a point in each randomisation instead of error; 0: not set */
+        samples; /* photons per point and randomisation, instead of error; 0: not set */
     uint64_t seed;
     int threads;  /* 0: one for each processor */
-    bool average; /* the average over the working plane too */
+    bool average; /* also the average over the working plane */
     double
         sensor_m; /* radius of discs round the receivers on which photons are counted;
                       * 0: the receivers are points */

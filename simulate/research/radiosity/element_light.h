@@ -1,5 +1,5 @@
-/* element_light.h - light at a place in the room from the room's elements, by closed
- * form factors.
+/* element_light.h - light at a place in the room from the room's elements, by form
+ * factors in closed form.
  *
  * The trees are descended only as far as needed: an element represents all its parts if
  * its form factor times the possible variation of its radiosity is below a tolerance,
@@ -19,7 +19,8 @@ struct pp_element_light_accuracy {
     double divided; /* greatest such uncertainty; above it an undivided element is to
                      * be divided */
     double
-        most_factor; /* of an element that something may hide: larger ones are divided */
+        most_factor; /* limit for an element that may be partly hidden; a larger one is
+                      * divided */
     double least_factor; /* below this form factor only the middle is tested for
                           * visibility */
 };

@@ -46,14 +46,14 @@ enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers
 struct pp_element_light_accuracy pp_element_receivers_accuracy(int level);
 
 /* Gathers light for the requested receivers. Elements that need division are listed in
- * ->wanted of a receiver. New cells outside are gathered, and the system is solved
+ * `wanted` of the receiver. New cells outside are gathered, and the system is solved
  * again. */
 enum pp_status pp_element_receivers_by_openings(struct pp_element_receivers *receivers,
                                                 struct pp_error *err);
 enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *receivers,
                                                 struct pp_error *err);
 
-/* Gathers light at the plane's points, by openings and by elements. */
+/* Gathers light at the plane's points, from openings and from elements. */
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
                                              struct pp_error *err);
 

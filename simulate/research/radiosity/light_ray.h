@@ -1,5 +1,5 @@
-/* light_ray.h - the light along a ray, followed through clear panes and by their
- * reflections to all sources.
+/* light_ray.h - the light along a ray, followed to all sources through clear panes and
+ * their reflections.
  *
  * The ray is not random: at a pane it continues as a transmitted and a reflected ray,
  * each with its share, until that share is negligible.

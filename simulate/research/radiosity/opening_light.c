@@ -15,7 +15,7 @@ enum {
              * of the pane's size */
 };
 
-/* Smaller differences of light, over Eh, are not resolved: a fifth of the tracer's
+/* Smaller differences in light, over Eh, are not resolved: a fifth of the tracer's
  * limit. */
 static const double UNTOLD = 4e-6;
 
@@ -233,8 +233,8 @@ static bool faces(const struct looking *l)
     return l->taker->facet != l->pane && pp_facet_height(pane, l->taker->point) > 0.0;
 }
 
-/* True if the facet is the opening's face, part of its reveal, or a door or dado on its
- * face. */
+/* True if the facet is the opening's face, a part of its reveal, or a door or dado on
+ * its face. */
 static bool is_round(const struct pp_facets *facets, const struct pp_opening *opening,
                      int facet)
 {

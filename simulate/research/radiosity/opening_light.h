@@ -1,10 +1,10 @@
 /* opening_light.h - the light that a place in the room receives through clear panes,
  * and the room's own light mirrored in them.
  *
- * A pane is divided into cells. The light of a cell is its closed form factor times the
- * light along the ray to its middle (light_ray.h). A cell is divided until its light
- * agrees with the sum over its parts. Small cells are needed near the pane, where form
- * factors vary, and at a roof line, where the light varies.
+ * A pane is divided into cells. The light of a cell is its form factor (in closed form)
+ * times the light along the ray to its middle (light_ray.h). A cell is divided until
+ * its light agrees with the sum over its parts. Small cells are needed near the pane,
+ * where form factors vary, and at a roof line, where the light varies.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OPENING_LIGHT_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OPENING_LIGHT_H

@@ -5,8 +5,8 @@
  * without a distance has by convention the exitance rho (Ev + rho_ground / 2), with Ev
  * the open sky's illuminance on it. Unshaded ground has an exitance equal to its
  * reflectance. The exitance of ground in the shadow of obstructions is unknown
- * (outside_cells.h). Beyond FARTHEST times the reach of all obstructions the ground
- * counts as unshaded; less than 1/1000 of its sky is hidden there.
+ * (outside_cells.h). Beyond PP_OUTDOORS_FARTHEST times the reach of all obstructions
+ * the ground counts as unshaded; less than 1/1000 of its sky is hidden there.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H

@@ -34,7 +34,7 @@ struct pp_radiosity_options {
 struct pp_radiosity;
 
 /* The receivers are in the room, or in the open where the world has no room. Copies the
- * receivers; the world must live as long. */
+ * receivers; the world must outlive *radiosity. */
 enum pp_status pp_radiosity_create(struct pp_radiosity **radiosity,
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,
@@ -48,7 +48,7 @@ enum pp_status pp_radiosity_advance(struct pp_radiosity *radiosity,
                                     struct pp_error *err);
 bool pp_radiosity_done(const struct pp_radiosity *radiosity);
 
-/* The share of the work that is done, 0 to 1, about. */
+/* Approximate share of the work that is done, 0 to 1. */
 double pp_radiosity_progress(const struct pp_radiosity *radiosity);
 
 /* The largest error over daylight factor of any point so far; NAN before it is known. */

@@ -41,8 +41,8 @@ struct pp_radiosity_system {
 
 void pp_radiosity_system_clear(struct pp_radiosity_system *system); /* its rows */
 
-/* Makes the rows for all elements that are undivided now; earlier light by openings is
- * kept. */
+/* Makes the rows for all elements that are undivided now; light gathered earlier from
+ * openings is kept. */
 enum pp_status pp_radiosity_system_gather(struct pp_radiosity_system *system,
                                           struct pp_error *err);
 

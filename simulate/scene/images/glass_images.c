@@ -88,8 +88,8 @@ bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int wind
  * nothing at normal incidence, but something at oblique incidence. */
 static const double LEAST_REFLECTANCE = 0.01;
 
-/* Bounds of a point's view through an outline of the target's plane, along the target's
- * axes from its corner. */
+/* Bounds of what a point sees of the target's plane through an outline, along the
+ * target's axes from its corner. */
 struct seen_box {
     double low[2], high[2];
 };

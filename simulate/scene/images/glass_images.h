@@ -1,12 +1,12 @@
 /* glass_images.h - images of openings in the glass of other openings, sampled by
- * next-event estimation at the points of a room (tracer/path.h).
+ * next-event estimation at the points of a room (fast/path.h).
  *
  * Clear glass reflects: the image of one opening in the glass of another is seen from a
  * point in the same way as the opening is seen from the point's mirror image.
  * Directions are sampled from that image (sample_polygon.h) to the part of the opening
  * that is visible through the outline of the glass, and mirrored back. Glass reflects a
- * tenth, and the image shows bright sky: only a few in thousands of the rays of a
- * diffuse lobe find it, with many times the mean light.
+ * tenth of the light, and the image shows bright sky: only a few in a thousand rays of
+ * a diffuse lobe would find it, each with many times the mean light.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
 #define PP_SIMULATE_SCENE_IMAGES_GLASS_IMAGES_H
@@ -14,16 +14,17 @@
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/light_scene.h"
 
-/* Number of pairs sampled, those that exchange most light; others are left to rays. */
+/* Most pairs that are sampled: those that exchange most light. Others are left to
+ * rays. */
 enum { PP_GLASS_IMAGES_MOST = 32 };
 
-/* An opening and another one in whose glass it is mirrored, as indices of panes. */
+/* An opening, and the opening in whose glass it is mirrored, as indices of panes. */
 struct pp_glass_image {
     int glass, window;
 };
 
-/* Finds the scene's images, after its panes and their parts are added: none if all
- * openings lie in one plane, or in one without glass. */
+/* Finds the scene's images, after its panes and their parts are added: pairs of
+ * openings, each in front of the other, of which one has clear glass. */
 enum pp_status pp_glass_images_find(struct pp_light_scene *scene, struct pp_error *err);
 
 /* True if the pair is one of the scene's images. */

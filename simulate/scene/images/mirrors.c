@@ -12,8 +12,8 @@ enum {
     MOST_CONNECTIONS = 256 /* mirror paths times emitters */
 };
 
-/* Tolerances for equal planes: difference of their normals in the cosine, and relative
- * difference of their offsets. */
+/* Tolerances for equal planes: 1 minus the cosine of the angle between their normals,
+ * and the relative difference of their offsets. */
 static const double SAME_NORMAL = 1e-12, SAME_OFFSET = 1e-7;
 
 /* ---- found ---- */

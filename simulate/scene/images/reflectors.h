@@ -19,7 +19,8 @@ struct pp_reflector {
     struct pp_frame frame; /* x along the grain, z the side's normal */
     double offset_m;       /* z . x of its points */
     int gloss;
-    double share, area_m2; /* the gloss' greatest reflectance; area of all its parts */
+    double share, area_m2; /* greatest reflectance of the gloss; area of all its
+                            * parts */
 };
 
 /* A reflector with an emitter, and its probability of being chosen. */

@@ -56,7 +56,8 @@ enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,
                                   struct pp_error *err);
 void pp_plane_grid_clear(struct pp_plane_grid *grid);
 
-/* The points of the grid of the largest cells that [EN17037] permits; to be freed. */
+/* Makes the points of the grid with the largest cells that [EN17037] permits; the
+ * caller frees *receivers. */
 enum pp_status pp_plane_grid_largest(struct pp_receiver **receivers, int *count,
                                      const struct pp_world *world,
                                      struct pp_error *err);

@@ -4,7 +4,8 @@
 
 #include "model/room/world.h"
 
-/* True if the glass is vertical to a degree, and so has a vertical sky component. */
+/* True if the glass is within one degree of vertical, and so has a vertical sky
+ * component. */
 bool pp_vertical_sky_is_upright(const struct pp_opening *opening);
 
 /* Point on a window's outside at which its component is calculated: its centre. If the

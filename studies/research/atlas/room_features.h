@@ -10,16 +10,16 @@
  *     floor, ceiling  reflectances of these
  *     depth-head      depth of the room from its largest vertical opening over the height
  *                     of that opening's head above the working plane; without one, the
- *                     root of the floor's area over the mean height of the openings
- *                     above the plane
+ *                     square root of the floor's area over the mean height of the
+ *                     openings above the plane
  *     depth-width     depth over width of the room, seen from that opening
  *     below           share of the openings' area below the working plane
  *     upright         share of the openings' area that is vertical (from 75 degrees)
  *     walls           number of faces that have openings
  *     spread          area of the largest opening over that of all
- *     reveal          depth of the openings over the root of their area, mean
+ *     reveal          depth of the openings over the square root of their area, mean
  *     pane            diffuse transmittance over the normal one, mean
- *     obstruction     degrees: the mean angle of the endless skylines that replace all
+ *     obstruction     degrees: mean angle of the infinitely long skylines that replace all
  *                     obstructions (methods/reflected/obstruction.h)
  *     things          0: nothing outside or skylines; 1: blocks, surfaces, facades or other
  *                     parts of the building

@@ -14,10 +14,10 @@
  * sets that never were are left out.
  *
  * A set with a cause whose value is fitted, of which there is one, is traced with both
- * ends of the range and its middle; a parabola through these has the values between. The
- * value is the one that leaves least squares; its
- * prior is even over the range, by Laplace's approximation: sqrt(2 pi) times the value's
- * standard error, over the range.
+ * ends of the range and its middle; a parabola through these has the values between.
+ * The value is that with the least squares; its prior is uniform over the range, and
+ * its evidence is by Laplace's approximation: sqrt(2 pi) times the value's standard
+ * error, over the range.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_CAUSE_SEARCH_H
 #define PP_STUDIES_RESEARCH_COMPARE_CAUSE_SEARCH_H
@@ -52,7 +52,7 @@ struct pp_cause_search_question {
 };
 
 struct pp_cause_search {
-    struct pp_cause_set *sets; /* the likeliest first */
+    struct pp_cause_set *sets; /* the most likely first */
     int count;
     double probability[PP_CAUSES_MOST]; /* probability that each cause is present */
     /* Least root mean square (logarithm) left by a simulated set without the cause. */

@@ -13,7 +13,7 @@
 /* The constant c in f(v) = ln(v + c), over the mean of our values: it gives darker
  * points less weight. */
 static const double DARK_SHARE = 0.005;
-/* Sets are listed, likeliest first, until their probabilities add up to this. */
+/* Sets are listed, the most likely first, until their probabilities add up to this. */
 static const double LISTED = 0.98;
 static const double SURE = 0.98;
 enum { TRACED_MOST = 40 };
@@ -109,7 +109,7 @@ static enum pp_status effect_of(void *tracer, const int *causes, int count,
     return status;
 }
 
-/* ---- effects of the likeliest set ---- */
+/* ---- effects of the most likely set ---- */
 
 static double mean(const double *list, int count)
 {

@@ -28,10 +28,10 @@ struct pp_compared {
     int count;
     const double *ours, *errors; /* owned by the comparison */
     double *theirs;
-    double *explained; /* our values with the likeliest set */
+    double *explained; /* our values with the most likely set */
     struct pp_cause_search search;
 
-    /* Number of listed sets, search.sets[0] to search.sets[listed - 1]: the likeliest
+    /* Number of listed sets, search.sets[0] to search.sets[listed - 1]: the most likely
      * ones, up to a total probability of 98 % or as many as fit. */
     int listed;
 
@@ -45,7 +45,7 @@ struct pp_compared {
      * they can be added: each one's effect on the mean (logarithm), and its share of
      * the gap's sum of squares. The shares, with that of the remainder, add up to 1. */
     double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
-    double factor; /* the common factor of the likeliest set; 1 if it has none */
+    double factor; /* the common factor of the most likely set; 1 if it has none */
 };
 
 struct pp_compare;

@@ -41,7 +41,7 @@ static bool is_glazed(const struct figure *figure)
     return strstr(figure->scene, "glass") != NULL;
 }
 
-/* A plane outside, long enough to count as endless to the last digit. */
+/* A plane outside, so long that an infinite one would give the same last digit. */
 #define PLANE                                                                          \
     "<surface reflectance='0' exitance='%g'><vertex x='-2000' y='%g' z='%g'/>"         \
     "<vertex x='2000' y='%g' z='%g'/><vertex x='2000' y='%g' z='%g'/>"                 \

@@ -11,7 +11,7 @@
 #include "studies/research/validation/known_case.h"
 #include "studies/research/validation/known_room.h"
 
-/* Adds up to three cases for each figure: `exact` against the independent integration;
+/* Adds up to three cases for each figure: `exact` against an independent integration;
  * `exact` against the printed figure, if that is sound; and the simulation against
  * `exact`, within `std_errors` standard errors. how = NULL: no simulation. */
 enum pp_status pp_cie171(struct pp_known_cases *cases, const struct pp_known_trace *how,

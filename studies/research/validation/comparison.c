@@ -61,8 +61,7 @@ static struct own_value own_value_of(const struct pp_report *report,
     return value;
 }
 
-/* Reading of a column at a point, or of the average for -1; no value if the column is
- * NULL. */
+/* Reading of a column at a point (-1: the average); NAN if column is NULL. */
 static struct pp_reading reading_at(const struct pp_column *column, int point)
 {
     if (!column)
@@ -70,8 +69,8 @@ static struct pp_reading reading_at(const struct pp_column *column, int point)
     return point < 0 ? column->average : column->points[point];
 }
 
-/* Both parts of a method's difference at a point, or of the average for -1, with the
- * squares of their standard errors. */
+/* Both parts of a method's difference at a point (-1: of the average), with the squares
+ * of their standard errors. */
 static struct pp_error_parts parts_of(const struct own_value *value, double method,
                                       int point)
 {

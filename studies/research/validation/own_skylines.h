@@ -2,9 +2,9 @@
  * angle of an opening: `bre` and its variants, `split-flux`, `sphere`, the average
  * daylight factor.
  *
- * They assume an endless skyline before each wall. It is so far away that its angle is
- * the same from every point, and its reflectance is the 0.2 that is built into the
- * printed factors. The angle is the mean of the angles of the wall's openings
+ * They assume an infinitely long skyline in front of each wall. It is so far away that
+ * its angle is the same from every point, and its reflectance is the 0.2 that is built
+ * into the printed factors. The angle is the mean of the angles of the wall's openings
  * (methods/reflected/obstruction.h), weighted by area. Walls that face the same
  * direction share one skyline, since each wall's skyline would be visible through the
  * other's openings. Sky hidden by the room's own walls stays hidden. The skyline hides
@@ -31,7 +31,8 @@ struct pp_own_skyline {
 
 struct pp_own_skylines {
     bool
-        as_they_are; /* the room's own surroundings are these, or stay in their place */
+        as_they_are; /* the room's own surroundings are of this form already, or have to
+                      * be kept */
     struct pp_own_skyline *list; /* one for each wall with an angle, unless
                                   * as_they_are */
     int count;

@@ -11,7 +11,7 @@ struct pp_suite {
     /* Share of traced cases that may be outside their limits by chance; 0: none. */
     double chance;
     bool of_rooms; /* the cases are from a user's rooms; `run` is NULL */
-    long samples;  /* default for simulated cases: paths a point in each
+    long samples;  /* default for simulated cases: paths per point in each
                     * randomisation */
     enum pp_status (*run)(struct pp_known_cases *cases,
                           const struct pp_known_trace *how, struct pp_error *err);
