@@ -1,5 +1,5 @@
-/* bench_import.c - time and memory for reading and building a scene of a million
- * polygons.
+/* bench_import.c - time and memory for reading a scene of a million polygons and
+ * building its ray-tracing structure.
  *
  * Target: less than 10 s and 1 GiB for both steps together.
  */

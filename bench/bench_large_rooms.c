@@ -1,5 +1,5 @@
 /* bench_large_rooms.c - processor time of all methods, for one point and the average,
- * in rooms with hundreds of identical parts. There are no targets. */
+ * in rooms with hundreds or thousands of identical parts. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,12 @@
-/* bench_light.c - benefit of next-event estimation: rays and time needed for equal
- * error. */
+/* bench_light.c - effect of direct sampling (next-event estimation): values and
+ * relative errors with and without it.
+ *
+ * The first table compares a lamp sampled directly (light) with the same lamp found by
+ * chance (glow). The other tables show daylight factors at the distance y (m) from a
+ * window, each with its relative error and time. The window is sampled directly, with
+ * stored or with traced outside luminances, or is found by chance. The gain is the
+ * ratio of the times for equal error, by chance over stored.
+ */
 #include <math.h>
 #include <stdio.h>
 

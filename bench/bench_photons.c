@@ -1,9 +1,10 @@
-/* bench_photons.c - photons compared with the path tracer at equal error, for several
- * kinds of rooms: the ratio of processor time times squared error.
+/* bench_photons.c - time of photons over that of the path tracer, for equal error, in
+ * several kinds of rooms.
  *
- * Above 1 the path tracer is faster. The path tracer treats all surfaces as matt. The
- * room with a mirror is therefore compared with the sensors of simulate/transport,
- * which also trace paths.
+ * Each line gives the time and the error that each of the two reaches. The ratio is
+ * that of time times squared error. If it is above 1, the path tracer is faster. The
+ * fast path tracer treats all surfaces as matt. In the room with a mirror, photons are
+ * therefore compared with the general path tracer in simulate/transport.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,9 @@
 /* bench_picture.c - time for pictures with an irradiance cache, and deviation of their
- * pixels from a converged picture; also the noise of pixels in rooms with polished
- * metal. */
+ * pixels from a converged picture.
+ *
+ * The last table gives the noise of pixels in rooms with polished metal, by paths alone
+ * and with a cache.
+ */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-/* bench_rooms.c - time for the simulation of a thousand random rooms, and of one room
- * with different numbers of points, windows, polygons and threads. */
+/* bench_rooms.c - time for the simulation of up to a thousand random rooms, and of one
+ * room with different numbers of points, windows, polygons and threads. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

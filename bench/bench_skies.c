@@ -1,5 +1,5 @@
-/* bench_skies.c - time for a hundred skies over one scene, which is built once and
- * integrated a hundred times. */
+/* bench_skies.c - time for a simulation under each of a hundred skies; the scene is
+ * built only once. */
 #include "bench/bench.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/fast/tracer.h"

@@ -1,5 +1,8 @@
-/* bench_tracer.c - cost of path tracing: time for whole rooms, and time of a ray
- * compared with that of the ray kernels alone. */
+/* bench_tracer.c - time of the fast path tracer for whole rooms, and time per traced
+ * ray compared with that of the ray kernels alone.
+ *
+ * Leaks are rays that slip through a gap between two surfaces.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -278,9 +278,9 @@ compare() {
 
     printf '\n### %s: %d points\n\n' "$(sed -n 's/.*<room [^>]*name="\([^"]*\)".*/\1/p' \
         "$scratch/room.xml")$([ "$scene" = triangles ] && echo ', 100,000 triangles')" "$count"
-    printf 'The reference values at %d points are the mean of eight runs of `df --simulate --error 0.2%%`\n' \
+    printf 'The reference values at %d points are the means of eight runs of `df --simulate --error 0.2%%`\n' \
         "$number"
-    printf '(%.1f s) and, for comparison, one run of `rtrace %s -ad %d` (%.1f s).\nThe two references differ by %s. ' \
+    printf '(%.1f s in all). The second reference is one run of `rtrace %s -ad %d` (%.1f s).\nThe two references differ by %s. ' \
         "$ours_s" "$paths" "$fine" "$theirs_s" "$apart"
     printf 'Errors in the table are relative RMS errors in per cent,\nwithout this noise.\n\n'
     echo '| run | processor time, s | error | mean error | error against rtrace |'
@@ -335,7 +335,7 @@ ratios() {
                     $1, $2, $3, $4, t[best], e[best], $2 / t[best]
             else
                 printf "- Expert, %s: Radiance takes %.2g s for an error of %.2g %% (mean error %s %%);\n" \
-                    "  no run of `df` has so small an error.\n",
+                    "  no run of `df` has an error as small as this.\n",
                     $1, $2, $3, $4
         }
         END {

@@ -42,8 +42,8 @@ cat <<END
 
 \`make bench\` writes this page; do not edit it by hand. Run the benchmarks on an otherwise idle machine.
 Rates and times depend on the machine; ratios depend on it less. Times are the processor times of all
-threads together, unless they are marked as clock times. If a result has a target, the target follows in
-brackets.
+threads together, unless they are marked as clock times. Where a result has a target, the target is given
+in brackets after the result.
 
 | | |
 | --- | --- |
@@ -71,30 +71,32 @@ cat <<'END'
 
 ## Against Radiance
 
-`bench/compare_radiance.sh` calculates the same rooms with `df --simulate` and with Radiance, for which
-they are exported by `pepperpot export`. All runs use one processor, one after the other. Radiance is run
-in two ways. In the first, `rtrace` follows every path to its end without an ambient cache, as in the
-exported script. Points share no results, and the results are unbiased. The second way uses
-the settings of an expert. The panes are divided into parts of at most 0.3 m, and `mkillum` calculates
-the light on each part at low cost. Two-sided materials (`mixfunc`) are replaced by plain ones, and the
-ground beyond 60 m is a `glow`. A first pass (the overture) fills an ambient file; a second pass with the
-same file and a fine `-ds` gives the results. The times include `mkillum` and both passes. The ambient
-cache causes a bias.
+`bench/compare_radiance.sh` calculates the same rooms with `df --simulate` and with Radiance, to which
+`pepperpot export` exports them. All runs use one processor, one after the other. Radiance is run in two
+ways:
+
+- *Without a cache.* `rtrace` follows every path to its end without an ambient cache, as in the exported
+  script. Each point is calculated independently, and the results are unbiased.
+- *With the settings of an expert.* The panes are divided into parts of at most 0.3 m, and `mkillum`
+  calculates the light that enters through each part. Two-sided materials (`mixfunc`) are replaced by
+  plain ones, and the ground beyond 60 m is a `glow`. A first pass (the overture) fills an ambient file.
+  A second pass with the same file and a fine `-ds` gives the results. The times include `mkillum` and
+  both passes. The ambient cache causes a bias. The coarse, usual and fine runs differ in these settings.
 
 The error is the root mean square of (result - reference)/reference over the points. The mean error is
 the mean of the same ratio; if it exceeds the noise, it shows a bias. The reference values are the means
-of eight accurate runs of `df --simulate`. Their own noise, estimated from the spread of the eight runs,
-is subtracted from the errors. A second reference, an accurate run of `rtrace`, would reveal an error
-common to all runs of `df`. The text above each table gives the mean difference between the two
+of eight accurate runs of `df --simulate`. The noise of these means is estimated from the spread of the
+eight runs, and subtracted from the errors. A second reference, an accurate run of `rtrace`, would reveal
+an error common to all runs of `df`. The text above each table gives the mean difference between the two
 references, with its standard error. The last column of the table is the error relative to the `rtrace`
 reference, including the noise of this reference.
 
 The lines below each table compare the times of Radiance and `df`. Each expert run is compared with the
 fastest run of `df` whose error is no larger; both times were measured. Runs without a cache are compared
 at equal error. Their times are extrapolated from measured runs, since for unbiased estimates the
-product of time and squared error is constant. `df` stops at a standard error of 0.002 % daylight factor.
-At a point with a daylight factor of 0.14 %, as behind leaves, this is 1.4 % of the value, so such points
-do not reach an error of 0.4 %.
+product of time and squared error is constant. `df` also stops when the standard error falls to 0.002 %
+daylight factor. At a point behind the leaves of a tree, with a daylight factor of 0.14 %, this is 1.4 % of
+the value, so such points do not reach an error of 0.4 %.
 END
 # shellcheck disable=SC2086 # several words, or none: all scenes
 sh "$here/compare_radiance.sh" "$program" ${SCENES:-}
@@ -104,7 +106,7 @@ cat <<'END'
 ## Against rpict
 
 `bench/compare_rpict.sh` calculates one view of the deep office with `render` and with Radiance's
-`rpict`, each on one processor. `rpict` uses the expert settings above; its overture has a sixteenth of
-the pixels.
+`rpict`, each on one processor. `rpict` uses the expert settings described above; its overture (first
+pass) calculates a sixteenth of the pixels.
 END
 sh "$here/compare_rpict.sh" "$program"
