@@ -72,7 +72,7 @@ static enum pp_status say_sun_path_foot(char *foot, size_t room,
     pp_page_say(foot, room,
                 "Grey areas are hidden from the centre of the window's outer face by "
                 "its own wall or by obstructions%s.",
-                before ? "; hatched areas are hidden now but were not before" : "");
+                before ? "; hatched areas were not hidden before the development" : "");
     if (before)
         say_sun(foot, room, "Existing: the", before, &open);
     say_sun(foot, room, before ? "Proposed: the" : "The", now, &open);

@@ -187,7 +187,8 @@ enum pp_status pp_study_methods(struct pp_study *study, const char *methods,
 {
     if (explain && study->room.receiver_count != 1)
         return pp_fail(err, PP_BAD_INPUT,
-                       "explanations are for one point, but there are %d",
+                       "explanations are available for one point only; the "
+                       "room has %d",
                        study->room.receiver_count);
     study->report.explain = study->options.explain = explain;
     return pp_methods_evaluate(&study->report, methods, err);

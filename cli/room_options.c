@@ -95,7 +95,7 @@ const struct pp_option pp_room_sky_options[] = {
      "types with a sun, add \",ALTITUDE,BEARING\" in degrees. For a photograph use "
      "\"picture,FILE\"; add \",KEY=VALUE\" for each attribute of <sky>.",
      pp_options_read_text, PLACE(study.sky)},
-    {"room", 0, "NAME", "Use only the room of that name.", pp_options_read_text,
+    {"room", 0, "NAME", "Use only the room with this name.", pp_options_read_text,
      PLACE(room)},
     {"state", 0, "STATE",
      "Use the site as existing, as proposed (default), or cumulative: with other "
@@ -151,8 +151,8 @@ static enum pp_status read_spacing(const char *text, void *place, struct pp_erro
         || !(v[1] >= 0.0 && v[1] <= 10.0))
         return pp_fail(
             err, PP_BAD_INPUT,
-            "a spacing from 0.01 to 10 m, then a comma and a margin from 0 to 10 m if "
-            "it is not 0.5, such as 0.25 or 0.25,0.5; or largest");
+            "a spacing from 0.01 to 10 m, with or without a comma and a margin from "
+            "0 to 10 m, such as 0.25 or 0.25,0.5; or largest");
     choice->spacing_m = v[0];
     choice->margin_m = v[1];
     return PP_OK;

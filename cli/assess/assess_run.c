@@ -126,8 +126,8 @@ static enum pp_status refuse_alone(const struct pp_criterion *criterion,
                        "expected --mirror-image X1,Y1,X2,Y2, the boundary line",
                        criterion->name);
     return pp_fail(err, PP_BAD_INPUT,
-                   "%s compares the room before and after; expected --before FILE, or "
-                   "a file with existing and proposed states",
+                   "%s compares the room before and after the development; expected "
+                   "--before FILE, or a file with existing and proposed states",
                    criterion->name);
 }
 

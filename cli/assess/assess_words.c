@@ -57,18 +57,18 @@ const struct pp_option pp_assess_words_choice[] = {
     {"criteria", 'c', "LIST", "Assess only these criteria: names, separated by commas.",
      pp_options_read_text, PLACE(criteria)},
     {"for", 0, "PROFILE",
-     "Assess only the criteria that belong to this profile: a kind of report or a use "
+     "Assess only the criteria of this profile, which is a kind of report or a use "
      "of the room.",
      pp_options_read_text, PLACE(profile_name)},
     {"withdrawn", 0, NULL, "Also assess criteria whose standards were withdrawn.", NULL,
      PLACE(withdrawn)},
     {"before", 'b', "FILE",
-     "Room file of the site before new building work, to assess the loss of sky and "
-     "lit area.",
+     "Room file of the site before the development, to assess the loss of visible "
+     "sky and of lit area.",
      pp_options_read_input, PLACE(before)},
     {"mirror-image", 0, "X1,Y1,X2,Y2",
-     "Also compare sky and lit area with those for the building's own mirror image at "
-     "this boundary line.",
+     "Also compare visible sky and lit area with those left by a mirror image of "
+     "the building beyond this boundary line.",
      read_boundary, PLACE(mirror_image)},
     {"place", 0, "NAME",
      "Use the median illuminance of this capital in the table of EN 17037. The default "
@@ -86,7 +86,7 @@ const struct pp_option pp_assess_words_choice[] = {
      "EN 17037 for the country (DE 11, CZ 13). For other countries a verdict is given "
      "if it is the same for all altitudes from 5 to 20 degrees.",
      read_altitude, PLACE(least_altitude_rad)},
-    {"room", 0, "NAME", "Assess only the room of that name.", pp_options_read_text,
+    {"room", 0, "NAME", "Assess only the room with this name.", pp_options_read_text,
      PLACE(room.room)},
     {"state", 0, "STATE",
      "Assess only the existing, the proposed or the cumulative state of the site. By "
@@ -149,9 +149,11 @@ static enum pp_status check_year(const struct pp_assess_words *options,
 {
     if (!options->weather)
         return pp_fail(err, PP_BAD_INPUT,
-                       "LEED needs the hours of a year; expected --weather FILE.epw");
+                       "LEED needs weather data for a year; expected "
+                       "--weather FILE.epw");
     if (options->room.by_hand)
-        return pp_fail(err, PP_BAD_INPUT, "LEED is simulated; expected no --by-hand");
+        return pp_fail(err, PP_BAD_INPUT,
+                       "LEED is always simulated; expected no --by-hand");
     return PP_OK;
 }
 

@@ -213,7 +213,7 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
     if (file.rooms >= rooms)
         return PP_EXIT_DONE;
     pp_message(
-        "interrupted: %s has %d rooms of %d; the same command continues from there",
+        "interrupted: %s has %d of %d rooms; the same command continues from there",
         file.path, file.rooms, rooms);
     return PP_EXIT_INTERRUPTED;
 }

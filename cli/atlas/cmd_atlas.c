@@ -20,11 +20,11 @@
 #include "studies/research/atlas/atlas_mapping.h"
 
 static const char about[] =
-    "Simulates the rooms of a designed sweep, and the idealised rooms that hand "
-    "methods assume. Writes the figures of each method next to the simulated ones as "
-    "CSV, one row per point. Rooms already in FILE are not simulated again, so an "
-    "interrupted run continues, and you can add rooms. The same rooms give an "
-    "identical file for any number of runs and threads.";
+    "Simulates a series of systematically varied rooms, and the simplified rooms "
+    "that hand methods assume. Writes the figures of each method next to the "
+    "simulated ones as CSV, one row per point. Rooms already in FILE are not "
+    "simulated again, so an interrupted run continues, and you can add rooms. The "
+    "same rooms give an identical file for any number of runs and threads.";
 
 /* A map of an atlas on a sheet of paper. */
 struct map_sheet {
@@ -239,7 +239,7 @@ static enum pp_status read_map(const char *text, void *place, struct pp_error *e
 #define PLACE(member) offsetof(struct atlas_options, member)
 
 static const struct pp_option sweep_options[] = {
-    {"rooms", 'n', "N", "Write the first N rooms of the sweep to FILE.",
+    {"rooms", 'n', "N", "Write the first N rooms of the series to FILE.",
      pp_options_read_count, PLACE(rooms)},
     {"room", 0, "NUMBER", "Print the room file of this room; rooms are counted from 0.",
      read_rooms_option, PLACE(number)},
@@ -274,7 +274,7 @@ static const struct pp_option map_options[] = {
      "Column of the atlas for the map, such as exact+bre, average-df or erc.exact "
      "(default exact+bre).",
      pp_options_read_text, PLACE(sheet.method)},
-    {"paper", 0, "SIZE", "Paper of the map: a5, a4 (default), a3 or a2.",
+    {"paper", 0, "SIZE", "Paper size for the map: a5, a4 (default), a3 or a2.",
      pp_sheet_options_read_paper, PLACE(sheet.paper)},
     {0},
 };
@@ -321,7 +321,8 @@ static enum pp_status check_use(const struct atlas_options *options, int files,
             err, PP_BAD_INPUT,
             of_file
                 ? "expected one file: an atlas"
-                : "the atlas has its own rooms; expected no file except that of -o");
+                : "the atlas has its own rooms; expected no file except the one for "
+                  "-o");
     return PP_OK;
 }
 

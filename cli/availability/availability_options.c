@@ -52,8 +52,8 @@ static enum pp_status read_hours(const char *text, void *place, struct pp_error 
             break;
     }
     return pp_fail(err, PP_BAD_INPUT,
-                   "hours FROM-TO of one day, separated by commas, up to %d of them, "
-                   "such as 9-17 or 8-18,8:30-17",
+                   "up to %d periods FROM-TO, separated by commas, each within one "
+                   "day, such as 9-17 or 8-18,8:30-17",
                    PP_PERIODS_MOST);
 }
 
@@ -147,8 +147,8 @@ static enum pp_status read_illuminances(const char *text, void *place,
         }
     }
     return pp_fail(err, PP_BAD_INPUT,
-                   "illuminances from 0.1 to 1000000 lx, separated by commas, up to %d "
-                   "of them, such as 300,500",
+                   "up to %d illuminances from 0.1 to 1000000 lx, separated by "
+                   "commas, such as 300,500",
                    PP_ILLUMINANCES_MOST);
 }
 
@@ -215,8 +215,9 @@ const struct pp_option pp_working_time_options[] = {
 
 const struct pp_option pp_illuminance_options[] = {
     {"illuminance", 'i', "LX,...",
-     "Target illuminances on the working plane (default 300,500).", read_illuminances,
-     PLACE(illuminances)},
+     "Target illuminances on the working plane, separated by commas (default "
+     "300,500).",
+     read_illuminances, PLACE(illuminances)},
     {0},
 };
 
@@ -305,8 +306,8 @@ enum pp_exit pp_availability_options_median(const struct pp_year_options *option
         status = pp_diffuse_light_median(median_lx, &light, &err);
     if (status == PP_OK && !(*median_lx > 0.0))
         status = pp_fail(&err, PP_BAD_INPUT,
-                         "%s: the year has no median illuminance, because the data are "
-                         "incomplete or too dark",
+                         "%s: there is no usable median illuminance for the year, "
+                         "because data are missing or too many hours are dark",
                          pp_read_file_title(path));
     pp_diffuse_light_clear(&light);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);

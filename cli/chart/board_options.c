@@ -72,7 +72,8 @@ enum pp_status pp_board_options_read_inclined(const char *text, void *place,
     double degrees;
     if (!pp_text_parse_number(text, &degrees) || !(degrees >= -90.0 && degrees <= 90.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "a number of degrees from -90 (nearest on the left) to 90");
+                       "a number of degrees from -90 (edge nearest on the left) "
+                       "to 90");
     board->inclined_deg = degrees;
     board->inclined = true;
     return PP_OK;

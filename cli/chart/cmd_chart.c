@@ -64,7 +64,8 @@ static const struct pp_option sheet_options[] = {
      NULL, PLACE(list)},
     {"format", 'f', "FORMAT", "pdf, svg or png (default: from the ending of -o FILE).",
      read_format, PLACE(format)},
-    {"paper", 0, "SIZE", "a5, a4 (default), a3 (default of model-net) or a2.",
+    {"paper", 0, "SIZE",
+     "Paper size: a5, a4 (default), a3 (default for model-net) or a2.",
      pp_sheet_options_read_paper, PLACE(paper)},
     {"orientation", 0, "WAY", "portrait or landscape (default: whichever fits best).",
      pp_sheet_options_read_orientation, PLACE(orientation)},
@@ -122,9 +123,9 @@ static const struct pp_option board_options[] = {
      "the window in plan.",
      pp_board_options_read_inclined, PLACE(choice.board)},
     {"unsolved", 0, NULL,
-     "Waldram, pepper-pot, protractor, brs-table of a point: draw the exercise without "
-     "its solution. It shows section, plan and elevations to scale; a PDF adds the "
-     "blank diagram.",
+     "Waldram, pepper-pot, protractor, brs-table for a point: draw an exercise "
+     "without its solution. It shows section, plan and elevations to scale; a PDF "
+     "adds the blank diagram.",
      NULL, BOARD(unsolved)},
     {"window", 0, "WHICH",
      "Vertical sky, skylight indicator, sun path: the window, by its line number in "
@@ -222,7 +223,8 @@ static enum pp_status read_show(const char *text, void *place, struct pp_error *
                                                                     : NULL;
         if (!shown)
             return pp_fail(err, PP_BAD_INPUT,
-                           "dots, cells, sun, or several, separated by commas");
+                           "dots, cells, sun, or several of these, separated by "
+                           "commas");
         *shown = true;
         at += length;
         if (!*at)
@@ -238,8 +240,8 @@ static const struct pp_option overlay_options[] = {
      "allows).",
      read_diameter, 0},
     {"show", 0, "WHAT,...",
-     "Marks: dots (0.1 % each), cells (0.5 % each) or sun (sun paths). Default: dots, "
-     "and with --latitude also sun.",
+     "Marks: dots (0.1 % each), cells (0.5 % each), sun (sun paths), or several of "
+     "these, separated by commas. Default: dots, and with --latitude also sun.",
      read_show, 0},
     {0},
 };
@@ -364,7 +366,7 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
         return PP_OK;
     if (word_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "expected a kind of chart; use --list to see them");
+                       "expected a kind of chart; use --list to see all kinds");
     const struct pp_chart_kind *kind = command->kind = find_kind(words[0], err);
     if (!kind)
         return PP_BAD_INPUT;

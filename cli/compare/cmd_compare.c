@@ -98,7 +98,8 @@ static void help_on_switches(FILE *out)
         {"ground=R", "ground reflectance; open: the whole sky lights the ground"},
         {"outside=none", "no external obstructions"},
         {"colour=grey",
-         "in a scene: materials are grey, with the luminance of their colours"},
+         "in a scene: materials are grey, with the luminous reflectance of their "
+         "colours"},
         {"colour=mean", "red, green and blue have equal weight in luminance; green: "
                         "only green counts"},
         {"factor=F", "all values multiplied by F"},

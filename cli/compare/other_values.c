@@ -228,8 +228,9 @@ static enum pp_status take_row(struct csv_reading *reading, char *text,
         if (count < reading->column_count)
             status = take_number(reading, reading->columns[count], trim(word), of, err);
     if (status == PP_OK && count != reading->column_count)
-        return pp_fail(err, PP_BAD_INPUT, "%.200s:%d: %d fields; expected %d",
-                       reading->file, reading->line, count, reading->column_count);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%.200s:%d: the line has %d fields; expected %d", reading->file,
+                       reading->line, count, reading->column_count);
     return status == PP_OK ? add_other_value(reading, of, err) : status;
 }
 
@@ -353,8 +354,8 @@ enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
     int count = values->count, kept = count < most ? count : most;
     if (!values->has_places && count != room->receiver_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%.200s: the %d values have no x and y; expected %d, one for "
-                       "each point of the room",
+                       "%.200s: the %d values have no x and y; expected %d values, "
+                       "one for each point of the room",
                        pp_read_file_title(path), count, room->receiver_count);
     struct pp_receiver *receivers = calloc((size_t)kept + 1, sizeof *receivers);
     *chosen = calloc((size_t)kept + 1, sizeof **chosen);

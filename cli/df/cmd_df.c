@@ -56,8 +56,9 @@ static const struct pp_option bands_option[] = {
      "and also in CSV.",
      NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
-     "Leave out the bands, which contain 95 of 100 true values in similar rooms.", NULL,
-     PLACE(no_bands)},
+     "Leave out the bands. Each band is the range of 95 of 100 true values in "
+     "similar rooms.",
+     NULL, PLACE(no_bands)},
     {0},
 };
 
@@ -100,13 +101,13 @@ static enum pp_exit check_rooms(const struct pp_df_options *options,
     for (int i = 0; options->room.study.explain && i < rooms->count; i++)
         if (rooms->list[i].receiver_count != 1 && err.status == PP_OK)
             pp_fail(&err, PP_BAD_INPUT,
-                    "--explain shows the calculation for one point, but there are %d; "
-                    "expected one, by --points X,Y",
+                    "--explain shows the calculation for one point only, but there "
+                    "are %d; expected one point, such as --points X,Y",
                     rooms->list[i].receiver_count);
     if (err.status == PP_OK && options->engine.cache.file && rooms->count > 1)
         pp_fail(&err, PP_BAD_INPUT,
-                "--cache stores the records of one room, but there are %d; expected "
-                "one, by --room NAME",
+                "--cache stores the records of one room only, but there are %d; "
+                "expected --room NAME",
                 rooms->count);
     return err.status == PP_OK ? PP_EXIT_DONE : pp_message_usage("df", &err);
 }

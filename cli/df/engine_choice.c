@@ -17,7 +17,8 @@ static enum pp_status refuse_engine_choice(struct pp_error *err)
                        : pp_engine_at(i + 1) ? ", "
                                              : " or ",
                        engine->name);
-    return pp_fail(err, PP_BAD_INPUT, "%s, or several, separated by commas", names);
+    return pp_fail(err, PP_BAD_INPUT, "%s, or several of these, separated by commas",
+                   names);
 }
 
 /* Index in the list of engines; -1: no engine has that name. */
@@ -72,10 +73,10 @@ static enum pp_status read_sensor(const char *text, void *place, struct pp_error
 
 const struct pp_option pp_engine_options[] = {
     {"engine", 0, "LIST",
-     "Engine of the simulation. path (default): unbiased paths from the points; "
-     "photons: unbiased paths from the openings; radiosity: finite elements; cache: "
-     "irradiance cache; plain: textbook path tracing, slower. Several engines, such as "
-     "path,photons, are compared.",
+     "Simulation engine, or several separated by commas to compare them (such as "
+     "path,photons). path (default): unbiased paths from the points; photons: "
+     "unbiased paths from the openings; radiosity: finite elements; cache: "
+     "irradiance cache; plain: textbook path tracing, slower.",
      read_engines, offsetof(struct pp_engine_choice, engines)},
     {"sensor", 0, "RADIUS",
      "Count photons on discs of this radius in metres around the points, instead of "

@@ -19,22 +19,22 @@ struct room_template {
 static const struct room_template templates[] = {
     {
         "office",
-        "two windows, and a building opposite",
+        "a room with two windows and a building opposite",
 #include "cli/new/new_office.inc"
     },
     {
         "flat",
-        "two rooms of a building, in a street",
+        "two rooms of a building in a street",
 #include "cli/new/new_flat.inc"
     },
     {
         "classroom",
-        "windows on two sides, and a skyline",
+        "a room with windows on two sides and a skyline",
 #include "cli/new/new_classroom.inc"
     },
     {
         "attic",
-        "sloping faces of a pitched roof, and roof windows",
+        "a room under a pitched roof with roof windows",
 #include "cli/new/new_attic.inc"
     },
 };

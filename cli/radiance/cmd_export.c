@@ -18,9 +18,9 @@ static const double DEFAULT_LUX = 10000.0;
 static const char about[] =
     "Writes a room as scene files for another program. FILE is a room file; - is "
     "standard input. For Radiance, materials, geometry, glazing, sky, ground and "
-    "reference points are written to the directory DIR. A script in DIR calculates the "
-    "same daylight factors with rtrace. Each of several rooms gets its own directory. "
-    "DIR is written completely or not at all.";
+    "reference points are written to the directory DIR. A script in DIR calculates "
+    "the same daylight factors with rtrace. If there are several rooms, each gets "
+    "its own directory. DIR is written completely or not at all.";
 
 struct export_options {
     struct pp_room_options room;

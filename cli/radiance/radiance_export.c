@@ -22,7 +22,8 @@ static const struct {
     [PP_RAD_ROOM] =
         {"room.rad", "room",
          "the room: floor, walls without their openings, ceiling, reveals, fittings"},
-    [PP_RAD_GLAZING] = {"glazing.rad", "pane", "panes, with frame and dirt included"},
+    [PP_RAD_GLAZING] = {"glazing.rad", "pane",
+                        "panes, with losses for frames and dirt"},
     [PP_RAD_OUTSIDE] =
         {"outside.rad", "outside",
          "outside: blocks, facades, surfaces, skylines, and the ground shaded by them"},

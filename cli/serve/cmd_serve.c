@@ -77,7 +77,7 @@ static const struct pp_option address_options[] = {
      "this.",
      pp_options_read_text, offsetof(struct serve_choice, token.text)},
     {"token-file", 0, "FILE",
-     "Answer only requests with the token in the first line of FILE.",
+     "Answer only requests with the token on the first line of FILE.",
      pp_options_read_input, offsetof(struct serve_choice, token.file)},
     {"jobs", 0, "FOLDER",
      "Accept jobs whose results are fetched later, and store them in FOLDER.",

@@ -49,8 +49,8 @@ const struct pp_option pp_size_task_options[] = {
      "and the start of a requirement to select it: en17037:minimum.",
      pp_options_read_text, PLACE(request.criterion)},
     {"by", 'b', "METHOD",
-     "Method for the calculation: a method, a pair, or \"traced\" for the simulation "
-     "(default exact+bre, or exact+split-flux if bre does not apply).",
+     "Method for the calculation: a method, a pair of methods, or \"traced\" for "
+     "the simulation (default exact+bre, or exact+split-flux if bre does not apply).",
      pp_options_read_text, PLACE(request.by)},
     {"change", 'c', "WHAT",
      "Quantity to vary: width (default), height, head, sill, or the number of windows.",
@@ -85,7 +85,7 @@ const struct pp_option pp_size_block_options[] = {
     {"enough", 0, "VSC%",
      "Vertical sky component that is always sufficient, such as 27%.",
      pp_options_read_per_cent, PLACE(rule.enough)},
-    {"window-name", 0, "NAME", "Consider only the window of that name.",
+    {"window-name", 0, "NAME", "Consider only the window with this name.",
      pp_options_read_text, PLACE(rule.window)},
     {"highest", 0, "M", "Maximum height in metres (default 300).", read_height,
      PLACE(highest_m)},
@@ -146,7 +146,7 @@ static enum pp_status settle_block(struct pp_size_options *options,
         return PP_BAD_INPUT;
     if (options->obstruction && options->format == PP_FORMAT_CSV)
         return pp_fail(err, PP_BAD_INPUT,
-                       "csv is for --envelope only; expected text or json");
+                       "CSV is for --envelope only; expected text or json");
     if (rule->of == PP_RETAINED_SKY_LIT_AREA
         && (rule->window || rule->enough > 0.0 || rule->french_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
@@ -224,7 +224,8 @@ enum pp_status pp_size_options_settle(struct pp_size_options *options,
     if (!options->request.criterion
         && (options->request.grid.largest || options->request.grid.spacing_m > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "--spacing is the grid for a criterion; expected --for as well");
+                       "--spacing applies only with a criterion; expected --for as "
+                       "well");
     if (options->request.criterion) {
         enum pp_status status = settle_criterion(options, err);
         if (status != PP_OK)

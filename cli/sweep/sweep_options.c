@@ -105,7 +105,8 @@ const struct pp_option pp_sweep_options[] = {
     {"set", 0, "PART.ATTRIBUTE=VALUE",
      "Change an attribute in the room file: window.W1.width=1.4, plan.depth=5, "
      "finishes.walls=0.6. Address a part by its name, its wall or its number; "
-     "window.width changes every window. Repeat the option for more.",
+     "window.width changes every window. Repeat the option to change several "
+     "attributes.",
      add_change, 0},
     {"sweep", 0, "PART.ATTRIBUTE=FROM:TO:STEP",
      "Run once for each of these values, or for each value in a list A,B,...; all "

@@ -132,7 +132,7 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
         return true;
     if (there && leap == PP_LEAP_NO && !pp_month_day_is_leap(year)) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "there is a record of 29 February %d, but %d is not a leap "
+                        "there is a record for 29 February %d, but %d is not a leap "
                         "year according to line %d",
                         year, year, r->header->leap_line);
         r->out_of_order = true;
@@ -140,7 +140,7 @@ static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
     }
     if (!there && leap == PP_LEAP_YES) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "the record of 29 February is missing before this one, "
+                        "the record for 29 February is missing before this one, "
                         "although line %d says that the year is a leap year",
                         r->header->leap_line);
         r->out_of_order = true;
@@ -247,8 +247,8 @@ static bool read_record(struct record_reader *r, char *text)
     int count = pp_epw_lines_split(text, r->fields, PP_EPW_FIELDS_MOST);
     if (count < FIELDS_NEEDED) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "the record has %d field%s; expected 35, or at least %d, up to "
-                        "diffuse illuminance",
+                        "the record has %d field%s; expected 35, or at least the "
+                        "first %d, up to diffuse illuminance",
                         count, count == 1 ? "" : "s", FIELDS_NEEDED);
         r->out_of_order = true;
         return true;

@@ -139,7 +139,7 @@ static void read_period(struct header_reader *r, int index)
     if (period->years < 0 || period->years > 200)
         pp_mistakes_add(
             r->mistakes, r->line,
-            "data period %d ends before it begins, or more than 200 years later",
+            "data period %d ends before it begins, or lasts more than 200 years",
             index + 1);
 }
 
@@ -169,10 +169,9 @@ static void read_periods(struct header_reader *r)
             an_hour);
     if (r->count < 3 + 4 * header->period_count) {
         pp_mistakes_add(r->mistakes, r->line,
-                        "DATA PERIODS has %d fields; expected %d: three, and four more "
-                        "for each of %d period%s",
-                        r->count, 3 + 4 * header->period_count, header->period_count,
-                        header->period_count == 1 ? "" : "s");
+                        "DATA PERIODS has %d fields; expected %d (3, plus 4 per data "
+                        "period; data periods: %d)",
+                        r->count, 3 + 4 * header->period_count, header->period_count);
         return;
     }
     for (int i = 0; i < header->period_count; i++)

@@ -95,8 +95,8 @@ static enum pp_status begin_room(struct gbxml_work *work, int index,
                                                 space, work->clipper, work->notes, err);
     if (status == PP_OK && why) {
         pp_mistakes_add(work->notes, space->line,
-                        "space \"%.60s\" %s, so it is not a room. Its %d openings are "
-                        "ignored, and its external faces are kept as surfaces",
+                        "space \"%.60s\" %s, so it is not a room. Its openings (%d) "
+                        "are ignored, and its external faces are kept as surfaces",
                         space->id, why, count_openings(work, space));
         drop_room(work, index);
     }
@@ -199,8 +199,9 @@ static void note_defaults(const struct gbxml_work *work)
             bare, work->model.surface_count);
     pp_mistakes_add(
         work->notes, 0,
-        "gbXML has no frames, dirt, reveals, ground reflectance or ground level; "
-        "assumed: frame-factor 1, maintenance 1, reveal 0, reflectance 0.2, level 0");
+        "gbXML files do not contain frames, dirt, reveals, ground reflectance or "
+        "ground level; assumed: frame-factor 1, maintenance 1, reveal 0, "
+        "reflectance 0.2, level 0");
 }
 
 /* ---- validating the output ---- */

@@ -226,8 +226,8 @@ static enum pp_status add_gbxml_opening(struct gbxml_reader *r,
     if (!lets_light_in(kind, type)) {
         pp_mistakes_add(
             r->notes, element->line,
-            "opening \"%.60s\" of type \"%.40s\" is not a window, skylight, sliding or "
-            "glazed door; it is treated as part of the wall",
+            "opening \"%.60s\" of type \"%.40s\" is not a window, a skylight, or a "
+            "sliding or glazed door; it is treated as part of the wall",
             id ? id : "", kind);
         return PP_OK;
     }

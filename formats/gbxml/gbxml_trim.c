@@ -284,8 +284,8 @@ enum pp_status pp_gbxml_trim_leave_out(struct pp_gbxml_room *const *rooms,
         int other = first_other(overlaps, count, worst);
         spaces[worst]->left_out = true;
         pp_mistakes_add(notes, spaces[worst]->line,
-                        "space \"%.60s\" is ignored, with its %d openings: it overlaps "
-                        "the space \"%.60s\" by more than 20 mm",
+                        "space \"%.60s\" is ignored, with its openings (%d): it "
+                        "overlaps the space \"%.60s\" by more than 20 mm",
                         spaces[worst]->id, rooms[worst]->opening_count,
                         spaces[other]->id);
         for (int k = 0; k < count; k++)

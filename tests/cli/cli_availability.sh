@@ -109,7 +109,7 @@ check "which nobody asked for" gives availability -w "$scratch/sunday.epw" "$dee
 
 # The median for EN 17037.
 check "no median of four days for assess" \
-    refuses 1 "the year has no median" assess -w "$days" "$deep"
+    refuses 1 "no usable median illuminance" assess -w "$days" "$deep"
 check "a place by two options" \
     refuses 2 "--place" assess -w "$days" --place London "$deep"
 

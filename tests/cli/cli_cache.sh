@@ -114,7 +114,8 @@ check "so do its bounces" \
     refuses 2 "--bounces needs --engine cache" df --simulate -ab 0 "$deep"
 check "and its constant" \
     refuses 2 "--ambient needs --engine cache" df --simulate -av 0.1 "$deep"
-check "another engine is refused" refuses 2 "expected path, cache, photons, radiosity or plain, or several, separated by commas" \
+check "another engine is refused" \
+    refuses 2 "expected path, cache, photons, radiosity or plain, or several of these, separated by commas" \
     df --simulate --engine path,rays "$deep"
 check "more rays than a number holds are refused" refuses 2 "expected a whole number" \
     df $few -ad 1e300 "$deep"

@@ -144,7 +144,7 @@ check "a negative value" wrong 1 "wrong.csv:2: the value is -0.5" <<'CSV'
 x,y,df_percent
 1,1,-0.5
 CSV
-check "a field too few" wrong 1 "wrong.csv:4: 2 fields; expected 3" <<'CSV'
+check "a field too few" wrong 1 "wrong.csv:4: the line has 2 fields; expected 3" <<'CSV'
 x,y,df_percent
 1,1,2.2
 # between

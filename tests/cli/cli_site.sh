@@ -173,7 +173,7 @@ check "an outline is a plot too" shows '"verdict": "none"' size --envelope Corne
 check "an envelope or a height" refuses 2 "and --envelope cannot be combined" \
     size --envelope Tower --obstruction Tower "$site"
 check "it is by windows" refuses 2 "expected --of vsc" size --envelope Tower --of lit-area "$site"
-check "cells are an envelope's" refuses 2 "csv is for --envelope only" \
+check "cells are an envelope's" refuses 2 "CSV is for --envelope only" \
     size --obstruction Tower -f csv "$site"
 check "a window has a line of CSV" shows "file,room,method,change" size -t 2% --by-hand -f csv "$site"
 check "a height in metres" refuses 2 "expected a height from 1 to 1000 m" \

@@ -175,7 +175,7 @@ static void a_leap_day_against_the_header_is_a_mistake(void **state)
     epw_header(&made, "Yes", "1,1,Data,Monday,2/28,3/1");
     epw_day(&made, 1991, 2, 28, "1");
     epw_day(&made, 1991, 3, 1, "1");
-    assert_refused(&made, 33, "the record of 29 February is missing");
+    assert_refused(&made, 33, "the record for 29 February is missing");
 
     epw_begin(&made);
     epw_header(&made, "Maybe", "1,1,Data,Monday,2/28,3/1");

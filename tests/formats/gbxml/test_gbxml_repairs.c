@@ -352,7 +352,7 @@ static void overlaps_up_to_20_mm_are_trimmed(void **state)
     } cases[] = {{0.0, 2, NULL},
                  {0.002, 2, NULL},
                  {0.018, 2, "extends 18 mm into the space \"a\""},
-                 {0.3, 1, "with its 1 openings: it overlaps the space \"a\""}};
+                 {0.3, 1, "with its openings (1): it overlaps the space \"a\""}};
     for (int i = 0; i < 4; i++) {
         char notes[3000], *xml = two_rooms(cases[i].by, notes);
         struct sizes sizes = sizes_of(xml, cases[i].rooms - 1);
