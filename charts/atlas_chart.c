@@ -315,14 +315,14 @@ static bool is_beyond(const struct pp_atlas_map *map)
 static void say_notes(char *foot, size_t room, const struct pp_atlas_map *map)
 {
     pp_page_say(foot, room,
-                "%s of %d rooms of the atlas; a ratio of 1 is an exact result.",
+                "%s of %d rooms of the atlas; a ratio of 1 means an exact result.",
                 map->averages ? "Averages" : "At the points", map->rooms);
     pp_page_say(
         foot, room,
         map->up.count > 1
-            ? "Each field shows the median, with the number of rooms below it. No "
+            ? "Each cell shows the median, with the number of rooms below it. No "
               "median is shown for fewer than %d rooms."
-            : "Bars show medians, and whiskers the range from the 5 %% to the 95 %% "
+            : "Bars show medians; whiskers show the range from the 5 %% to the 95 %% "
               "quantile. The number of rooms is above each bar. Nothing is drawn for "
               "fewer than %d rooms.",
         PP_ATLAS_ENOUGH);
@@ -331,7 +331,7 @@ static void say_notes(char *foot, size_t room, const struct pp_atlas_map *map)
                     least_ratio, most_ratio);
     if (!map->averages)
         pp_page_say(foot, room,
-                    "Several points of a room in the same class count as one.");
+                    "Points of one room in the same class count as one point.");
     if (map->blind)
         pp_page_say(foot, room,
                     "%d values are ignored, because the simulated value is 0 or "

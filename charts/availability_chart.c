@@ -87,13 +87,14 @@ static void say_rows(struct availability_plot *plot)
         pp_style_percent(percent, sizeof percent, row->df.value);
         if (!isfinite(row->needs_lx)) {
             pp_page_say(plot->foot, sizeof plot->foot,
-                        "The daylight factor is 0, so %g lx are never reached %s.",
+                        "The daylight factor is 0, so %g lx is never reached %s.",
                         row->lx, plot->place);
             continue;
         }
         pp_page_say(
             plot->foot, sizeof plot->foot,
-            "%g lx %s (daylight factor %s, %s) requires %.0f lx outside, available in:",
+            "%g lx %s (daylight factor %s, %s) requires an external illuminance of "
+            "%.0f lx, which is reached in:",
             row->lx, plot->place, percent, row->method, three_figures(row->needs_lx));
         for (int k = 0; k < sheet->period_count; k++)
             pp_page_say(plot->foot, sizeof plot->foot, "%.0f %% of %s%s",
@@ -117,7 +118,7 @@ static void say_notes(struct availability_plot *plot)
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0)
             pp_page_say(plot->foot, sizeof plot->foot,
-                        "%.0f hours of %s have no data and are ignored.",
+                        "%.0f hours in the period %s have no data and are ignored.",
                         sheet->periods[i].missing_h, sheet->periods[i].words);
     pp_page_say(plot->foot, sizeof plot->foot, "Sunlight is not included.");
     if (sheet->report && !sheet->report->finished)

@@ -197,7 +197,7 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances)
         if (allowances & parts[i].bit)
             found[count++] = parts[i].words;
     snprintf(text, room, "%s",
-             count == 0 ? "no allowance for glass, frame or dirt" : "");
+             count == 0 ? "none (neither glass, frame nor dirt)" : "");
     pp_text_append_list(text, room, found, count, " and ");
 }
 
@@ -206,5 +206,6 @@ void pp_allowance_sentence(char *text, size_t room, const char *source,
 {
     char contents[160];
     pp_allowance_words(contents, sizeof contents, allowances);
-    snprintf(text, room, "Published figures [%s] include: %s.", source, contents);
+    snprintf(text, room, "Allowances in the published figures [%s]: %s.", source,
+             contents);
 }

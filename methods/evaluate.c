@@ -146,8 +146,8 @@ static enum pp_status check_light(struct pp_method_answer *answer,
     answer->opening = NULL;
     answer->column = 0;
     answer->why = pp_report_say(report,
-                                "the result of %.4g %% exceeds the most that the light "
-                                "entering the room could give, %.4g %%",
+                                "the result of %.4g %% exceeds the upper limit set by "
+                                "the light that enters the room, %.4g %%",
                                 100.0 * figure, 100.0 * most);
     return answer->why ? PP_OK : pp_fail_memory(err);
 }

@@ -132,7 +132,7 @@ static enum pp_status add_openings(const struct pp_method_run *run,
      * the variant, there is no value. */
     if (status == PP_OK && !answer->why && run->varied && !used
         && run->method->speaks_for != PP_FOR_POINT && world->opening_count > 0)
-        answer->why = "the formula applies to none of the room's openings";
+        answer->why = "the formula does not apply to any of the room's openings";
     return status;
 }
 

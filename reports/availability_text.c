@@ -102,7 +102,7 @@ static void print_light(const struct pp_availability_sheet *sheet, int width, FI
     for (int i = 0; i < sheet->period_count; i++)
         if (sheet->periods[i].missing_h > 0.0) {
             snprintf(median, sizeof median,
-                     "%.0f hours of %s have no data and are ignored",
+                     "%.0f hours in the period %s have no data and are ignored",
                      sheet->periods[i].missing_h, sheet->periods[i].words);
             print_availability_fact("gaps", median, width, out);
         }

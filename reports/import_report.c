@@ -91,13 +91,13 @@ static void print_summary(const struct pp_imported *imported, FILE *out)
         if (census.shapes[kind] > 0)
             fprintf(out, "  %-17s %ld\n", names[kind], census.shapes[kind]);
     fprintf(out, "  distant sources   %ld", census.shapes[PP_SHAPE_DISTANT]);
-    fprintf(out, census.suns ? ", %ld of them concentrated\n" : "\n", census.suns);
+    fprintf(out, census.suns ? " (concentrated: %ld)\n" : "\n", census.suns);
     fprintf(out, "  materials         %d\n", scene->material_count);
     if (imported->summary.flat > 0)
         fprintf(out, "  ignored           %ld polygons of zero area\n",
                 imported->summary.flat);
     if (imported->summary.unseen > 0)
-        fprintf(out, "  ignored           %ld shapes of void\n",
+        fprintf(out, "  ignored           %ld shapes made of void (no material)\n",
                 imported->summary.unseen);
     if (census.bounded)
         fprintf(

@@ -189,7 +189,8 @@ double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
     char text[sizeof sums->text + 64], total[256] = "";
     snprintf(text, sizeof text, "%s", sums->text);
     if (sums->windows > SUMS_MOST)
-        pp_page_say(text, sizeof text, "Read %d more windows in the same way.",
+        pp_page_say(text, sizeof text,
+                    "Read the remaining windows (%d) in the same way.",
                     sums->windows - SUMS_MOST);
     if (sums->upright)
         pp_page_say(total, sizeof total, "Vertical sky component %.1f\u00a0%%.",

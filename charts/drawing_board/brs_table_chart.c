@@ -280,7 +280,7 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
             100.0 * window->external);
     }
     if (sheet->window_count > WINDOWS_MOST)
-        pp_page_say(text, room, "%d more windows are not listed.",
+        pp_page_say(text, room, "Further windows, not listed: %d.",
                     sheet->window_count - WINDOWS_MOST);
     pp_page_say(text, room,
                 "All windows together: sky component %.2f\u00a0%%, externally "
@@ -326,13 +326,14 @@ static void say_how(char *foot, size_t room, const struct pp_brs_sheet *sheet)
                 "overcast sky and a horizontal plane at sill level. Dirt, frame and "
                 "glazing bars are not included.");
     pp_page_say(foot, room,
-                "h: head above the plane. d: distance from the point to the window. w: "
-                "width on one side of the normal through the point. If the jambs are "
-                "on both sides, add both readings. If both are on one side, subtract "
-                "the smaller reading from the larger. For a sill above the plane, "
-                "subtract the reading for the sill; for an obstruction, the reading "
-                "for its top. The externally reflected component is the hidden sky "
-                "component times the luminance factor of the obstruction (0.2).");
+                "h: head above the plane. d: distance from the point to the window. "
+                "w: width on one side of the normal through the point. If the jambs "
+                "are on both sides, add both readings. If both are on one side, "
+                "subtract the smaller reading from the larger. For a sill above the "
+                "plane, subtract the reading for the sill. For an obstruction, "
+                "subtract the reading for its top. The externally reflected "
+                "component is the hidden sky component times the luminance factor of "
+                "the obstruction (0.2).");
     pp_page_say(foot, room,
                 "Interpolate linearly between cells. Beyond the last finite row or "
                 "column, scale in proportion to d/h or d/w. For values below 0.1, "

@@ -295,7 +295,7 @@ static void say_room(char *text, size_t room, const struct pp_nomogram_sheet *sh
     for (int i = 0; i < sheet->window_count && i < WINDOWS_SAID; i++)
         say_window(text, room, sheet, i);
     if (sheet->window_count > WINDOWS_SAID)
-        pp_page_say(text, room, "%d more windows are not listed.",
+        pp_page_say(text, room, "Further windows, not listed: %d.",
                     sheet->window_count - WINDOWS_SAID);
     if (sheet->decorations != 1.0)
         pp_page_say(text, room, "All \303\227 %.3g for deterioration of decorations.",

@@ -155,8 +155,8 @@ static void say_pepper_pot_foot(char *foot, size_t room,
                                 const struct pp_pepper_pot_sheet *sheet)
 {
     pp_page_say(foot, room,
-                "Each dot is worth %.3g\u00a0%% daylight factor. The outermost dots "
-                "are outside the frame.",
+                "Each dot is worth a daylight factor of %.3g\u00a0%%. The outermost "
+                "dots are outside the frame.",
                 100.0 * sheet->worth);
     if (!sheet->blank)
         pp_page_say(foot, room,

@@ -82,9 +82,10 @@ void pp_protractor_sums_say(char *text, size_t room,
     if (behind < sums->all)
         pp_page_say(text, room,
                     sums->last
-                        ? "Read %d more parts in the same way; a PDF shows them on "
-                          "further sheets."
-                        : "Read %d more parts in the same way; see the next sheets.",
+                        ? "Read the remaining parts (%d) in the same way; a PDF shows "
+                          "them on further sheets."
+                        : "Read the remaining parts (%d) in the same way; see the "
+                          "next sheets.",
                     sums->all - behind);
     if (sums->last)
         say_result(text, room, sheet);

@@ -186,11 +186,11 @@ static void plan_words(const struct indicator_drawing *drawing, char *words,
     static const int plans[] = {100, 200, 500, 1000, 1250};
     *words = 0;
     pp_page_say(words, room,
-                "One unit of distance divided by height is %g\u00a0mm. The indicator "
-                "is to scale for edges",
+                "A distance-to-height ratio of 1 is drawn as %g\u00a0mm. The indicator "
+                "is to scale for obstruction edges",
                 drawing->map.mm);
     for (int i = 0; i < 5; i++)
-        pp_page_say(words, room, "%.4g\u00a0m%s on a plan 1:%d%s",
+        pp_page_say(words, room, "%.4g\u00a0m%s on a 1:%d plan%s",
                     drawing->map.mm * plans[i] / 1000.0,
                     i == 0 ? " above the centre of the window" : "", plans[i],
                     i < 4 ? "," : ".");

@@ -13,9 +13,9 @@
 static void say_waldram_foot(char *foot, size_t room,
                              const struct pp_waldram_sheet *sheet)
 {
-    pp_page_say(foot, room, "Each square is worth %.3g\u00a0%% %s.",
-                100.0 * sheet->worth,
-                sheet->upright ? "vertical sky component" : "daylight factor");
+    pp_page_say(foot, room, "Each square is worth a %s of %.3g\u00a0%%.",
+                sheet->upright ? "vertical sky component" : "daylight factor",
+                100.0 * sheet->worth);
     bool glazed = false;
     for (int i = 0; i < sheet->count; i++)
         glazed = glazed || sheet->panels[i].glazed;
@@ -26,9 +26,9 @@ static void say_waldram_foot(char *foot, size_t room,
             "window: a factor for the altitude times a factor for the azimuth.");
     if (sheet->inclined)
         pp_page_say(foot, room,
-                    "Each droop line begins at the altitude of its edge: in the middle "
-                    "for edges parallel to the window, and %.4g\u00b0 to the %s for "
-                    "inclined edges, where they are nearest.",
+                    "Each droop line begins at the altitude of its edge: in the "
+                    "middle for edges parallel to the window, and %.4g\u00b0 to the "
+                    "%s for inclined edges, at their nearest point.",
                     fabs(sheet->incline_rad) / PP_RAD,
                     sheet->incline_rad < 0.0 ? "left" : "right");
     else

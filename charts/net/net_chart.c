@@ -371,8 +371,9 @@ static void say_net_foot(char *foot, size_t room, const struct pp_model_net *mod
     pp_page_say(
         foot, room,
         "For measurements in a mirror box (artificial sky) with a reflectance of %.2g "
-        "and a height of %.2g times its width, multiply the sky component by a factor. "
-        "The factor depends on the altitude of the sky seen through the opening:",
+        "and a height of %.2g times its width, multiply the measured sky component by "
+        "a factor. The factor depends on the altitude of the sky seen through the "
+        "opening:",
         model->box.rho, model->box.height);
     for (int i = 0; i < 6; i++)
         pp_page_say(foot, room, "%.2f at %d\u00b0%s",

@@ -67,8 +67,8 @@ static void need(struct note_drawing *drawing, double height)
     if (!pp_canvas_has_sheets(drawing->canvas)) {
         drawing->status = pp_fail(
             drawing->err, PP_BAD_INPUT,
-            "the note needs several sheets, but only a PDF can hold several; expected "
-            "-o FILE.pdf, fewer methods by --methods, or a larger --paper");
+            "the note needs several sheets, but only a PDF can hold several; "
+            "expected -o FILE.pdf, fewer methods in --methods, or a larger --paper");
         return;
     }
     drawing->status = pp_canvas_next_sheet(drawing->canvas, drawing->err);

@@ -211,9 +211,9 @@ static void draw_lit_area_sheet(struct lit_drawing *drawing, struct pp_canvas *c
     const char *foot =
         is_sky_factor(drawing)
             ? "At least half of the room should be adequately lit. Zones are quarters "
-              "of the room's area. In the equivalent first zone, areas of the front "
-              "zone, first zone, second zone and makeweight count 3/2, 1, 1/2 and 1/4 "
-              "times."
+              "of the room's area. For the equivalent first zone, areas in the front "
+              "zone, first zone, second zone and makeweight are multiplied by 3/2, 1, "
+              "1/2 and 1/4."
             : "At least 0.8 of the area that had a view of the sky should keep it "
               "[BR209].";
     struct pp_page page = {chart->world->name, subtitle, foot};

@@ -348,15 +348,15 @@ static void say_elevation_foot(const struct elevation_drawing *drawing, char *fo
     pp_page_say(
         foot, room,
         "Figures are in per cent, for the centre of the outer face of each window%s.",
-        site->has_before ? "; the existing value is above them, in light type" : "");
+        site->has_before ? "; existing values are above them, in light type" : "");
     if (site->french_m > 0.0)
         pp_page_say(foot, room,
                     "Figures for full-height windows are at %g m above the floor.",
                     site->french_m);
     if (site->has_before)
         pp_page_say(foot, room,
-                    "A heavy frame marks windows under 27\u00a0%% and under 0.8 of the "
-                    "existing value.");
+                    "A heavy frame marks windows with less than 27\u00a0%% and less "
+                    "than 0.8 of the existing value.");
     pp_page_say(
         foot, room,
         "With 27\u00a0%% or more, conventional window design usually gives reasonable "

@@ -382,8 +382,8 @@ static void draw_site_sheet(struct pp_site_drawing *drawing, struct pp_canvas *c
                     "sun or more on 21 March; target: half [BR209].");
     if (sheet->has_before)
         pp_page_say(foot, sizeof foot,
-                    "A heavy frame marks windows under 27\u00a0%% and under 0.8 of the "
-                    "existing value [BR209].");
+                    "A heavy frame marks windows with less than 27\u00a0%% and less "
+                    "than 0.8 of the existing value [BR209].");
     struct pp_page page = {sheet->title,
                            sheet->cell_count > 0
                                ? "The largest envelope on the plot, with the vertical "
@@ -412,8 +412,8 @@ static enum pp_status draw_table_sheet(struct pp_site_drawing *drawing,
         return status;
     const struct pp_page page = {drawing->sheet->title,
                                  "Vertical sky component of windows, CIE overcast sky",
-                                 "In per cent. Bold: under 27\u00a0% and under 0.8 of "
-                                 "the existing value [BR209]."};
+                                 "In per cent. Bold: less than 27\u00a0% and less "
+                                 "than 0.8 of the existing value [BR209]."};
     pp_strip_table_draw(drawing, pp_page_draw(canvas, &drawing->style, &page));
     return PP_OK;
 }

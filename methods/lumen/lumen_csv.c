@@ -89,8 +89,8 @@ static bool cut_csv_line(struct reader *reader, struct csv_fields *fields,
             pp_mistakes_add(
                 reader->mistakes, reader->number,
                 fields->count == FIELDS_MOST
-                    ? "more than %d fields in this line"
-                    : "field %d of this line is too long; expected a number or a name",
+                    ? "more than %d fields on this line"
+                    : "field %d on this line is too long; expected a number or a name",
                 fields->count == FIELDS_MOST ? FIELDS_MOST : fields->count + 1);
             return false;
         }
@@ -131,8 +131,8 @@ static void unknown_column(struct reader *reader, const char *text)
                         written, question);
     else
         pp_mistakes_add(reader->mistakes, reader->number,
-                        "unknown column \"%s\"; expected a column name of the tables, "
-                        "or a ratio of room width to window height",
+                        "unknown column \"%s\"; expected one of the named columns, or "
+                        "a ratio of room width to window height",
                         written);
 }
 
@@ -178,8 +178,9 @@ static void check_columns(struct reader *reader)
         pp_mistakes_add(reader->mistakes, reader->number,
                         reader->top
                             ? "unexpected width columns in a table for light from above"
-                            : "there are no columns of coefficients; expected columns "
-                              "named after ratios of room width to window height");
+                            : "there are no columns of coefficients; expected "
+                              "columns headed with ratios of room width to window "
+                              "height (such as 2, or inf)");
 }
 
 static void read_header(struct reader *reader, const struct csv_fields *fields)
@@ -354,7 +355,7 @@ static bool read_csv_line(struct reader *reader, const char *text, size_t length
     }
     if (fields.count != reader->columns) {
         pp_mistakes_add(reader->mistakes, reader->number,
-                        "%d fields in this line; expected %d, one for each column",
+                        "%d fields on this line; expected %d, one for each column",
                         fields.count, reader->columns);
         return true;
     }

@@ -103,8 +103,8 @@ static const char *protractor_refuses(const struct pp_world *world,
         return "has diffusing glass, but protractors are for clear glass only";
     struct pp_protractor protractor;
     if (pp_protractor_read_choose(&protractor, &light->sky, opening, NULL) != PP_OK)
-        return "has a slope that no protractor covers; they cover 0, 30, 60 and 90 "
-               "degrees";
+        return "has a slope that no protractor covers; protractors cover 0, 30, 60 "
+               "and 90 degrees";
     return NULL;
 }
 

@@ -66,8 +66,8 @@ static enum pp_status evaluate_bre_min(const struct pp_world *world,
 
 const struct pp_method pp_method_bre_min = {
     .name = "bre-min",
-    .summary = "minimum internally reflected component, from the average of bre and "
-               "published ratios",
+    .summary = "minimum internally reflected component: the average from bre, divided "
+               "by a published ratio",
     .source = "BRE310",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,

@@ -43,7 +43,7 @@ static const struct {
     {XML_ERR_PI_NOT_STARTED, PP_XML_HERE,
      "a <?...?> is malformed; expected a name at its start"},
     {XML_ERR_RESERVED_XML_NAME, PP_XML_HERE,
-     "<?xml ...?> is not at the start of the file; expected it before everything else"},
+     "<?xml ...?> is not at the start of the file; nothing may precede it"},
     {XML_ERR_VERSION_MISSING, PP_XML_HERE,
      "the <?xml ...?> at the start has no version; write version=\"1.0\""},
     {XML_ERR_XMLDECL_NOT_FINISHED, PP_XML_HERE, bad_start},

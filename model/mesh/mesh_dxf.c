@@ -195,8 +195,8 @@ static enum pp_status read_insert(struct dxf *dxf, const struct pp_dxf_entity *e
     if (!found)
         return pp_mesh_lines_fail(
             dxf->lines, line, err,
-            "INSERT: there is no block \"%s\" in the file; expected a block of its "
-            "BLOCKS section",
+            "INSERT: there is no block \"%s\" in the file; expected a block defined "
+            "in its BLOCKS section",
             shown);
     columns = fmax(floor(columns), 1.0), rows = fmax(floor(rows), 1.0);
     if (depth >= DEPTH_MOST || !(columns * rows <= INSERTS_MOST - dxf->inserts))
@@ -246,7 +246,7 @@ static enum pp_status refuse_dxf_entity(const struct pp_dxf_entity *e,
         if (status == PP_OK && thickness != 0.0)
             status = pp_mesh_lines_fail(
                 e->lines, tag->line, err,
-                "%s: a thickness is not supported here; expected a thickness of "
+                "%s: a thickness is not supported here; expected a thickness on "
                 "polylines only",
                 raised[i]);
         return status;

@@ -111,7 +111,7 @@ static enum pp_status add_frame(struct pp_sky_picture *picture, const char *path
         *frame = opposite(first);
         if (first->width != file.picture.width || first->height != file.picture.height)
             status = pp_fail(err, PP_BAD_INPUT,
-                             "the picture has %d x %d pixels; expected %d x %d, like "
+                             "the picture has %d x %d pixels; expected %d x %d, as in "
                              "the first picture",
                              file.picture.width, file.picture.height, first->width,
                              first->height);

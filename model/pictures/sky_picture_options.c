@@ -97,7 +97,7 @@ static const char *const expected[] = {
     [VIEW_BEARING] = "degrees from -360 to 360",
     [VIEW_ALTITUDE] = "degrees from -90 to 90",
     [MIRRORED] = "yes or no",
-    [CIRCLE] = ("three numbers of pixels: the distances of the centre from the left "
+    [CIRCLE] = ("three numbers in pixels: the distances of the centre from the left "
                 "and top edges, and the radius"),
     [HORIZON] = "degrees from 0 to 80",
     [FILL] = "nearest, or a luminance in cd/m2 of 0 or more",

@@ -122,8 +122,9 @@ static enum pp_status set_circle(struct pp_sky_frame *frame,
         || !(circle[1] >= 0.0) || !(circle[1] <= height)
         || !(circle[2] <= width + height))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the circle is \"%g %g %g\"; expected a fisheye picture, and "
-                       "for the circle a centre within its %d x %d pixels and a radius",
+                       "the circle is \"%g %g %g\"; expected a circle of at least 4 "
+                       "pixels in radius, centred within the %d x %d pixels of a "
+                       "fisheye picture",
                        circle[0], circle[1], circle[2], frame->width, frame->height);
     frame->centre[0] = circle[0];
     frame->centre[1] = circle[1];

@@ -59,8 +59,8 @@ static void print_levels(const struct text_page *page)
                                                               : "none";
     snprintf(
         text, sizeof text,
-        "share of the points with 100, 300, 500, 750 lx in half of the 4380 brightest "
-        "hours: %.1f, %.1f, %.1f, %.1f %%; level for a side-lit room: %s",
+        "share of the points that reach 100, 300, 500, 750 lx in half of the 4380 "
+        "brightest hours: %.1f, %.1f, %.1f, %.1f %%; level for a side-lit room: %s",
         100.0 * share[0], 100.0 * share[1], 100.0 * share[2], 100.0 * share[3], level);
     print_annual_fact(page, "EN 17037", text);
 }
@@ -94,10 +94,10 @@ static void print_plane(const struct text_page *page)
     if (sheet->has_blinds)
         print_share(
             page, "sDA300/50", &plane->sda,
-            "of the points reach 300 lx in half of the hours or more, with blinds");
+            "of the points reach 300 lx in at least half of the hours, with blinds");
     print_share(
         page, "DA300/50 area", &plane->autonomous,
-        "of the points reach 300 lx in half of the hours or more, without blinds");
+        "of the points reach 300 lx in at least half of the hours, without blinds");
     print_share(page, "ASE1000,250", &plane->ase,
                 "of the points receive more than 1000 lx of direct sun for over 250 h");
     print_levels(page);

@@ -11,8 +11,8 @@ enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
 {
     (void)schedule, (void)folder, (void)out;
     return pp_fail(err, PP_BAD_INPUT,
-                   "this program was built without libxlsxwriter; expected a schedule "
-                   "file that ends in .csv");
+                   "this program was built without libxlsxwriter; expected a "
+                   "schedule file whose name ends in .csv");
 }
 
 #else

@@ -57,8 +57,8 @@ static void say_geometry(struct pp_document *document, const struct pp_assessmen
     pp_document_paragraph(
         document, PP_TONE_PLAIN,
         "Surfaces are matt and evenly coloured, with the reflectances in the file. "
-        "Glass, frames and dirt are as in the file, and each is counted once. Curtains "
-        "and blinds are open unless the file says otherwise.");
+        "Losses for glass, frames and dirt are as in the file, and each is applied "
+        "once. Curtains and blinds are open unless the file says otherwise.");
 }
 
 static void say_daylight(struct pp_document *document, const struct pp_assessments *all)

@@ -56,16 +56,18 @@ static void put_methods(struct pp_document *document, const struct pp_assessment
             pp_document_table(document);
             pp_document_column(document, PP_COLUMN_LABELS, "method");
             pp_document_column(document, PP_COLUMN_WORDS, "description");
-            pp_document_column(document, PP_COLUMN_WORDS, "published figures include");
+            pp_document_column(document, PP_COLUMN_WORDS,
+                               "allowances in published "
+                               "figures");
         }
         any = true;
         put_method(document, pp_methods[i]);
     }
     if (any)
         pp_document_paragraph(document, PP_TONE_SOFT,
-                              "Figures in this report include the glass, frame and "
-                              "dirt of the room once each. Losses that the published "
-                              "figures already include are not applied again.");
+                              "Losses for glass, frames and dirt are applied only "
+                              "once in this report. Losses already included in a "
+                              "method's published figures are not applied again.");
 }
 
 /* ---- the sources ---- */

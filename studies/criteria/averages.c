@@ -63,8 +63,8 @@ static enum pp_status evaluate_average(const struct pp_inquiry *inquiry,
                                                                minima[i].least));
         if (average && is_low_by_formula(&finding, findings))
             pp_finding_note(&finding,
-                            "in some rooms of the manual average-df is up to 43 %% too "
-                            "low: do not rely on this verdict");
+                            "in some rooms of the manual, average-df is up to 43 %% "
+                            "too low: do not rely on this verdict");
         status = pp_finding_list_add(findings, &finding, err);
     }
     return status;

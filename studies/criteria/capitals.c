@@ -78,7 +78,7 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
     }
     const char *warning =
         country[0] ? "the table of the standard has no capital for the site's country"
-                   : "the site has no country to determine the capital";
+                   : "the site has no country from which to determine the capital";
     if (isnan(latitude_rad)) {
         snprintf(median.how, sizeof median.how,
                  "the room file has no latitude; expected a site with a latitude, "

@@ -53,8 +53,9 @@ static void doubt(struct pp_finding *finding, const struct pp_finding *other)
     bool plain = finding->kind == PP_FIGURE_RATIO;
     finding->confidence = NAN;
     pp_finding_note(finding,
-                    "%sthe value would be %.3g%s (%s) if the window walls were larger, "
-                    "as in a larger house; describe the real wall by <facade>",
+                    "%sthe value would be %.3g%s (%s) if the window walls were "
+                    "larger, as in a larger house; describe the real wall with "
+                    "<facade>",
                     finding->note[0] ? ". " : "", (plain ? 1.0 : 100.0) * other->figure,
                     plain ? "" : " %", pp_finding_verdict(other->verdict));
 }

@@ -66,7 +66,7 @@ static enum pp_status evaluate_leed(const struct pp_inquiry *inquiry,
 {
     const struct pp_annual_sheet *year = inquiry->year;
     const char *why_not =
-        !year ? "the room's year was not simulated; expected --weather FILE.epw"
+        !year ? "no year was simulated for this room; expected --weather FILE.epw"
         : !year->finished ? "the simulation of the year was interrupted"
                           : pp_annual_sheet_leed(year).why_not;
     if (why_not) {

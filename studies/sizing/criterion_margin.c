@@ -139,7 +139,7 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                    beginning_of(words));
     else if (status == PP_OK && !traced)
         snprintf(why, why_bytes,
-                 "this criterion needs a state before (--before) or gardens");
+                 "this criterion needs an existing state (--before) or gardens");
     pp_assessment_clear(&assessment);
     return status;
 }

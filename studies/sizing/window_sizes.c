@@ -387,8 +387,8 @@ static enum pp_status check_opening(const struct pp_room *room, int index,
         && change != PP_CHANGE_HEIGHT)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "only the width and the depth (height) of the rooflight on line %d can be "
-            "changed",
+            "only the width and the depth of the rooflight on line %d can be changed; "
+            "expected --change width, or --change height (its depth)",
             opening.line);
     return PP_OK;
 }

@@ -106,8 +106,8 @@ static void say_blinds(struct pp_annual_sheet *sheet,
 {
     if (!options->blinds)
         snprintf(sheet->blinds, sizeof sheet->blinds,
-                 "none, so the share of the plane that has 300 lx in half of the hours "
-                 "is not sDA");
+                 "none, so the share of the plane that reaches 300 lx in half of the "
+                 "hours is not sDA");
     else
         snprintf(sheet->blinds, sizeof sheet->blinds,
                  "LM-83-12, open loop: the blinds of a window group (one wall, one "

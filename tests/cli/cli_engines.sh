@@ -23,7 +23,7 @@ check "counted on discs" gives df -s --engine photons --sensor 0.5 --error 4% "$
 check "which are near what the points get" sh -c "awk -F, '\$11 == \"photons\" &&
     \$10 == \"df\" && \$3 == \"point\" { n++; v[n] = \$12 }
     END { exit !(n == 2 && v[1] > 5 && v[1] < 6.2 && v[2] > 0.36 && v[2] < 0.5) }' '$scratch/out'"
-check "radiosity says what its error is" shows "by finite elements, ± the error bound of the refinement" \
+check "radiosity says what its error is" shows "by finite elements, ± the error bound of the mesh refinement" \
     df -s --engine radiosity "$here" "$deep"
 check "and is near the paths" gives df -s --engine path,radiosity --error 2% "$here" \
     --format csv "$deep"

@@ -154,7 +154,7 @@ check "a requirement that there is none of" shows 'available: \"minimum: 300 lx 
     size --by-hand --for en17037:least -f json "$deep"
 check "traced throughout" shows "reach, simulated" \
     size --for uk-annex:kitchen --by traced --error 3% --spacing largest -q "$deep"
-check "what compares is not sized by" shows "none: this criterion needs a state before" \
+check "what compares is not sized by" shows "none: this criterion needs an existing state" \
     size --by-hand --for former-sky "$deep"
 check "a criterion by its name" refuses 2 "there is no criterion" size --for en1737 "$deep"
 check "or a target" refuses 2 "--target and --for cannot be combined" size --for average -t 2% "$deep"

@@ -175,7 +175,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         cross = true;
         where = seen->inside_at;
         pp_mistakes_add(r->mistakes, part->line,
-                        "%s: is inside the room%s at (%g, %g, %g); expected it outside",
+                        "%s: is inside the room%s at (%g, %g, %g); expected outside",
                         what, room_words(words, r, part), where.x, where.y, where.z);
     }
     if (!cross && seen->inside && seen->outside) {
@@ -190,7 +190,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         cross = true;
         where = seen->outside_at;
         pp_mistakes_add(r->mistakes, part->line,
-                        "%s: is outside the room at (%g, %g, %g); expected it inside",
+                        "%s: is outside the room at (%g, %g, %g); expected inside",
                         what, where.x, where.y, where.z);
     }
     *clear = !cross;

@@ -102,7 +102,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         char name[64];
         pp_mistakes_add(
             r->mistakes, block->line,
-            "block: overlaps the room \"%s\" on line %d; expected it outside all rooms "
+            "block: overlaps the room \"%s\" on line %d; expected outside all rooms "
             "of the building",
             pp_text_excerpt(name, sizeof name, world->name ? world->name : ""),
             r->room->line);
@@ -110,7 +110,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
     }
     if (overlaps) {
         pp_mistakes_add(r->mistakes, block->line,
-                        "block: overlaps the room; expected it outside the room (its "
+                        "block: overlaps the room; expected outside the room (its "
                         "lower corner, about which it is rotated, is at x %g, y %g, "
                         "base %g)",
                         block->corner.x, block->corner.y, block->corner.z);
@@ -126,7 +126,7 @@ static enum pp_status check_clear(bool *clear, struct pp_resolver *r,
         *clear = false;
         pp_mistakes_add(r->mistakes, block->line,
                         "block: extends into the reveal of the opening on line %d; "
-                        "expected it outside the glass",
+                        "expected outside the glass",
                         opening->line);
     }
     return PP_OK;

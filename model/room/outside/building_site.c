@@ -320,8 +320,8 @@ static enum pp_status check_sides(const struct settling *site, struct pp_error *
     }
     if (on[0] < 0 && on[1] < 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "there is no building to mirror; expected rooms with x, y, z or "
-                       "rotate that exist both before and after");
+                       "there is no building to mirror; expected rooms with x, y, z "
+                       "or rotate that exist both before and after the development");
     if (on[0] < 0 || on[1] < 0)
         return PP_OK;
     return pp_fail(err, PP_BAD_INPUT,

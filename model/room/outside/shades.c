@@ -138,8 +138,8 @@ static enum pp_status add_shelf(struct pp_resolver *r,
 {
     if (shade->height_m >= axes->height_m) {
         pp_mistakes_add(r->mistakes, shade->line,
-                        "shelf: is %g m above the sill of a window %g m high; expected "
-                        "it below the head",
+                        "shelf: is %g m above the sill of a window %g m high; "
+                        "expected below the head",
                         shade->height_m, axes->height_m);
         return PP_OK;
     }

@@ -87,11 +87,11 @@ static const struct pp_suite published = {
 static const struct pp_suite cie171 = {
     .name = "cie171",
     .summary = "the daylight cases of CIE 171:2006, 2592 values",
-    .limits = "exact: within 0.1 % (0.25 % where a mask covers part of the opening) or "
-              "0.001 % daylight factor of an independent integration. The same results "
-              "are within 1 % or 0.02 % daylight factor of those printed values that "
-              "are sound. Traced: within three standard errors of exact, except 1 in "
-              "100",
+    .limits = "exact: within 0.1 % (0.25 % where a mask covers part of the opening) "
+              "of an independent integration, or within a daylight factor of 0.001 %. "
+              "The same results are within 1 %, or a daylight factor of 0.02 %, of "
+              "those printed values that are sound. Traced: within three standard "
+              "errors of exact; 1 in 100 may be outside",
     .samples = 64,
     .chance = 0.01,
     .run = run_cie171};

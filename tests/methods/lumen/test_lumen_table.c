@@ -156,7 +156,7 @@ static void mistakes_are_named_by_line(void **state)
     refused("rcr,cu,1\n", 1, "ceiling_reflectance");
     refused("rcr,ceiling_reflectance,wall_reflectance,cu,component\n", 1,
             "unexpected column \"component\"");
-    refused(SIDE "0.4,1,10,.2\n", 2, "4 fields in this line; expected 5");
+    refused(SIDE "0.4,1,10,.2\n", 2, "4 fields on this line; expected 5");
     refused(SIDE "0.4,1,10,.2,.3,.4\n", 2, "6 fields");
     refused(SIDE "\n0.4,1,10,.2,\n", 3, "a coefficient is missing");
     refused(SIDE "0.4,1,10,.2,nan\n", 2, "expected a number above 0");

@@ -52,7 +52,7 @@ static void split_flux_in_a_white_glass_box_is_refused(void **state)
     const struct pp_column *split = pp_report_find(&report, PP_IRC, "split-flux");
     assert_true(isnan(split->average.value) && isnan(split->points[0].value));
     assert_non_null(strstr(split->average.why,
-                           "the result of 1046 % exceeds the most that the light"));
+                           "the result of 1046 % exceeds the upper limit set by"));
     const struct pp_column *pair = pp_report_find(&report, PP_DF, "exact+split-flux");
     assert_true(isnan(pair->points[0].value));
     assert_non_null(strstr(pair->points[0].why, "split-flux: the result"));
@@ -70,7 +70,7 @@ static void no_figure_of_random_rooms_is_refused(void **state)
         struct pp_report report = report_of(world, &light);
         for (int i = 0; i < report.column_count; i++) {
             const char *why = report.columns[i].average.why;
-            if (why && strstr(why, "exceeds the most that the light"))
+            if (why && strstr(why, "exceeds the upper limit set by"))
                 fail_msg("room %d, %s: %s", room, report.columns[i].name, why);
         }
         pp_report_clear(&report);
