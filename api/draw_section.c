@@ -53,8 +53,9 @@ static enum pp_status say_obstructions(char note[NOTE_BYTES],
             continue;
         pp_text_append(note, NOTE_BYTES, "%s%s %.1f\u00b0",
                        said++ ? ", "
-                              : "Obstruction angle in the formulae (that of an endless "
-                                "skyline that hides as much of the sky): ",
+                              : "Obstruction angle in the formulae (the angle of an "
+                                "endless skyline that hides the same amount "
+                                "of sky): ",
                        world->openings[i].label, angle_rad / PP_RAD);
     }
     if (said)

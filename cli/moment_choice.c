@@ -55,9 +55,8 @@ static enum pp_status read_when(const char *text, void *place, struct pp_error *
         "when", 0, "'YYYY-MM-DD HH:MM'",                                               \
             "Show illuminances in lux at this standard time, including direct "        \
             "sunlight, instead of daylight factors. Sky and sun are taken from "       \
-            "--weather or from --sky perez,DNI,DHI. +HH:MM after the time is the "     \
-            "time "                                                                    \
-            "zone, in hours ahead of universal time.",                                 \
+            "--weather or from --sky perez,DNI,DHI. After the time, +HH:MM, "          \
+            "-HH:MM or Z sets the time zone, in hours ahead of universal time.",       \
             read_when, 0                                                               \
     }
 

@@ -97,7 +97,7 @@ static enum pp_status choose_state(struct pp_building *building, const char *fil
         return PP_SYSTEM;
     if (pp_building_room_count(building) == 0)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s: no room in the file is %s; expected at least one", file,
+                       "%s: the file has no %s room; expected at least one", file,
                        state == PP_STATE_EXISTING     ? "existing"
                        : state == PP_STATE_CUMULATIVE ? "cumulative"
                                                       : "proposed");

@@ -291,8 +291,9 @@ static const struct pp_option weather_options[] = {
      "Weather file in EnergyPlus format, required; - is standard input.",
      pp_options_read_input, PLACE(light.weather)},
     {"sun-shift", 0, "auto|MIN",
-     "Minutes from the middle of each record to the time of the sun position that is "
-     "used; auto (default) derives them from the radiation in clear hours of the file.",
+     "Minutes to add to the middle of each record to obtain the time of the sun "
+     "position; auto (default) derives them from the radiation in clear hours of "
+     "the file.",
      read_shift, PLACE(sun_shift_min)},
     {"leap-day", 0, NULL, "Keep the records of 29 February.", NULL, PLACE(leap_day)},
     {0},

@@ -82,9 +82,9 @@ const struct pp_option pp_assess_words_choice[] = {
      "of sunshine.",
      pp_options_read_input, PLACE(weather)},
     {"least-altitude", 0, "DEG",
-     "For sun-exposure, count the sun only above this altitude. Default: the value of "
-     "EN 17037 for the country (DE 11, CZ 13). For other countries a verdict is given "
-     "if it is the same for all altitudes from 5 to 20 degrees.",
+     "For sun-exposure, count the sun only above this altitude. Default: the value "
+     "of EN 17037 for the country (DE 11, CZ 13). For other countries there is a "
+     "verdict only if it is the same for all altitudes from 5 to 20 degrees.",
      read_altitude, PLACE(least_altitude_rad)},
     {"room", 0, "NAME", "Assess only the room with this name.", pp_options_read_text,
      PLACE(room.room)},

@@ -169,8 +169,8 @@ static enum pp_exit try_bands(const char *path, const char *output)
         pp_job_run(&(struct pp_job){output, compute_bands, print_bands, NULL, &run});
     int outside = pp_atlas_bands_outside(&run.bands);
     if (result == PP_EXIT_DONE && outside > 0) {
-        pp_message("the share inside the band differs from 95 %% by more than chance "
-                   "explains in %d regimes",
+        pp_message("regimes in which the share of rooms inside the band differs "
+                   "from 95 %% by more than chance explains: %d",
                    outside);
         result = PP_EXIT_INPUT;
     }

@@ -77,8 +77,9 @@ static const struct pp_option sheet_options[] = {
      NULL, PLACE(logarithmic)},
     {"linear", 0, NULL, "Section: linear scale.", NULL, PLACE(linear)},
     {"before", 'b', "FILE",
-     "Plan, site, elevation, sun path: compare with this room file of the site before "
-     "new building work. existing: compare with the existing state in the same file.",
+     "Plan, site, elevation, sun path: compare with this room file of the site "
+     "before the development. existing: compare with the existing state in the same "
+     "file.",
      pp_options_read_input, PLACE(before)},
     {"line", 0, "NAME",
      "Plan: mark the area with a view of the sky (no-sky), or with a sky factor over "

@@ -83,7 +83,7 @@ static void help_on_switches(FILE *out)
     static const char *const switches[][2] = {
         {"bounces=N",
          "at most N reflections between surfaces; the ground is a light source"},
-        {"ab=N", "at most N-1 reflections, including that at the ground, as in "
+        {"ab=N", "at most N-1 reflections, including those at the ground, as in "
                  "Radiance with a ground surface; ab=0: no light from the sky"},
         {"glass=normal", "glass has its normal transmittance at all angles"},
         {"glass=transmissivity", "the transmittance was entered as a transmissivity"},
@@ -93,9 +93,9 @@ static void help_on_switches(FILE *out)
         {"dirt=none", "no dirt on the glass"},
         {"plane=Z", "the points are at this height in metres"},
         {"sky=TYPE",
-         "another sky: a value of --sky, or gensky: overcast, blended into the "
-         "ground at the horizon"},
-        {"ground=R", "ground reflectance; open: the whole sky lights the ground"},
+         "another sky: a value of --sky, or gensky (overcast, blended into the "
+         "ground at the horizon)"},
+        {"ground=R", "ground reflectance, or open: the whole sky lights the ground"},
         {"outside=none", "no external obstructions"},
         {"colour=grey",
          "in a scene: materials are grey, with the luminous reflectance of their "

@@ -28,9 +28,9 @@ static const struct pp_option explain_option[] = {
 
 static const struct pp_option advise_option[] = {
     {"advise", 0, NULL,
-     "Recommend a method for this room, for the average and for each group of points, "
-     "with reasons, in text or JSON. It is based on the bands of all methods in "
-     "similar rooms.",
+     "Recommend a method for this room, for the average and for each group of "
+     "points, with reasons, in text or JSON. The recommendation is based on the "
+     "bands of all methods in similar rooms.",
      NULL, PLACE(advise)},
     {0},
 };
@@ -52,8 +52,8 @@ static const struct pp_option margin_option[] = {
 
 static const struct pp_option bands_option[] = {
     {"bands", 0, NULL,
-     "Show the bands of all methods in the text table, not only those of the first, "
-     "and also in CSV.",
+     "Show the bands of all methods in the text table, instead of only those of the "
+     "first method, and add the bands to CSV.",
      NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
      "Leave out the bands. Each band is the range of 95 of 100 true values in "

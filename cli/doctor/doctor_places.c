@@ -72,17 +72,17 @@ void pp_doctor_places_print(FILE *out)
     print_path("program", path[0] ? path : "unknown", out);
     print_folder("manual", "docs/index.md", PP_DOC_FOLDER "/", "not found", out);
     print_folder("manual, HTML", "html/index.html", PP_DOC_FOLDER "/",
-                 "not found; make docs builds the manual with Sphinx", out);
+                 "not found; to build it with Sphinx, run make docs", out);
     print_folder("examples", "examples/office.xml", PP_DOC_FOLDER "/", "not found",
                  out);
     print_folder("tables", "tables/finishes.csv", PP_DOC_FOLDER "/",
-                 "compiled in, so no copies are read", out);
+                 "compiled in; no files are needed", out);
     print_folder("schema", "room.rng", PP_DATA_FOLDER "/", "not found", out);
     if (pp_mpirun_module_path(path, sizeof path))
         print_path("MPI module", path, out);
     else
         pp_doctor_places_line(
-            "MPI module", "not installed; configure with --with-mpi to build it", out);
+            "MPI module", "not installed; to build it, configure with --with-mpi", out);
 }
 
 void pp_doctor_places_print_radiance(FILE *out)

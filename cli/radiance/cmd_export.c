@@ -181,8 +181,8 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
         const char *file = pp_read_file_title(rooms->list[i].file);
         if (world->decorations < 1.0)
             pp_message("%.200s: the scene does not include the allowance of %g for "
-                       "decorations on the internally reflected component, so its "
-                       "daylight factors are higher",
+                       "deterioration of decorations in the internally reflected "
+                       "component, so its daylight factors are higher",
                        file, world->decorations);
         if (!gloss && pp_rad_room_has_gloss(world))
             pp_message("%.200s: finishes in the scene are matt and grey, as for "

@@ -98,7 +98,7 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
     if (choice->dpi > 0.0 && format->shown != PP_CHART_PNG)
         return pp_fail(
             err, PP_BAD_INPUT,
-            "--dpi is for a sheet as PNG; PDF and SVG files have no resolution");
+            "--dpi is for a PNG sheet; PDF and SVG files have no resolution");
     return PP_OK;
 }
 

@@ -282,9 +282,10 @@ const struct pp_option pp_render_picture_options[] = {
      "has no bias but more noise.",
      read_engine, PLACE(paths)},
     {"windows", 0, "HOW",
-     "Sampling of windows. stored (default): windows are sampled like lamps, with the "
-     "light from outside calculated once. aimed: the same for each path, without bias. "
-     "chance: only scattered rays reach windows.",
+     "Sampling of windows. stored (default): windows are sampled like lamps, with "
+     "the light from outside calculated once. aimed: the same, but with the light "
+     "from outside calculated for each path, without bias. chance: only scattered "
+     "rays reach windows.",
      read_windows, PLACE(windows)},
     {"filter", 0, "NAME", "Filter for pixels: box (default) or gauss, which is softer.",
      read_filter, PLACE(filter)},
@@ -333,7 +334,7 @@ const struct pp_option pp_render_shown_options[] = {
     {"orientation", 0, "WAY", "portrait or landscape (default: whichever fits best).",
      pp_sheet_options_read_orientation, PLACE(orientation)},
     {"dpi", 0, "N",
-     "Resolution of a sheet as PNG in dots per inch, 20 to 1200 (default 200).",
+     "Resolution of a PNG sheet in dots per inch, 20 to 1200 (default 200).",
      pp_sheet_options_read_dpi, PLACE(dpi)},
     {0},
 };

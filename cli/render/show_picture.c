@@ -152,7 +152,8 @@ static void note_decorations(struct pp_picture_sheet *sheet,
         return;
     if (shown->quantity == PP_LUMINANCE)
         pp_page_say(sheet->foot, room,
-                    "The allowance for decorations, %.3g, is not included.",
+                    "The factor of %.3g for deterioration of decorations is not "
+                    "applied.",
                     shown->world->decorations);
     else
         pp_page_say(

@@ -194,8 +194,8 @@ static enum pp_status begin_against_run(struct against_run *run,
     struct pp_result *result = &run->results[run->count++];
     result->file = room->file;
     if (room->world->decorations < 1.0 && !run->options->quiet)
-        pp_message("%.200s: simulated daylight factors include an allowance for "
-                   "decorations of %g, but those of Radiance do not",
+        pp_message("%.200s: simulated daylight factors include an allowance of %g "
+                   "for deterioration of decorations, but those of Radiance do not",
                    pp_read_file_title(room->file), room->world->decorations);
     return pp_study_report_methods(&result->report, room, &run->options->study, err);
 }

@@ -280,7 +280,7 @@ for option in --paper=a4 --orientation=portrait --dpi=300; do
     check "a plain picture has no $option" refuses 2 "${option%%=*} is for sheets" \
         render "$option" "$deep" -o "$scratch/x.png"
 done
-check "dots of a PDF" refuses 2 "--dpi is for a sheet as PNG" \
+check "dots of a PDF" refuses 2 "--dpi is for a PNG sheet" \
     render --dpi 300 "$deep" -o "$scratch/x.pdf"
 check "three paths a pixel" refuses 2 "a power of two" \
     render --samples 3 "$deep" -o "$scratch/x.png"

@@ -220,7 +220,7 @@ check "--before or --state" refuses 2 "expected only one of them" \
 check "two states" refuses 2 "existing, proposed or cumulative" df --state planned "$site"
 check "none in a file without" refuses 1 "no element in the file has a state" df --state existing "$deep"
 sed 's/<room name/<room state="existing" name/' "$site" >"$scratch/gone.xml"
-check "rooms that all go" refuses 1 "no room in the file is proposed" df "$scratch/gone.xml"
+check "rooms that all go" refuses 1 "the file has no proposed room" df "$scratch/gone.xml"
 check "are there before" gives df --state existing -m exact "$scratch/gone.xml"
 check "a room that is new has nothing before" sh -c "
     sed 's/<room name=\"Study\"/<room state=\"proposed\" name=\"Study\"/' '$site' |

@@ -68,7 +68,8 @@ static enum pp_status read_options(struct genbox_box *box, char *const *words,
         if (2.0 * box->inset > box->size[i])
             return pp_rad_pipe_fail(
                 box->pipe, err,
-                "the edges of the genbox overlap; expected them to be at most half of ",
+                "the bevelled or rounded edges of the genbox overlap; expected at "
+                "most half of ",
                 words[3 + i]);
     return PP_OK;
 }
@@ -84,8 +85,9 @@ static enum pp_status read_box(struct genbox_box *box, char *const *words, int c
         return pp_rad_pipe_fail(box->pipe, err, "there is no material ", words[1]);
     for (int i = 0; i < 3; i++)
         if (!read_size(words[3 + i], &box->size[i]))
-            return pp_rad_pipe_fail(box->pipe, err, "genbox has a size of ",
-                                    words[3 + i]);
+            return pp_rad_pipe_fail(
+                box->pipe, err, "expected sizes of the genbox above 0, up to 1e9, not ",
+                words[3 + i]);
     return read_options(box, words, count, err);
 }
 
