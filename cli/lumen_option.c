@@ -1,4 +1,5 @@
-/* lumen_option.c - loads the coefficient file of --lumen-table. */
+/* lumen_option.c - the option --lumen-table, and loading of its one or two coefficient
+ * files. */
 #include "cli/lumen_option.h"
 
 #include "cli/message.h"

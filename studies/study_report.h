@@ -17,13 +17,15 @@ enum pp_status pp_study_report_methods(struct pp_report *report,
                                        const struct pp_study_options *options,
                                        struct pp_error *err);
 
-/* The same, also at the points of a grid over the working plane (plane_figures.h),
- * which follow the room's own until pp_study_report_settle computes the plane's figures
- * and removes them. A report with explanations has no grid. */
+/* As pp_study_report_methods, with the points of a grid over the working plane appended
+ * to the room's own, unless those are a grid (plane_figures.h). A report with
+ * explanations has no extra points. */
 enum pp_status pp_study_report_with_plane(struct pp_report *report,
                                           const struct pp_study_room *room,
                                           const struct pp_study_options *options,
                                           struct pp_error *err);
+
+/* Computes the figures of the working plane, then removes the appended points. */
 enum pp_status pp_study_report_settle(struct pp_report *report,
                                       const struct pp_study_room *room,
                                       struct pp_error *err);

@@ -61,7 +61,8 @@ struct pp_board_sums {
 void pp_board_sums_add(struct pp_board_sums *sums,
                        const struct pp_board_window *windows, int count);
 
-/* Draws the sums from x, y on, if `drawn`; returns their height. */
+/* Draws the sums, wrapped to `width`, with their upper left corner at x, y; only
+ * measures them if not `drawn`. Returns their height. */
 double pp_board_sums_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_board_sums *sums, double x, double y,
                           double width, bool drawn);

@@ -8,7 +8,8 @@
 /* True if the window at the near or far end is obstructed. */
 bool pp_room_section_has_outside(const struct pp_room_section *section, bool near);
 
-/* Sets the largest round scale at which the room fits into that length and height. */
+/* Sets the largest usual scale, within least_scale, at which the section and its caption
+ * fit into length_mm by height_mm. */
 void pp_room_section_fit(struct pp_room_section *section, const struct pp_style *style,
                          double length_mm, double height_mm);
 

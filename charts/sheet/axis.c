@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The round step (1, 2 or 5 times a power of ten), `least` or the next larger one. */
+/* Smallest round step (1, 2 or 5 times a power of ten) that is at least `least`. */
 static double round_step(double least)
 {
     double power = pow(10.0, floor(log10(least)));

@@ -9,7 +9,8 @@
  * that needs. */
 struct pp_box pp_strip_table_size(const struct pp_site_drawing *drawing, double height);
 
-/* Draws it from the upper left corner of the box, in columns as high as the box. */
+/* Draws the table from the upper left corner of the box, in columns as high as the
+ * box. */
 void pp_strip_table_draw(const struct pp_site_drawing *drawing, struct pp_box box);
 
 #endif

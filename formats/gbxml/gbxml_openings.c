@@ -201,7 +201,8 @@ static enum pp_status place_opening(struct pp_gbxml_room *room,
             if (away > reached)
                 next = fmin(next, away);
         }
-        /* Faces behind the one that has most of the opening get nothing. */
+        /* Once more than half of the opening is placed, faces farther away get none of
+         * it. */
         if (!isfinite(next) || left->placed_m2 > 0.5 * left->area_m2)
             break;
         for (int i = 0; i < room->shell.face_count && status == PP_OK; i++) {

@@ -38,8 +38,8 @@ struct pp_arc_nodes {
 /* The sum over the nodes of weight times a.across times B. */
 typedef double pp_arc_potential(const void *context, const struct pp_arc_nodes *nodes);
 
-/* A plane through the eye, perpendicular to `axis`. The potential changes its slope
- * quickly within about `width` of it (of axis.u = 0). */
+/* A plane through the eye, axis.u = 0. Near it, for |axis.u| up to about `width`, the
+ * slope of the potential changes rapidly. */
 struct pp_arc_bend {
     struct pp_vec3 axis;
     double width;

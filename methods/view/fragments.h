@@ -19,7 +19,7 @@ enum { PP_FRAGMENT_CORNERS = 12 };
 enum { PP_FRAGMENT_FREE = -1 };
 
 struct pp_fragment {
-    int owner; /* PP_FRAGMENT_FREE: no ring covers the fragment */
+    int owner; /* index of the covering ring; PP_FRAGMENT_FREE: none */
     int count;
     double xy[PP_FRAGMENT_CORNERS][2]; /* counter-clockwise */
     double low[2], high[2];

@@ -77,8 +77,8 @@ static enum pp_status cover(struct pp_patch_builder *builder, struct pp_region *
     return status;
 }
 
-/* True if the areas of union and sky sum to the whole, and every piece is in the
- * union. */
+/* True if the areas of `all` and `sky` sum to that of builder->open, and the centre of
+ * every piece is in `all`. */
 static bool adds_up(const struct pp_patch_builder *builder, const struct pp_region *all,
                     const struct pp_region *sky)
 {

@@ -30,7 +30,8 @@ static char *next_statement(struct pp_mesh_lines *lines, int *line)
     return NULL;
 }
 
-/* Next word of the text, which is terminated in place; NULL if there is none. */
+/* Returns the next word, NUL-terminated in place, and advances *text past it; NULL if
+ * there is none. */
 static char *next_word(char **text)
 {
     char *word = *text + strspn(*text, blanks);

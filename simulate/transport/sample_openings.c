@@ -258,7 +258,9 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
     sampling->end = none ? 0 : sampling->all ? count : 1;
     sampling->direction = sampling->count = 0;
     sampling->index = state->index;
-    /* drawn in one run only if their number is a power of two */
+    /* The random numbers of all directions are drawn together if
+     * pp_sobol_sequence_draw_run allows it: the number of directions is a power of two, at
+     * most PP_RUN_MOST. */
     sampling->drawn = !none && shading->directions > 1
                       && shading->directions <= PP_RUN_MOST
                       && (shading->directions & (shading->directions - 1)) == 0;

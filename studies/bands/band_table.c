@@ -7,8 +7,8 @@
 
 #include "model/base/text.h"
 
-/* Row of the CSV file. Texts are arrays, since pointers would need 12,000 relocations
- * at every start. */
+/* Row of a band table's CSV file. Texts are arrays, since pointers would need 12,000
+ * relocations at every start. */
 struct row {
     char place[8], component[4], column[28]; /* place "span": the range of the feature
                                               * `column` */

@@ -2,8 +2,8 @@
  * hour of solar time, from a weather file.
  *
  * The sun shines if its irradiance on a plane normal to its direction is more than 120
- * W/m2 [WMO8]. Since a record has only the mean irradiance, it counts entirely or not
- * at all.
+ * W/m2 [WMO8]. A record has only the mean irradiance, so it counts as wholly
+ * sunny or not at all.
  */
 #ifndef PP_STUDIES_CLIMATE_SUNSHINE_H
 #define PP_STUDIES_CLIMATE_SUNSHINE_H

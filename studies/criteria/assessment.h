@@ -60,7 +60,7 @@ struct pp_assessment {
     const struct pp_study_room *room;   /* not owned */
     const struct pp_study_room *before; /* not owned; NULL */
     int *pairs;
-    bool is_new; /* the site has states, and the room does not exist before */
+    bool is_new; /* the site has states, and the room is not in the existing one */
     const struct pp_study_room *mirrored; /* not owned; NULL */
     int *mirrored_pairs;
     bool has_factors; /* true if any selected criterion uses them */

@@ -27,7 +27,7 @@ extern const struct pp_criterion pp_criterion_leed;
  * last. */
 const struct pp_criterion *pp_criteria_at(int index);
 
-/* True if that is the criterion's name or its alias. */
+/* True if `name` is the criterion's name or alias. */
 bool pp_criteria_is_called(const struct pp_criterion *criterion, const char *name);
 
 #endif

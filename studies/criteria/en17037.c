@@ -91,7 +91,8 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
                                             struct pp_finding_list *findings,
                                             const char **why)
 {
-    /* Reasons that no option can remove come first. */
+    /* Checked first: no option of the command changes the sky, whereas a missing median
+     * can be given. */
     *why = pp_factors_refuse(inquiry);
     if (!*why && isnan(inquiry->median.lux))
         *why = inquiry->median.how;

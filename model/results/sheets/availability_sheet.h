@@ -40,8 +40,8 @@ struct pp_availability_row {
     int place;                         /* receiver index, PP_PLACE_AVERAGE or
                                     * PP_PLACE_MEDIAN */
     const char *method;                /* "exact+bre"; not owned */
-    struct pp_reading df;              /* if it has no value, the other members have
-                                        * none either */
+    struct pp_reading df;              /* if it has no value, needs_lx, share and
+                                        * std_error are NAN */
     double lx;                         /* target on the working plane */
     double needs_lx;                   /* outdoors: lx over df; INFINITY if df is 0 */
     double share[PP_PERIODS_MOST];     /* by period */

@@ -34,7 +34,7 @@ static inline void pp_photon_state_draw(const struct pp_photon_state *state, int
 }
 
 /* Vertex number for a path that branches off a vertex: hashed, so that branches do not
- * share numbers. */
+ * share random numbers. */
 static inline int pp_photon_state_branch(int vertex, int kind)
 {
     uint32_t mixed = pp_hash_mix32((uint32_t)vertex * 4 + (uint32_t)kind + 1);

@@ -22,8 +22,8 @@ struct pp_atlas_drawn {
     struct pp_report report;         /* report with the figures of all methods */
 };
 
-/* Makes room `index` of the sweep. The caller clears *drawn in any case. PP_BAD_INPUT
- * if the room is invalid; this would be a fault of atlas_design.c. */
+/* Makes room `index` of the sweep and its report. The caller clears *drawn, also after a
+ * failure. PP_BAD_INPUT: the room is invalid, a bug in atlas_design.c. */
 enum pp_status pp_atlas_drawn_room(struct pp_atlas_drawn *drawn,
                                    const struct pp_atlas_design *design, int index,
                                    const struct pp_atlas_trace *trace,

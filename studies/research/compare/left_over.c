@@ -9,8 +9,8 @@ enum { TERMS = 10 };
 /* Relative error that both programs are assumed to share. */
 static const double COMMON = 0.005;
 static const double QUANTILE = 3.0;
-/* Least number of points in excess of the polynomials, from which noise is
- * estimated. */
+/* Noise is estimated only with at least this many degrees of freedom: points minus
+ * polynomials, n - p. */
 enum { FREE_LEAST = 6 };
 /* If the norm of a polynomial falls below this share when the others are subtracted, it
  * depends linearly on them at these points, and is left out. */
