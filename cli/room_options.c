@@ -189,10 +189,10 @@ const struct pp_option pp_room_by_hand_options[] = {
 
 const struct pp_option pp_room_stop_options[] = {
     {"error", 0, "E%",
-     "Stop when the standard error at every point is below this share of the daylight "
-     "factor, or below 0.002 % daylight factor. Default 1%, at most 100%. Above 5 to "
-     "10% the result is more accurate than requested, because a minimum number of "
-     "paths is used.",
+     "Stop when the standard error at every point is below this share of the "
+     "daylight factor, or below 0.002 percentage points. Default 1%, at most 100%. "
+     "Above 5 to 10% the result is more accurate than requested, because a minimum "
+     "number of paths is used.",
      pp_options_read_per_cent, PLACE(study.error)},
     {"samples", 0, "N",
      "Stop after N paths per point in each randomisation, instead of at a standard "

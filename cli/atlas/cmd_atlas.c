@@ -23,8 +23,9 @@ static const char about[] =
     "Simulates a series of systematically varied rooms, and the simplified rooms "
     "that hand methods assume. Writes the figures of each method next to the "
     "simulated ones as CSV, one row per point. Rooms already in FILE are not "
-    "simulated again, so an interrupted run continues, and you can add rooms. The "
-    "same rooms give an identical file for any number of runs and threads.";
+    "simulated again, so the same command continues an interrupted run, and you can "
+    "add rooms later. The same rooms give an identical file for any number of runs "
+    "and threads.";
 
 /* A map of an atlas on a sheet of paper. */
 struct map_sheet {
@@ -244,8 +245,8 @@ static const struct pp_option sweep_options[] = {
     {"room", 0, "NUMBER", "Print the room file of this room; rooms are counted from 0.",
      read_rooms_option, PLACE(number)},
     {"by-hand", 0, NULL,
-     "Calculate the hand methods in the atlas FILE again and add new methods; "
-     "simulated figures stay the same.",
+     "Recalculate the hand methods in the atlas FILE and add new ones; the "
+     "simulated figures do not change.",
      NULL, PLACE(by_hand)},
     {"bands", 0, NULL,
      "Write the bands of the atlas FILE, by method and regime, as the table that is "
@@ -281,8 +282,8 @@ static const struct pp_option map_options[] = {
 
 static const struct pp_option stop_option[] = {
     {"error", 0, "E%",
-     "Simulate until the standard error of every daylight factor is below this share "
-     "of it, or below 0.002 % daylight factor (default 1%).",
+     "Simulate until the standard error of every daylight factor is below this "
+     "share of the daylight factor, or below 0.002 percentage points (default 1%).",
      pp_options_read_per_cent, PLACE(room.study.error)},
     {0},
 };

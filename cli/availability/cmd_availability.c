@@ -21,10 +21,10 @@
 
 static const char about[] =
     "Shows the share of working hours in which daylight alone reaches a target "
-    "illuminance: at each room's reference points, at their median, and on average. "
-    "The external illuminance required is the target divided by the daylight factor. A "
-    "weather file, or an overcast sky at the latitude, determines how often it is "
-    "reached. FILE is a room file; - is standard input.";
+    "illuminance: at the reference points of each room, for their median, and for "
+    "the average. The external illuminance required is the target divided by the "
+    "daylight factor. A weather file, or an overcast sky at the latitude, "
+    "determines how often it is reached. FILE is a room file; - is standard input.";
 
 struct availability_options {
     struct pp_room_options room;

@@ -302,8 +302,8 @@ const struct pp_option pp_render_picture_options[] = {
 
 const struct pp_option pp_render_shown_options[] = {
     {"exposure", 0, "HOW",
-     "PNG: auto (default), human (contrast as seen by an eye in the room), or the "
-     "value that is shown as white.",
+     "Exposure of a PNG: auto (default), human (contrast as seen by an eye in the "
+     "room), or the value that is shown as white.",
      read_exposure, PLACE(exposure)},
     {"false-colour", 0, NULL,
      "PNG, PDF, SVG: draw a sheet with the values as colours, a scale and contours.",

@@ -25,13 +25,13 @@ enum { SHORT_ROOMS = 2 };
 
 static const char about[] =
     "Writes a report of all rooms in a file: one self-contained HTML page with -o "
-    "FILE.html, or A4 sheets with -o FILE.pdf. For each room it shows daylight factors "
-    "by hand with their bands, simulated ones with standard errors, and the criteria. "
-    "It adds the effect of changes, plan and section, and states how the figures were "
-    "calculated. For a site it shows plan and elevations, the sky seen from every "
-    "window and the lit area of every room. Existing and proposed states are compared. "
-    "If sunlight is assessed, it adds sun paths. FILE is a room file; - is standard "
-    "input.";
+    "FILE.html, or A4 sheets with -o FILE.pdf. For each room it shows daylight "
+    "factors by hand with their bands, simulated ones with standard errors, and the "
+    "criteria. It adds the effect of changes, a plan and a section, and states how "
+    "the figures were calculated. For a site it shows plan and elevations, the sky "
+    "seen from every window and the lit area of every room. Existing and proposed "
+    "states are compared. If sunlight is assessed, it adds sun paths. FILE is a "
+    "room file; - is standard input.";
 
 static enum pp_status read_format(const char *text, void *place, struct pp_error *err)
 {

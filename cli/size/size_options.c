@@ -42,8 +42,8 @@ static enum pp_status read_of(const char *text, void *place, struct pp_error *er
 #define PLACE(member) offsetof(struct pp_size_options, member)
 
 const struct pp_option pp_size_task_options[] = {
-    {"target", 't', "DF%", "Target daylight factor: 2% or 2.", pp_options_read_per_cent,
-     PLACE(request.target)},
+    {"target", 't', "DF%", "Target daylight factor, such as 2% or 2.",
+     pp_options_read_per_cent, PLACE(request.target)},
     {"for", 0, "CRITERION",
      "Use a criterion of assess as the target, with all its requirements. Add a colon "
      "and the start of a requirement to select it: en17037:minimum.",

@@ -124,7 +124,7 @@ static void note_choice(const struct envelope_choice *choice, bool closes,
                                                    : "a vertical prism over its floor");
     if (shell->moved_m > noted_m)
         pp_mistakes_add(notes, space->line,
-                        "space \"%.60s\": corners up to %.0f mm apart are merged",
+                        "space \"%.60s\": corners up to %.0f mm apart were merged",
                         space->id, 1e3 * shell->moved_m);
     if (shell->lacking > 0)
         pp_mistakes_add(notes, space->line,

@@ -282,7 +282,7 @@ static void corners_are_welded_within_20_mm(void **state)
     struct sizes sizes = attic(0.01, notes);
     assert_near(sizes.volume_m3, 72.0, 0.2);
     assert_near(sizes.height_m, 4.0, 0.011);
-    assert_non_null(strstr(notes, "corners up to 10 mm apart are merged"));
+    assert_non_null(strstr(notes, "corners up to 10 mm apart were merged"));
     sizes = attic(0.001, notes);
     assert_near(sizes.volume_m3, 72.0, 0.02);
     assert_null(strstr(notes, "made one"));
