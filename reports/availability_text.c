@@ -52,7 +52,7 @@ static bool print_periods(const struct pp_availability_sheet *sheet, int width,
     static const char *const headings[] = {"working time", "hours", "with light %"};
     bool good = true;
     for (int i = 0; i < 5 && good; i++) {
-        static const char *const shares[] = {"50 % of them", "85 % of them"};
+        static const char *const shares[] = {"50 % of hours", "85 % of hours"};
         struct pp_table_column *column =
             i < 3 ? pp_table_add(&table, NULL, NULL, headings[i])
                   : pp_table_add(&table, given, "lx in", shares[i - 3]);

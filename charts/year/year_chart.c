@@ -257,7 +257,8 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
                     "LEED v4.1, option 1, for this room alone: %d point%s%s.",
                     leed.points, leed.points == 1 ? "" : "s",
                     leed.ase_to_explain
-                        ? "; ASE is above 10 %: explain the protection from glare"
+                        ? "; ASE is above 10 %: explain how the space is protected "
+                          "from glare"
                         : "");
     pp_page_say(foot, room, "Weather: %s. Hours: %s. Blinds: %s.", sheet->weather,
                 sheet->period, sheet->blinds);

@@ -382,8 +382,9 @@ static void on_error(void *context, const xmlError *error)
         b->out_of_memory = true;
     else if (error->code == XML_ERR_TAG_NAME_MISMATCH && open)
         pp_mistakes_add(b->mistakes, line,
-                        "there is </%s>; expected </%s> to close line %d", one, other,
-                        open->line);
+                        "there is </%s>; expected </%s> to close the element on "
+                        "line %d",
+                        one, other, open->line);
     else if (error->code == XML_ERR_ATTRIBUTE_REDEFINED)
         pp_mistakes_add(b->mistakes, line_at(b, last(b, "<")),
                         "the attribute \"%s\" is given twice", one);

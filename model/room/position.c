@@ -128,26 +128,26 @@ static const char *fault_on_surface(enum pp_role role)
 {
     switch (role) {
     case PP_FLOOR:
-        return "lies in the floor but does not face straight up (nx, ny, nz)";
+        return "lies on the floor but does not face straight up (nx, ny, nz)";
     case PP_WALL:
-        return "lies in a wall but does not face straight into the room (nx, ny, nz)";
+        return "lies on a wall but does not face straight into the room (nx, ny, nz)";
     case PP_CEILING:
-        return "lies in the ceiling but does not face straight down (nx, ny, nz)";
+        return "lies on the ceiling but does not face straight down (nx, ny, nz)";
     case PP_REVEAL:
         return "lies in an opening";
     case PP_BLOCK:
-        return "lies in a block";
+        return "lies inside a block";
     case PP_FACADE:
         return "lies in a facade";
     case PP_SKYLINE:
         return "lies behind a skyline";
     case PP_COVER:
-        return "lies in a door or a dado";
+        return "lies on a door or a dado";
     case PP_FREE_SURFACE:
     case PP_ROLE_COUNT:
         break;
     }
-    return "lies in a surface";
+    return "lies on a surface";
 }
 
 /* True if a receiver on that surface receives the light that falls on it from the
@@ -193,7 +193,7 @@ static const char *find_fault(const struct pp_world *world,
         if (is_in_block(&world->blocks[i], position))
             return fault_on_surface(PP_BLOCK);
     if (pp_position_in_fitting(world, position))
-        return "lies in furniture, a column or a partition";
+        return "lies inside furniture, a column or a partition";
     const int count = among ? among->count : world->surface_count;
     for (int i = 0; i < count; i++) {
         const struct pp_surface *surface = &world->surfaces[among ? among->list[i] : i];

@@ -26,16 +26,18 @@ static void put_head(const struct pp_atlas_bands *bands, FILE *out)
     fprintf(
         out,
         "# atlas_bands%s.csv - accuracy of the hand methods by regimes of rooms:\n#   "
-        "quantiles of (simulated + %g) / (hand + %g), daylight factors as fractions\n# "
-        "source: own, `pepperpot atlas FILE --bands` over %d rooms of the atlas under "
-        "%s\n# place: of figures at points, or averages; span: from the lowest (low) "
-        "to the highest\n#   (high) value of the column's feature in the place that "
-        "its rooms have\n# component, column: of the figure; rooms: number of rooms in "
-        "the regime\n# low, median, high: quantiles of 2.5, 50 and 97.5 %%; spread: "
-        "half the distance between\n#   those of 16 and 84 %%; formula: simulated in "
-        "the method's own world over hand;\n#   assumption: simulated in the room over "
-        "simulated in that world\n# feature1 to 5: the regime is from <= feature < to; "
-        "empty: no bound\n",
+        "quantiles of (simulated + %g) / (hand + %g), daylight factors as "
+        "fractions\n# source: own, `pepperpot atlas FILE --bands` over %d rooms of "
+        "the atlas under %s\n# place: the figures are at points, or are averages; "
+        "span: this line shows the lowest\n#   (low) and the highest (high) value of "
+        "the feature that is named under column\n# component, column: component and "
+        "method of the figure; rooms: number in the regime\n# low, median, high: "
+        "quantiles of 2.5, 50 and 97.5 %%; spread: half the distance between\n#   "
+        "those of 16 and 84 %%; formula: the value simulated in the room that the "
+        "method\n#   assumes, divided by the hand value; assumption: the value "
+        "simulated in the real\n#   room, divided by the value simulated in the "
+        "assumed room\n# feature1 to 5: the regime is from <= feature < to; empty: no "
+        "bound\n",
         bands->iso ? "_iso" : "", PP_BAND_OFFSET, PP_BAND_OFFSET, bands->rooms,
         bands->iso ? "the skies of ISO 15469" : "the overcast sky");
     fputs("place,component,column,rooms,low,median,high,spread,formula_low,"

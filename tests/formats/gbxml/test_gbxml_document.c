@@ -93,8 +93,8 @@ static void files_other_than_gbxml_are_refused_in_words(void **state)
          "a.xml:2: the file ends inside the <Campus> that begins on line 2; "
          "expected </Campus>"},
         {"<gbXML>\n<Campus id='a", "a.xml:2: the file ends inside the tag"},
-        {"<gbXML>\n</Campus></gbXML>",
-         "a.xml:2: there is </Campus>; expected </gbXML> to close line 1"},
+        {"<gbXML>\n</Campus></gbXML>", "a.xml:2: there is </Campus>; expected </gbXML> "
+                                       "to close the element on line 1"},
         {"", "a.xml:1: the file is empty; expected a <gbXML>"},
         {"v 1 2 3", "a.xml:1: this is not XML; expected a <gbXML>"},
         {"<!DOCTYPE gbXML [<!ENTITY a 'b'>]><gbXML>&a;</gbXML>",

@@ -305,7 +305,7 @@ static void others_are_refused_with_a_reason(void **state)
         {"", "the file is empty; expected a <gbXML>"},
         {"<gbXML", "the file ends inside the tag"},
         {"<gbXML lengthUnit='Meters'><Campus></gbXML>",
-         "there is </gbXML>; expected </Campus> to close line 1"},
+         "there is </gbXML>; expected </Campus> to close the element on line 1"},
         {"<room version='1'/>", "expected <gbXML>"},
         {"<!DOCTYPE gbXML [<!ENTITY a 'aaaa'>]><gbXML lengthUnit='Meters'/>",
          "DOCTYPE"},

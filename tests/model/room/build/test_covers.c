@@ -179,7 +179,7 @@ static void no_point_lies_behind_a_dado(void **state)
         &mistakes);
     assert_null(world);
     assert_int_equal(mistakes.count, 1);
-    assert_non_null(strstr(mistakes.list[0].text, "lies in a door or a dado"));
+    assert_non_null(strstr(mistakes.list[0].text, "lies on a door or a dado"));
     pp_mistakes_clear(&mistakes);
     world = pp_test_world(ROOM "<dado reflectance='0.3'/>"
                                "<point x='3' y='5' z='1.5' nx='0' ny='-1' nz='0'/>"

@@ -134,7 +134,7 @@ static void what_stands_in_a_room_is_all_inside(void **state)
 static void no_light_is_measured_within_what_stands_in_a_room(void **state)
 {
     (void)state;
-    const char *within = "lies in furniture";
+    const char *within = "lies inside furniture";
     check_wrong("<furniture x='2' y='2' width='1' depth='0.6' height='2'/>"
                 "<point x='2.3' y='2.2'/>",
                 within);

@@ -328,7 +328,7 @@ static void lines_beyond_65535_are_counted_rightly(void **state)
     snprintf(text, size, "<room version='1'>" PLAN "%s</building>", lines);
     outcome = parse_text(text);
     assert_int_equal(outcome.line, 70000);
-    assert_non_null(strstr(outcome.text, "to close line 1"));
+    assert_non_null(strstr(outcome.text, "to close the element on line 1"));
 
     snprintf(text, size, "<room version='1'>" PLAN "%s<point x='1'\ny='2'/></room>",
              lines);
