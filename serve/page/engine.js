@@ -39,7 +39,7 @@ async function request(path, body, { signal, type = 'application/json', secret =
     } catch {
         // The status says enough.
     }
-    throw new EngineError(answer.error ?? `The server answers with status ${response.status}.`, response.status, answer.mistakes);
+    throw new EngineError(answer.error ?? `The server replied with status ${response.status}.`, response.status, answer.mistakes);
 }
 
 async function post(command, text, options, signal) {

@@ -33,7 +33,7 @@ export function surfacesOfObj(text) {
 function addObj(text) {
     const surfaces = surfacesOfObj(text);
     if (!surfaces.length) throw new Error('The OBJ file has no faces.');
-    if (surfaces.length > SURFACES_MOST) throw new Error(`The OBJ file has ${surfaces.length} faces; the board takes ${SURFACES_MOST}. Use <mesh> in a room file of pepperpot itself.`);
+    if (surfaces.length > SURFACES_MOST) throw new Error(`The OBJ file has ${surfaces.length} faces; the drawing board accepts at most ${SURFACES_MOST}. Use <mesh> in a room file and the pepperpot command instead.`);
     const xml = surfaces.map((corners) => `<surface reflectance="0.3">${corners.map(([x, y, z]) => `<vertex x="${x}" y="${y}" z="${z}"/>`).join('')}</surface>`).join('\n');
     board.change(insertInto(board.text, board.room, xml));
 }
@@ -42,18 +42,18 @@ export async function openFile(file) {
     const ending = file.name.toLowerCase().split('.').pop();
     if (ending === 'epw') {
         useWeather(await engine.weather(await file.arrayBuffer()));
-        return `Weather of ${file.name} is in use.`;
+        return `The weather file ${file.name} is now used.`;
     }
     const text = await file.text();
     if (ending === 'obj') {
         addObj(text);
-        return `${file.name} is added as surfaces.`;
+        return `The faces of ${file.name} were added as surfaces.`;
     }
     if (/<gbXML[\s>]/.test(text.slice(0, 4000))) {
         board.open(await engine.importGbxml(text));
         return `${file.name} is imported.`;
     }
-    if (!/<(room|building)[\s>]/.test(text)) throw new Error(`${file.name} is no room file, gbXML, OBJ or EPW file.`);
+    if (!/<(room|building)[\s>]/.test(text)) throw new Error(`${file.name} is not a room file, gbXML file, OBJ file or EPW file.`);
     board.open(text);
     return `${file.name} is open.`;
 }

@@ -18,7 +18,7 @@ function drawParts() {
     const list = $('parts');
     const room = board.room;
     const shown = [room, ...board.parts].filter((e) => e && KINDS[e.name] && e.name !== 'vertex');
-    replaceChildren(list, h('option', { value: -1 }, shown.length ? 'Choose a part to change it' : 'The text has no room'),
+    replaceChildren(list, h('option', { value: -1 }, shown.length ? 'Choose a part to change it' : 'The text does not contain a room'),
         shown.map((e) => h('option', { value: e.index }, '\u2003'.repeat(levelOf(e)) + labelOf(e))));
     list.value = String(shown.some((e) => e.index === board.selected) ? board.selected : -1);
 }
@@ -52,7 +52,7 @@ function drawValues() {
     const element = board.element;
     const box = $('values');
     if (!element) {
-        replaceChildren(box, h('p', { class: 'hint' }, 'Select a part in the drawing or in the list. Handles move it by pointer or arrow keys in steps of 5 cm; with Alt freely.'));
+        replaceChildren(box, h('p', { class: 'hint' }, 'Select a part in the drawing or in the list. Move its handles with the pointer or the arrow keys, in steps of 5 cm; hold Alt to move them freely.'));
         return;
     }
     replaceChildren(box, h('h3', {}, labelOf(element)), h('div', { class: 'value-grid' }, attributesOf(element).map((a) => drawValue(element, a))));

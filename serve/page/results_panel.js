@@ -33,7 +33,7 @@ function drawPlanFigures() {
     }
     replaceChildren(box, h('dl', {},
         h('div', {}, h('dt', {}, `Contours by ${plan.method}`), h('dd', {}, `${figure(plan.lowest.value)} to ${figure(plan.highest.value)} %`)),
-        h('div', {}, h('dt', {}, 'Working plane that sees sky'), h('dd', {}, `${plan['sky-share'].toFixed(plan['sky-share'] > 99.95 ? 0 : 1)} %`))),
+        h('div', {}, h('dt', {}, 'Working plane with a view of the sky'), h('dd', {}, `${plan['sky-share'].toFixed(plan['sky-share'] > 99.95 ? 0 : 1)} %`))),
         plan.note && h('p', { class: 'note' }, plan.note));
 }
 
@@ -69,7 +69,7 @@ function drawPoint() {
     const box = $('point-figures');
     const found = point?.points?.[0];
     if (!found) {
-        replaceChildren(box, h('p', { class: 'hint' }, pointError || 'Move the pointer over the plan to see the components there, or type a place.'));
+        replaceChildren(box, h('p', { class: 'hint' }, pointError || 'Move the pointer over the plan to see the components there, or enter a position.'));
         return;
     }
     const first = (part) => Object.values(found[part] ?? {})[0];

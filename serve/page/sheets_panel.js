@@ -80,7 +80,7 @@ async function render() {
     try {
         for await (const { data } of engine.render(board.text, options, own.signal)) {
             replaceChildren($('picture'), h('img', { src: `data:image/png;base64,${data.png}`, alt: `Picture of ${board.roomName || 'the room'}, pass ${data.pass}` }));
-            $('picture-state').textContent = `Pass ${data.pass} of ${data.passes}, ${data.samples} paths a pixel`;
+            $('picture-state').textContent = `Pass ${data.pass} of ${data.passes}, ${data.samples} paths per pixel`;
         }
     } catch (error) {
         $('picture-state').textContent = error.name === 'AbortError' ? 'Stopped' : error.message;
