@@ -60,8 +60,8 @@ static void append_parts(char text[TEXT], const struct pp_band_entry *entry)
 {
     if (isfinite(entry->formula.low))
         pp_text_append(text, TEXT,
-                       "; the formula alone accounts for %.2f to %.2f, its assumptions "
-                       "about ground and surroundings for %.2f to %.2f",
+                       "; the formula alone accounts for %.2f to %.2f, the method's "
+                       "assumptions about ground and surroundings for %.2f to %.2f",
                        entry->formula.low, entry->formula.high, entry->assumption.low,
                        entry->assumption.high);
 }

@@ -154,7 +154,8 @@ static void tell_reflectances(const struct pp_world *world,
     append_reflectance(world, PP_CEILING, "ceiling", text);
     if (world->decorations != 1.0)
         pp_text_append(text, TEXT_BYTES,
-                       "; reflected light multiplied by %.3g for decorations",
+                       "; reflected light multiplied by %.3g for deterioration of "
+                       "decorations",
                        world->decorations);
     tell(listener, "reflectances", "%s", text);
 }

@@ -154,8 +154,9 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
     if (!text[0])
         return;
     pp_text_append(text, sizeof text,
-                   ": the allowance for decorations (%.3g) is not applied, because it "
-                   "concerns only the internally reflected component",
+                   ": the factor for deterioration of decorations (%.3g) is not "
+                   "applied, because it applies only to the internally reflected "
+                   "component",
                    report->world->decorations);
     fputs("  - ", out);
     pp_print_wrapped(text, 4, 4, width, out);

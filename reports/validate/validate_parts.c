@@ -9,11 +9,11 @@ enum { NAME_WIDTH = 20 };
 
 const char pp_validate_parts_note[] =
     "Causes of differences. assumption: difference between the room and the room that "
-    "the method assumes, both simulated. formula: difference between that assumed room "
-    "and the method. Together they add up to off and bias. noise: standard error of "
-    "assumption. In the assumed room the ground is open and as bright as the method "
-    "assumes. An endless skyline replaces all obstructions, unless the method is for "
-    "the direct component alone.";
+    "the method assumes, both simulated. formula: difference between that assumed "
+    "room and the method. Assumption and formula add up to off for the average, and "
+    "to bias at the points. noise: standard error of assumption. In the assumed room "
+    "the ground is open and as bright as the method assumes. An endless skyline "
+    "replaces all obstructions, unless the method is for the direct component alone.";
 
 /* ---- text ---- */
 

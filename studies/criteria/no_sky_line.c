@@ -52,7 +52,7 @@ static enum pp_status add_former(const struct sky_view_area *now,
                                  const struct pp_world *before,
                                  struct pp_finding_list *findings, struct pp_error *err)
 {
-    static const char what[] = "area with a view of the sky, ratio of now to before";
+    static const char what[] = "area with a view of the sky, ratio to the former area";
     struct sky_view_area then;
     enum pp_status status = find_view(&then, before, err);
     if (status != PP_OK)

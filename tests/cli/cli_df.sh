@@ -127,9 +127,9 @@ assumed() {
 }
 check "are all assumed" assumed "maintenance 0.7 (BRE309), curtains"
 check "curtains too" assumed "curtains transmit 0.9"
-check "and decorations" assumed "reflected light multiplied by 0.6 for decorations"
+check "and decorations" assumed "reflected light multiplied by 0.6 for deterioration of decorations"
 check "which the average daylight factor does not count" \
-    assumed "average-df: the allowance for decorations (0.6)"
+    assumed "average-df: the factor for deterioration of decorations (0.6)"
 check "a minimum is no average" grep -q "bre-min: the method gives the minimum" "$scratch/out"
 check "in 80 columns" nothing "$(too_wide)"
 check "each is in the sum" shows "IRC = irc M G K D" \

@@ -146,7 +146,7 @@ check "one room decides" grep -q '"room": "Bathroom",.*"decides": true' "$scratc
 height=$(sed -n 's/^  "height": \([0-9.]*\),/\1/p' "$scratch/out")
 sed "s/depth=\"5\" height=\"19\"/depth=\"5\" height=\"$height\"/" "$site" >"$scratch/lower.xml"
 check "at that height it has it" gives assess --by-hand -c no-sky-line --room Bathroom -f json "$scratch/lower.xml"
-check "to 1e-3" is "$(sed -n 's/.*ratio of now to before.*"figure": \([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-3
+check "to 1e-3" is "$(sed -n 's/.*ratio to the former area.*"figure": \([0-9.]*\),.*/\1/p' "$scratch/out")" 0.8 1e-3
 check "27 % is enough" shows "or 27 %" size --obstruction Tower --enough 27% --room Study "$site"
 check "of a room there is no such share" refuses 2 "a lit area belongs to a room" \
     size --obstruction Tower --of lit-area --enough 27% "$site"
