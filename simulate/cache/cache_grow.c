@@ -1,5 +1,4 @@
-/* cache_grow.c - requests, and records made batch by batch until all requests are
- * covered.
+/* cache_grow.c - requests, and records made in batches until all requests are covered.
  *
  * Requests are processed in a scattered order, so that the first records are far apart
  * and later ones lie between them. They are divided into chunks. A batch is chosen from
@@ -37,8 +36,7 @@ enum {
 /* Least distance between two members of a batch, over the radius expected there. Chosen
  * by trial. */
 static const double APART = 0.7;
-/* The radius expected where there is no record yet, over the scene's size. Chosen by
- * trial. */
+/* The radius expected where there is no record yet, over the scene's size; by trial. */
 static const double FIRST_GUESS = 1.0 / 32.0;
 
 /* ---- requests ---- */
@@ -243,8 +241,7 @@ enum pp_status pp_cache_grow_request_hemisphere(struct pp_irradiance_cache *cach
     return request_along(cache, ray_about, &over, RAYS, 1, err);
 }
 
-/* Creates requests of depth 1 on the surfaces that light the new requests of depth
- * 0. */
+/* Creates requests of depth 1 on the surfaces that light new requests of depth 0. */
 static enum pp_status expand(struct pp_irradiance_cache *cache, struct pp_error *err)
 {
     const struct pp_cache_layer *seen = &cache->layers[0];
