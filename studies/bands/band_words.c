@@ -30,7 +30,7 @@ static const char *const words[PP_BAND_FEATURES] = {
                       "above the point",
     [PP_ROOM_SIDE] = "ratio of the distance from the wall to the room height",
     [PP_ROOM_VIEW] = "configuration factor of the windows",
-    [PP_BAND_FIGURE] = "value of the hand figure (%)",
+    [PP_BAND_FIGURE] = "value by the hand method (%)",
     [PP_BAND_SKY] = "share of the sky component",
     [PP_BAND_OUTSIDE] = "share of the externally reflected component",
     [PP_BAND_INSIDE] = "share of the internally reflected component",
@@ -50,13 +50,27 @@ static void add_condition(char *text, size_t size,
                        isinf(condition->to) ? "ordinary" : "unusual");
         return;
     }
-    pp_text_append(text, size, "%s%s ", comma, words[condition->feature]);
+    if (condition->feature == PP_ROOM_THINGS) {
+        pp_text_append(text, size, "%s%s external blocks or surfaces", comma,
+                       isinf(condition->to) ? "with" : "without");
+        return;
+    }
+    const char *unit = "";
+    if (condition->feature == PP_ROOM_OBSTRUCTION) {
+        pp_text_append(text, size, "%sobstruction angle ", comma);
+        unit = " degrees";
+    } else if (condition->feature == PP_BAND_FIGURE) {
+        pp_text_append(text, size, "%svalue by the hand method ", comma);
+        unit = " %";
+    } else {
+        pp_text_append(text, size, "%s%s ", comma, words[condition->feature]);
+    }
     if (isinf(condition->from))
-        pp_text_append(text, size, "under %g", condition->to);
+        pp_text_append(text, size, "under %g%s", condition->to, unit);
     else if (isinf(condition->to))
-        pp_text_append(text, size, "%g or more", condition->from);
+        pp_text_append(text, size, "%g%s or more", condition->from, unit);
     else
-        pp_text_append(text, size, "%g to %g", condition->from, condition->to);
+        pp_text_append(text, size, "%g to %g%s", condition->from, condition->to, unit);
 }
 
 void pp_band_words_regime(char *text, size_t size, const struct pp_band_regime *regime)
