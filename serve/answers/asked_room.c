@@ -178,7 +178,7 @@ static enum pp_status choose_room(struct pp_asked_room *asked, const char *name,
         asked->study = NULL;
     }
     err->status = PP_BAD_INPUT;
-    strcpy(err->message, "there is no room of that name");
+    strcpy(err->message, "there is no room with that name");
     return PP_BAD_INPUT;
 }
 
