@@ -62,7 +62,7 @@ check "validate without a room has no use for one" refuses 2 '--formula' \
 check "a formula that divides by zero in a room has no value" \
     shows 'divides by zero, in column 15' \
     df --formula 'irc = W C / A / (R - R)' --format json "$office"
-check "one for panes that the room has not says so" shows "none of the room's" \
+check "one for panes that the room has not says so" shows "does not apply to any of the room's" \
     df --formula 'split-flux: irc = u C' -m split-flux "$office"
 
 # refused TEXT COLUMN WORDS
