@@ -92,7 +92,7 @@ check "--line of another chart" refuses 2 "--line is for a plan only" \
     chart section --line no-sky "$deep" -o "$scratch/no.svg"
 check "an unknown line" refuses 2 "no-sky or sky-factor" \
     chart plan --line grumble "$deep" -o "$scratch/no.svg"
-check "before of a file without states" refuses 2 "nothing in" \
+check "before of a file without states" refuses 2 "no element in" \
     chart plan --before existing "$deep" -o "$scratch/no.svg"
 check "another room before" refuses 1 "expected the same room" \
     chart plan --before "$examples/l-shaped.xml" "$deep" -o "$scratch/no.svg"
