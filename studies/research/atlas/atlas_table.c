@@ -1,6 +1,8 @@
 /* atlas_table.c - reads the lines of a CSV table one by one. */
 #include "studies/research/atlas/atlas_table.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -63,6 +65,29 @@ static bool read_field_number(double *value, const char *field, const char *end)
     return behind == end && isfinite(*value);
 }
 
+/* True for a whole number from `least` up that is an int. */
+static bool is_number_from(double value, int least)
+{
+    return value >= least && value <= INT_MAX && value == floor(value);
+}
+
+/* Rooms are counted from 0, points from 0; point -1 is the average. */
+static enum pp_status check_numbers(const struct table_reading *reading, int row,
+                                    struct pp_error *err)
+{
+    const struct pp_atlas_table *table = reading->table;
+    if (!is_number_from(pp_atlas_table_value(table, row, table->room), 0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s:%d: the room has no number; expected a whole number from 0",
+                       reading->path, reading->line);
+    if (!is_number_from(pp_atlas_table_value(table, row, table->point), -1))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s:%d: the point has no number; expected a whole number from "
+                       "0, or -1 for the average",
+                       reading->path, reading->line);
+    return PP_OK;
+}
+
 static enum pp_status read_atlas_row(struct table_reading *reading, char *line,
                                      struct pp_error *err)
 {
@@ -88,7 +113,7 @@ static enum pp_status read_atlas_row(struct table_reading *reading, char *line,
         return pp_fail(err, PP_BAD_INPUT, "%s:%d: %d fields; expected %d",
                        reading->path, reading->line, count, table->column_count);
     table->row_count++;
-    return PP_OK;
+    return check_numbers(reading, table->row_count - 1, err);
 }
 
 /* Removes the rows after the last average, which belong to an unfinished room. */

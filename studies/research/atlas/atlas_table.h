@@ -1,10 +1,10 @@
 /* atlas_table.h - a file of the atlas in memory: named columns of numbers.
  *
  * The file is CSV: comment lines (#), a line of names, and rows of numbers; an empty
- * field is NAN. The comment "# sky iso, ..." marks rooms under the skies of ISO 15469.
- * The file may still be growing, or may have been cut off: a last line without a line
- * end is left out, and so are the rows of a last room without an average (the row of
- * point -1).
+ * field is NAN, but rooms and points have whole numbers. The comment "# sky iso, ..."
+ * marks rooms under the skies of ISO 15469. The file may still be growing, or may have
+ * been cut off: a last line without a line end is left out, and so are the rows of a
+ * last room without an average (the row of point -1).
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_TABLE_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_TABLE_H

@@ -72,6 +72,9 @@ static void what_is_no_number_is_named_with_its_line(void **state)
          ":4: a is \"1..2\"; expected a number"},
         {"room,point,a\n0,-1\n", ":2: 2 fields; expected 3"},
         {"room,point,a\n0,-1,1,2\n", ":2: 4 fields; expected 3"},
+        {"room,point,a\n0,0,1\n,-1,1\n", ":3: the room has no number"},
+        {"room,point,a\n1e10,-1,1\n", ":2: the room has no number"},
+        {"room,point,a\n0,,1\n", ":2: the point has no number"},
         {"room,x\n", ":1: no columns"},
         {"# nothing\n", ": the file is empty; expected an atlas"},
     };
