@@ -47,15 +47,28 @@ printf '%s\n' 'd  0' SECTION 2 HEADER 9 '$INSUNITS' 70 4 0 ENDSEC 0 SECTION 2 EN
     printf '\1'
 } >"$(corpus checkpoint)/all-tiles-done"
 
+cp "$srcdir"/tests/methods/lumen/*.csv "$(corpus lumen)"
+printf '%s\n' '# sky iso, turbid' room,point,df 0,0,1.5 0,-1,1.2 1,0,, 1,-1,2 \
+    >"$(corpus atlas)/two-rooms"
+values=$(corpus values)
+printf '%s\n' x,y,z,df_percent 1,2,.85,3.1 >"$values/commas"
+printf '%s\n' 'x [m];y [m];e [lx]' '1,5;2;310,5' >"$values/semicolons"
+printf '%s\n' 3.1 2.9 1e-3 >"$values/bare"
+printf '0.85 W / (A (1 - R_fw)) (1 + 5 sin(theta)) + min(W, 2) / A' >"$(corpus formula)/sum"
+
+# An archive: a target takes the objects that it needs.
+rm -f "$built/objects.a"
+${AR:-ar} rcs "$built/objects.a" "$built"/objects/*.o
+
 for source in "$srcdir"/tests/fuzz/fuzz_*.c; do
     name=$(basename "$source" .c)
     kind=${name#fuzz_}
     seeds=$(corpus "$kind")
     wrap=
-    # The scene reader opens files that a scene names: the fuzzer replaces them.
-    [ "$kind" != rad ] || wrap=-Wl,--wrap=pp_read_file
+    # These readers open files: the fuzzer replaces them.
+    case $kind in rad | values | atlas) wrap=-Wl,--wrap=pp_read_file ;; esac
     # shellcheck disable=SC2086 # words
-    $FUZZ_CC $flags -fsanitize=fuzzer $wrap -o "$built/$name" "$source" "$built"/objects/*.o $LIBS
+    $FUZZ_CC $flags -fsanitize=fuzzer $wrap -o "$built/$name" "$source" "$built/objects.a" $LIBS
     words=
     [ ! -f "$srcdir/tests/fuzz/$name.dict" ] || words="-dict=$srcdir/tests/fuzz/$name.dict"
     echo "run it: $built/$name -max_total_time=600 -max_len=24000 $words $seeds"
