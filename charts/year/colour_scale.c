@@ -28,12 +28,18 @@ double pp_colour_scale_legend(cairo_t *cr, const struct pp_style *style,
         cairo_rectangle(cr, x + i * patch, y, patch, height);
         cairo_fill(cr);
     }
+    double free_from = x;
     for (int i = 1; i < PP_COLOUR_CLASSES; i++) {
         char text[32];
         snprintf(text, sizeof text, "%g%s", scale->limits[i],
                  i + 1 == PP_COLOUR_CLASSES ? scale->unit : "");
+        struct pp_box box = pp_lettering_measure(cr, style, &words, x + i * patch,
+                                                 y + height + 0.3 * style->scale, text);
+        if (box.x < free_from)
+            continue;
         pp_lettering_draw(cr, style, &words, x + i * patch,
                           y + height + 0.3 * style->scale, text);
+        free_from = box.x + box.width + 0.5 * style->scale;
     }
     return height + 3.5 * style->scale;
 }

@@ -71,8 +71,8 @@ static void draw_map(const struct year_plot *plot, struct pp_box box)
             continue;
         pp_colour_scale_set(cr, &lux_scale, lx);
         cairo_rectangle(cr, left + at * day,
-                        low - (hour->start_h + hour->length_h) * high / 24.0, day,
-                        hour->length_h * high / 24.0);
+                        low - (hour->start_h + hour->length_h) * high / 24.0,
+                        day + OVERLAP_MM, hour->length_h * high / 24.0);
         cairo_fill(cr);
     }
     cairo_set_antialias(cr, CAIRO_ANTIALIAS_DEFAULT);
@@ -210,7 +210,8 @@ static void draw_share_curve(const struct year_plot *plot, const struct pp_axis 
     cairo_line_to(cr, x + 7.0 * plot->style.scale, y);
     cairo_stroke(cr);
     struct pp_lettering name = {.size = PP_TEXT_SMALL, .down = 0.5};
-    pp_lettering_draw(cr, &plot->style, &name, x + 8.0 * plot->style.scale, y, words);
+    pp_lettering_draw_on_white(cr, &plot->style, &name, x + 8.0 * plot->style.scale, y,
+                               words);
 }
 
 static void draw_curves(const struct year_plot *plot, struct pp_box box)
@@ -226,9 +227,8 @@ static void draw_curves(const struct year_plot *plot, struct pp_box box)
     struct pp_axis across = pp_axis_log(10.0, 50000.0, box.x + 8.0 * scale,
                                         box.x + box.width - 2.0 * scale, 9.0 * scale);
     struct pp_axis up = pp_axis_linear(0.0, 100.0, low, box.y, 5.0 * scale, true);
-    put_panel_title(
-        plot, box.x, box.y - 1.0 * scale,
-        "Occupied hours (%) in which the illuminance (lx) is at least this value");
+    put_panel_title(plot, box.x, box.y - 1.0 * scale,
+                    "Occupied hours (%) with at least this illuminance (lx)");
     pp_axis_grid_across(plot->cr, &plot->style, &up, across.from, across.to);
     pp_axis_grid_up(plot->cr, &plot->style, &across, box.y, low);
     pp_axis_draw_across(plot->cr, &plot->style, &across, low);

@@ -60,6 +60,7 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
         .of_averages = run->words->of_averages,
         .mirrored = &mirrored,
         .cumulative = &cumulative,
+        .with_year = run->words->with_year,
         .year = run->words->year.count > 0 ? &run->words->year : NULL,
         .sunshine = run->words->sunshine.known ? &run->words->sunshine : NULL,
         .of_weather = run->words->weather != NULL};
@@ -199,8 +200,7 @@ enum pp_exit pp_assess_run_weather(struct pp_assess_words *words)
     if (result == PP_EXIT_DONE)
         result = pp_availability_options_median(&words->light, &words->median_lux,
                                                 &words->sunshine);
-    if (result != PP_EXIT_DONE
-        || !pp_assessment_needs_year(words->criteria, words->profile))
+    if (result != PP_EXIT_DONE || !pp_assess_words_need_year(words))
         return result;
     const struct pp_weather_options weather = {.sun_shift_h = NAN};
     enum pp_status status =

@@ -142,18 +142,25 @@ static enum pp_status check_place(const struct pp_assess_words *options,
                            options->place);
 }
 
+bool pp_assess_words_need_year(const struct pp_assess_words *words)
+{
+    return words->with_year
+           || pp_assessment_needs_year(words->criteria, words->profile);
+}
+
 /* Checks that there are a weather file and a simulation, as a simulated year needs
  * both. */
 static enum pp_status check_year(const struct pp_assess_words *options,
                                  struct pp_error *err)
 {
+    const char *by = options->with_year ? "--year" : "LEED";
     if (!options->weather)
         return pp_fail(err, PP_BAD_INPUT,
-                       "LEED needs weather data for a year; expected "
-                       "--weather FILE.epw");
+                       "%s needs weather data for a year; expected --weather FILE.epw",
+                       by);
     if (options->room.by_hand)
         return pp_fail(err, PP_BAD_INPUT,
-                       "LEED is always simulated; expected no --by-hand");
+                       "%s is always simulated; expected no --by-hand", by);
     return PP_OK;
 }
 
@@ -194,8 +201,7 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
         options->profile = pp_profile_find(options->profile_name, err);
         status = options->profile ? PP_OK : PP_BAD_INPUT;
     }
-    if (status == PP_OK
-        && pp_assessment_needs_year(options->criteria, options->profile))
+    if (status == PP_OK && pp_assess_words_need_year(options))
         status = check_year(options, err);
     if (status == PP_OK && options->criteria && options->profile)
         status = pp_fail(

@@ -49,6 +49,7 @@ struct pp_assess_words {
     const char *report_format; /* report: as typed; NULL: by the file's name */
     struct pp_project project; /* report: project facts that replace those in the
                                 * file */
+    bool with_year;            /* report: a section on the simulated year */
     bool full;                 /* report: all sections for every room */
     bool of_averages;          /* report: averages are printed, so the simulation must
                                 * reach its standard error for them too */
@@ -64,6 +65,9 @@ void pp_assess_words_init(void *words);
 void pp_assess_words_clear(void *words);
 enum pp_status pp_assess_words_check(void *words, char **files, int file_count,
                                      struct pp_error *err);
+
+/* True if the year of the weather file is to be simulated. */
+bool pp_assess_words_need_year(const struct pp_assess_words *words);
 
 /* Prints the end of the help: criteria and profiles. */
 void pp_assess_words_help(FILE *out);

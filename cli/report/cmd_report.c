@@ -59,6 +59,11 @@ static const struct pp_option full_option[] = {
      "Show the data, averages, effect of changes, plan and section of each room. "
      "Without this option, a report of more than two rooms shows only their criteria.",
      NULL, PLACE(full)},
+    {"year", 0, NULL,
+     "With --weather: also simulate every hour of the year, and show sDA, ASE, "
+     "daylight "
+     "autonomy and a map of the hours, with blinds as in LM-83-12.",
+     NULL, PLACE(with_year)},
     {0},
 };
 
@@ -140,6 +145,8 @@ static void put_choice(const struct pp_assess_words *words, FILE *out)
     if (words->median_lux > 0.0 && !words->weather)
         fprintf(out, " --median-diffuse %.10g", words->median_lux);
     put_option("--weather", words->weather, out);
+    if (words->with_year)
+        fputs(" --year", out);
     if (words->french_m > 0.0)
         fprintf(out, " --vsc-point-french %.10g", words->french_m);
     put_cut(&words->cut, out);

@@ -8,6 +8,7 @@
 
 #include "api/chart_kind.h"
 #include "charts/document/document_sheets.h"
+#include "charts/year/year_chart.h"
 #include "model/base/array.h"
 
 struct drawing_task {
@@ -183,6 +184,30 @@ static enum pp_status draw_sun(struct drawing_task *task, int room,
                        choice, err);
 }
 
+/* Draws the simulated year of a room, if there is one. */
+static enum pp_status draw_room_year(struct drawing_task *task, int room,
+                                     struct pp_error *err)
+{
+    const struct pp_assessment *one = &task->run->all.list[room];
+    struct pp_report_pictures *pictures = task->pictures;
+    struct pp_sheet sheet = pp_document_sheets_picture();
+    if (!one->has_year || !one->year.finished)
+        return PP_OK;
+    sheet.format = PP_CHART_SVG;
+    sheet.to_place = task->to_place;
+    sheet.title = one->room->world->name ? one->room->world->name : "year";
+    sheet.description = pp_draw_year.summary;
+    enum pp_status status = grow_pictures(pictures, err);
+    if (status == PP_OK)
+        status = pp_canvas_create(&pictures->canvases[pictures->count], &sheet, err);
+    if (status != PP_OK)
+        return status;
+    pictures->list[pictures->count] = (struct pp_site_picture){
+        room, "Illuminance by day and hour, plans of annual figures, frequency of "
+              "illuminances"};
+    return pp_year_chart_draw(pictures->canvases[pictures->count++], &one->year, err);
+}
+
 /* PP_BAD_INPUT if the section cannot be cut at the place that was typed. */
 static enum pp_status check_cut(const struct drawing_task *task, int room,
                                 struct pp_error *err)
@@ -224,7 +249,9 @@ static enum pp_status draw_room(struct drawing_task *task, int room,
     if (status == PP_OK && task->before[room])
         status = add_drawing(task, room, room, "plan",
                              "View of the sky, existing and proposed", compared, err);
-    return status == PP_OK ? draw_sun(task, room, compared, err) : status;
+    if (status == PP_OK)
+        status = draw_sun(task, room, compared, err);
+    return status == PP_OK ? draw_room_year(task, room, err) : status;
 }
 
 enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,

@@ -7,6 +7,7 @@
 
 #include "model/results/reading.h"
 #include "reports/assess/finding_cells.h"
+#include "reports/page/year_section.h"
 #include "reports/parts/print.h"
 
 void pp_room_chapter_number(struct pp_document *document, double value, int decimals)
@@ -217,5 +218,7 @@ void pp_room_chapter(struct pp_document *document, const struct pp_site_report *
     put_answers(document, one, report->full);
     if (one->has_gains && report->full)
         put_gains(document, &one->gains);
+    if (one->has_year && one->year.finished && report->full)
+        pp_year_section(document, &one->year);
     pp_room_chapter_pictures(document, report, room);
 }

@@ -312,14 +312,15 @@ bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *pro
     return false;
 }
 
-/* Simulates the room's year if a chosen criterion needs it and there is a weather
- * file. */
+/* Simulates the room's year if it is wanted, or a chosen criterion needs it, and
+ * there is a weather file. */
 static enum pp_status simulate_year(struct pp_assessment *assessment,
                                     const struct pp_assess_options *options,
                                     struct pp_error *err)
 {
     if (!options->year || !options->study->simulate
-        || !pp_assessment_needs_year(options->criteria, options->profile))
+        || !(options->with_year
+             || pp_assessment_needs_year(options->criteria, options->profile)))
         return PP_OK;
     struct pp_annual_options annual = pp_annual_options_lm83;
     annual.seed = options->study->seed;

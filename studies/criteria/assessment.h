@@ -30,6 +30,7 @@ struct pp_assess_options {
     const struct pp_sunshine *sunshine; /* not owned; NULL: not known */
     const struct pp_weather_year *year; /* for criteria of_year; not owned; NULL: no
                                          * weather file */
+    bool with_year;                     /* simulate that year, whatever the criteria */
     const struct pp_rooms_before
         *mirrored; /* the rooms of the same files with the mirror
                                  * image outside; not owned; NULL: none */
@@ -76,7 +77,7 @@ struct pp_assessment {
     bool has_gains; /* true if all criteria were selected, and improvements were
                      * searched */
     struct pp_gains gains;
-    struct pp_annual_sheet year; /* for criteria of_year; owned */
+    struct pp_annual_sheet year; /* if has_year; owned */
     bool has_year;
     bool by_clock; /* the simulation was stopped by the clock */
 };

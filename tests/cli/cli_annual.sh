@@ -89,6 +89,15 @@ check "LEED needs weather" refuses 2 "--weather" assess --for leed-v4.1 "$room"
 check "LEED by its name" refuses 2 "--weather" assess -c leed-v4.1 "$room"
 check "LEED is not by hand" refuses 2 "--by-hand" $leed --by-hand "$room"
 
+# A report has the year on request.
+report="report -q --samples 64 -w $scratch/year.epw --for leed-v4.1 -o $scratch/report.html"
+check "a report with the year" quietly $report --year "$scratch/grid.xml"
+check "its figures" grep -q "ASE1000,250" "$scratch/report.html"
+check "its hours" grep -q "Daylight in every hour of a year" "$scratch/report.html"
+check "its command" grep -q -e "--year" "$scratch/report.html"
+check "a year needs weather" refuses 2 "--weather" report --year -o "$scratch/x.html" "$room"
+check "a year is not by hand" refuses 2 "--by-hand" $report --year --by-hand "$room"
+
 # A plan of one moment has lux.
 plan="chart plan --samples 16 -q -o $scratch/moment.pdf"
 check "a plan of a sky with a sun" quietly $plan --sky perez,600,120,35,170 "$room"

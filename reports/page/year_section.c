@@ -1,0 +1,110 @@
+/* year_section.c - see year_section.h. */
+#include "reports/page/year_section.h"
+
+#include <math.h>
+
+/* format: of the value; error_format: of its standard error. */
+static void put_value(struct pp_document *document, const char *name, double value,
+                      double std_error, const char *format, const char *error_format,
+                      const char *unit)
+{
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", name);
+    if (isnan(value)) {
+        pp_document_cell(document, PP_TONE_PLAIN, "–");
+        return;
+    }
+    pp_document_cell(document, PP_TONE_PLAIN, format, value);
+    pp_document_cell(document, PP_TONE_PLAIN, error_format, std_error);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", unit);
+}
+
+static void put_year_share(struct pp_document *document, const char *name,
+                           const struct pp_annual_value *value)
+{
+    put_value(document, name, 100.0 * value->value, 100.0 * value->std_error, "%.1f",
+              "%.2f", "%");
+}
+
+static void put_group(struct pp_document *document, const char *words)
+{
+    pp_document_row(document, PP_ROW_GROUP);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", words);
+}
+
+static void put_plane(struct pp_document *document, const struct pp_annual_sheet *year)
+{
+    static const char *const levels[PP_ANNUAL_LEVELS] = {
+        "EN 17037, method 2: 100 lx", "EN 17037, method 2: 300 lx",
+        "EN 17037, method 2: 500 lx", "EN 17037, method 2: 750 lx"};
+    put_group(document, "Shares of the points");
+    put_year_share(document, "sDA300/50, with blinds", &year->plane.sda);
+    put_year_share(document, "DA300/50 area, without blinds", &year->plane.autonomous);
+    put_year_share(document, "ASE1000,250", &year->plane.ase);
+    for (int i = 0; i < PP_ANNUAL_LEVELS; i++)
+        put_year_share(document, levels[i], &year->plane.level[i]);
+}
+
+static void put_means(struct pp_document *document, const struct pp_annual_sheet *year)
+{
+    const struct pp_annual_figures *mean = &year->mean;
+    put_group(document, "Means of the points, without blinds");
+    put_year_share(document, "DA300, share of the hours with 300 lx",
+                   &mean->autonomy_300);
+    put_year_share(document, "UDI, 300 to 3000 lx", &mean->udi_good);
+    put_year_share(document, "UDI, above 3000 lx", &mean->udi_above);
+    put_value(document, "hours with more than 1000 lx of direct sun", mean->sun_h.value,
+              mean->sun_h.std_error, "%.0f", "%.0f", "h");
+    put_value(document, "mean illuminance in these hours", mean->mean_lx.value,
+              mean->mean_lx.std_error, "%.0f", "%.1f", "lx");
+    put_value(document, "light exposure of the year", mean->year_lxh.value / 1000.0,
+              mean->year_lxh.std_error / 1000.0, "%.0f", "%.1f", "klx h");
+}
+
+static void put_groups(struct pp_document *document, const struct pp_annual_sheet *year)
+{
+    put_group(document, "Hours with closed blinds");
+    for (int g = 0; g < year->group_count; g++)
+        put_value(document, year->groups[g].name, year->groups[g].closed_h, 0.0, "%.0f",
+                  "%.0f", "h");
+}
+
+static void put_assumption(struct pp_document *document, const char *name,
+                           const char *words)
+{
+    if (!words[0])
+        return;
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", name);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", words);
+}
+
+void pp_year_section(struct pp_document *document, const struct pp_annual_sheet *year)
+{
+    pp_document_heading(document, 3, "Daylight in every hour of a year, simulated");
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "figure");
+    pp_document_column(document, PP_COLUMN_NUMBERS, "standard error");
+    pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
+    if (year->is_grid)
+        put_plane(document, year);
+    put_means(document, year);
+    if (year->has_blinds)
+        put_groups(document, year);
+    if (!year->is_grid)
+        pp_document_paragraph(
+            document, PP_TONE_SOFT,
+            "The points do not form a grid, so there are no shares of "
+            "the plane.");
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
+    pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
+    put_assumption(document, "weather", year->weather);
+    put_assumption(document, "hours", year->period);
+    put_assumption(document, "records", year->notes);
+    put_assumption(document, "calculation", year->method);
+    put_assumption(document, "blinds", year->blinds);
+    for (int i = 0; i < year->warning_count; i++)
+        put_assumption(document, "warning", year->warnings[i]);
+}

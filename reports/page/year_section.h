@@ -1,0 +1,12 @@
+/* year_section.h - the simulated year of a room in a report: figures with standard
+ * errors, and assumptions. */
+#ifndef PP_REPORTS_PAGE_YEAR_SECTION_H
+#define PP_REPORTS_PAGE_YEAR_SECTION_H
+
+#include "model/results/document.h"
+#include "model/results/sheets/annual_sheet.h"
+
+/* Adds the section; year: finished. */
+void pp_year_section(struct pp_document *document, const struct pp_annual_sheet *year);
+
+#endif

@@ -1,0 +1,82 @@
+/* test_year_section.c - figures of a year in a report: per cent, with their errors, and
+ * no shares of a plane without a grid. */
+#include <string.h>
+
+#include "reports/page/year_section.h"
+#include "tests/lib/near.h"
+
+static struct pp_annual_group groups[] = {
+    {.name = "south: 2 openings", .closed_h = 1785.0}};
+
+static const struct pp_annual_sheet grid_year = {
+    .is_grid = true,
+    .has_blinds = true,
+    .group_count = 1,
+    .groups = groups,
+    .plane = {.sda = {0.8333, 0.0042}},
+    .mean = {.autonomy_300 = {0.5, 0.00126}, .mean_lx = {3797.4, 1.26}},
+    .weather = "Somewhere",
+    .blinds = "LM-83-12",
+    .warning_count = 1,
+    .warnings = {"far away"}};
+
+struct sought {
+    const char *words;
+    bool found;
+};
+
+static void look(void *closure, const char *text)
+{
+    struct sought *sought = closure;
+    sought->found |= strcmp(text, sought->words) == 0;
+}
+
+static bool has(const struct pp_annual_sheet *year, const char *words)
+{
+    struct pp_document document = {0};
+    struct sought sought = {words, false};
+    pp_year_section(&document, year);
+    assert_int_equal(pp_document_status(&document, NULL), PP_OK);
+    pp_document_texts(&document, look, &sought);
+    pp_document_clear(&document);
+    return sought.found;
+}
+
+static void shares_are_per_cent_with_their_errors(void **state)
+{
+    (void)state;
+    assert_true(has(&grid_year, "83.3"));
+    assert_true(has(&grid_year, "0.42"));
+    assert_true(has(&grid_year, "50.0"));
+    assert_true(has(&grid_year, "0.13"));
+    assert_true(has(&grid_year, "3797"));
+}
+
+static void assumptions_and_warnings_are_told(void **state)
+{
+    (void)state;
+    assert_true(has(&grid_year, "Somewhere"));
+    assert_true(has(&grid_year, "far away"));
+    assert_true(has(&grid_year, "south: 2 openings"));
+    assert_true(has(&grid_year, "1785"));
+}
+
+static void points_without_a_grid_have_no_area(void **state)
+{
+    (void)state;
+    struct pp_annual_sheet points = grid_year;
+    points.is_grid = false;
+    assert_false(has(&points, "ASE1000,250"));
+    assert_true(has(&points, "50.0"));
+    assert_true(has(&grid_year, "ASE1000,250"));
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(shares_are_per_cent_with_their_errors),
+        cmocka_unit_test(assumptions_and_warnings_are_told),
+        cmocka_unit_test(points_without_a_grid_have_no_area),
+    };
+    add_tests(tests, NULL, NULL);
+}
