@@ -2,9 +2,10 @@
  * several kinds of rooms.
  *
  * Each line gives the time and the error that each of the two reaches. The ratio is
- * that of time times squared error. If it is above 1, the path tracer is faster. The
- * fast path tracer treats all surfaces as matt. In the room with a mirror, photons are
- * therefore compared with the general path tracer in simulate/transport.
+ * time times squared error for photons, divided by the same product for the path tracer.
+ * If it is above 1, the path tracer is faster. The fast path tracer treats all surfaces
+ * as matt. In the room with a mirror, photons are therefore compared with the general
+ * path tracer in simulate/transport.
  */
 #include <math.h>
 #include <stdio.h>

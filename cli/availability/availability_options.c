@@ -237,9 +237,9 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
                                                           : NULL;
     if (options->weather && of_sky)
         return pp_fail(err, PP_BAD_INPUT,
-                       "%s is for overcast skies, but a weather file has its own "
-                       "location; expected %s or --weather",
-                       of_sky, of_sky);
+                       "%s cannot be combined with --weather, since a weather file "
+                       "already gives the location; expected one of them",
+                       of_sky);
     if (options->summer.of_file && !options->weather)
         return pp_fail(err, PP_BAD_INPUT,
                        "--summer-time file needs a weather file; expected --weather "

@@ -100,7 +100,7 @@ static const struct pp_formula_quantity of_lower[] = {
     {0},
 };
 
-static const char both_sides[] = "jambs on both sides of the normal",
+static const char both_sides[] = "one jamb on each side of the normal",
                   to_the_left[] = "both jambs to the left of the normal",
                   to_the_right[] = "both jambs to the right of the normal";
 
@@ -146,10 +146,10 @@ const struct pp_formula pp_brs_edges_across[4] = {
     BRS("e", "H + S",
         "equivalent sky component of an obstruction, for a point under the glass",
         of_rectangle, true),
-    BRS("sc", "S - H", "sky component, for two edges on the lower side of the normal",
-        of_rectangle, true),
+    BRS("sc", "S - H", "sky component, with both edges below the normal", of_rectangle,
+        true),
     BRS("e", "S - H",
-        "equivalent sky component of an obstruction, for a point under the glass",
+        "equivalent sky component of an obstruction, with both edges below the normal",
         of_rectangle, true)};
 const struct pp_formula pp_brs_edges_less = BRS(
     "sc", "-e", "reduction of the sky component by an obstruction", of_hidden, true);

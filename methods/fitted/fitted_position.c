@@ -34,7 +34,7 @@ static const struct pp_formula_quantity of_f_d[] = {
     DEPTH,
     RANGE,
     {"q_d", PP_UNIT_NUMBER,
-     "depth of the room beyond the start of decay, in decay lengths"},
+     "exponent of the decay with depth, from the depth beyond its start"},
     {"m_d", PP_UNIT_NUMBER, "absolute value of q_d, at least 0.000001"},
     {"x", PP_UNIT_METRE, "distance of the point from the wall with the opening"},
     {0}};
@@ -43,7 +43,7 @@ static const struct pp_formula_quantity of_f_s[] = {
     DEPTH,
     RANGE,
     {"q_s", PP_UNIT_NUMBER,
-     "half the width of the wall beside the opening, in decay lengths"},
+     "exponent of the decay along the wall, from the width beside the opening"},
     {"y", PP_UNIT_METRE, "distance from the centre of the opening along its wall"},
     {0}};
 
@@ -62,7 +62,7 @@ const struct pp_formula pp_fitted_position_q_d = {
     .sum = "sqrt(1 - R) (" PP_FITTED_DEPTH " d_r / l - " PP_FITTED_START ")",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "depth of the room beyond the start of decay, in decay lengths",
+    .what = "exponent of the decay with depth, from the depth beyond its start",
     .quantities = of_q_d,
 };
 
@@ -89,8 +89,9 @@ const struct pp_formula pp_fitted_position_q_s = {
     .sum = "max(" PP_FITTED_SIDE " (w_r - w) sqrt(1 - R) / l, 0.000001)",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "half the width of the wall beside the opening, in decay lengths, at least "
-            "0.000001",
+    .what =
+        "exponent of the decay along the wall, from the width beside the opening; at "
+        "least 0.000001",
     .quantities = of_q_s,
 };
 
@@ -166,14 +167,15 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
                      "distance of the point from this wall");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.y, "y",
                      "distance from the centre of the opening along the wall");
-    pp_worksheet_work(sheet, &pp_fitted_position_q_d,
-                      "depth of the room beyond the start of decay, in decay lengths");
+    pp_worksheet_work(
+        sheet, &pp_fitted_position_q_d,
+        "exponent of the decay with depth, from the depth beyond its start");
     pp_worksheet_work(sheet, &pp_fitted_position_m_d, "absolute value of q_d");
     pp_worksheet_work(sheet, &pp_fitted_position_f_d,
                       "factor for the distance of the point from this wall");
     pp_worksheet_work(sheet, &pp_fitted_position_q_s,
-                      "half the width of the wall beside the opening, in decay "
-                      "lengths");
+                      "exponent of the decay along the wall, from the width beside the "
+                      "opening");
     pp_worksheet_work(sheet, &pp_fitted_position_f_s,
                       "factor for the position of the point along the wall");
 }

@@ -248,8 +248,8 @@ static void print_bands(const struct pp_assessment *assessment,
             if (pp_band_is_known(assessment->answers.list[i].findings.list[k].band))
                 text = "Figures in brackets show the likely range, which contained the "
                        "true value in 95 of 100 similar simulated rooms (the atlas). "
-                       "For a part of the plane, all points are assumed to have the "
-                       "same error.";
+                       "For results that apply to a share of the working plane, all "
+                       "points are assumed to have the same relative error.";
     if (!text)
         return;
     fputs("\n  ", out);

@@ -213,7 +213,8 @@ static const char *cure_of_noise(const struct pp_likelihood *noise)
 {
     return noise->sigma < PP_COMPARE_NOISY ? NULL
            : noise->near > 0.9
-               ? "switch off interpolation between points, or reduce it (rtrace -aa 0)"
+               ? "switch off interpolation between points (rtrace -aa 0), or reduce it "
+                 "(a smaller -aa)"
            : noise->near < 0.1 ? "use more rays (rtrace -ad 4096 or more)"
                                : "use more rays (rtrace -ad 4096 or more) and switch "
                                  "off interpolation between points (rtrace -aa 0)";

@@ -120,9 +120,11 @@ static void say_rooms_overlap(struct pp_resolver *r, const struct pp_surface_par
     if (has_been_said(r->mistakes, r->room->line, said)
         || has_been_said(r->mistakes, part->line, there))
         return;
-    pp_mistakes_add(r->mistakes, r->room->line,
-                    "%sat (%g, %g, %g) in the first room; expected rooms side by side",
-                    said, where.x, where.y, where.z);
+    pp_mistakes_add(
+        r->mistakes, r->room->line,
+        "%sat (%g, %g, %g) in the axes of the first; expected rooms that at most "
+        "touch",
+        said, where.x, where.y, where.z);
 }
 
 /* Name of the room to whose axes the coordinates in a message refer; empty for a room's

@@ -139,7 +139,7 @@ static bool normal_of(struct pp_reader *r, struct pp_vec3 *normal,
     }
     if (!(pp_vec_length(*normal) > 0.0)) {
         pp_mistakes_add(r->mistakes, e->line,
-                        "point: its normal nx, ny, nz is 0; expected a direction");
+                        "point: its normal (nx, ny, nz) is 0; expected a direction");
         return false;
     }
     return true;
