@@ -150,7 +150,7 @@ check "a room in no place" refuses 1 "--latitude DEG" \
     chart availability -o "$scratch/x.pdf" "$scratch/nowhere.xml"
 check "a chart of nothing" refuses 2 "--weather" chart availability -o "$scratch/x.pdf"
 check "a plan has no weather" \
-    refuses 2 "availability" chart plan -w "$days" -o "$scratch/x.pdf" "$deep"
+    refuses 2 "needs --when" chart plan -w "$days" -o "$scratch/x.pdf" "$deep"
 check "a weather file that is wrong" refuses 1 "cut.epw:50" \
     chart availability -w "$scratch/cut.epw" -o "$scratch/x.pdf" "$deep"
 check_words "a room's figures are text" "$scratch/room.pdf" "requires an external"

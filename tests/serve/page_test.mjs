@@ -144,7 +144,7 @@ check('a dropped room opens, and its name is only text', await until(() => docum
 await drop('house.obj', 'v 1 1 0\nv 2 1 0\nv 2 1 1\nf 1 2 3\n');
 check('OBJ becomes surfaces', await until(() => window.pepperpot.board.elements.some((e) => e.name === 'surface')));
 await drop('nothing.txt', 'hello');
-check('another file is refused', await until(() => /no room file/.test(document.getElementById('message').textContent)));
+check('another file is refused', await until(() => /not a room file/.test(document.getElementById('message').textContent)));
 await page.select('#download', 'room');
 const saved = await (async () => {
     for (let i = 0; i < 50; i++) {

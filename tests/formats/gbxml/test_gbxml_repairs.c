@@ -247,7 +247,7 @@ static void all_slabs_are_floor(void **state)
     assert_near(sizes.volume_m3, 108.0, 1e-6);
     assert_near(sizes.glass_m2, 3.0, 1e-6);
     assert_non_null(strstr(xml, "left=\"6.5\""));
-    assert_non_null(strstr(notes, "used instead: a vertical prism over its floor"));
+    assert_non_null(strstr(notes, "a vertical prism over its floor is used instead"));
     assert_null(strstr(notes, "its Area"));
     free(xml);
 }

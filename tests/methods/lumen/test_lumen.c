@@ -240,9 +240,9 @@ static void what_the_tables_do_not_hold_is_refused(void **state)
     refused(p, "a sill or head at a different height");
     p = usual;
     p.after = "<skyline wall='south' angle='10'/>";
-    refused(p, "an open sky");
+    refused(p, "an unobstructed sky");
     p.after = "<block x='-5' y='-9' width='12' depth='4' height='9'/>";
-    refused(p, "an open sky");
+    refused(p, "an unobstructed sky");
     p.after = "<surface reflectance='0.4'><vertex x='1' y='2' z='0.3'/>"
               "<vertex x='2' y='2' z='0.3'/><vertex x='2' y='3' z='0.3'/></surface>";
     refused(p, "empty rooms");

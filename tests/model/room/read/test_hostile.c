@@ -121,7 +121,7 @@ static void bulk_takes_no_more_than_its_share(void **state)
         {room, "<window wall='south' left='1' sill='1' width='1' height='1'/>",
          "</room>", NULL},
         {"<room version='1'><plan height='2'>", "<vertex x='1' y='1'/>",
-         "</plan></room>", "more than 1000 <vertex>"},
+         "</plan></room>", "limit of 1000 <vertex>"},
         {"<building version='1'>", "<room>" PLAN "</room>", "</building>", NULL},
         {"<building version='1'>", "<room/>\n", "</building>", "room: has no shape"},
     };
