@@ -26,8 +26,9 @@ static const char *const words[PP_BAND_FEATURES] = {
     [PP_ROOM_FACING] = "illuminance on the openings from the open sky",
     [PP_ROOM_OPPOSITE] = "illuminance from the open sky on planes facing the openings",
     [PP_ROOM_ORDINARY] = "ordinary room",
-    [PP_ROOM_DEPTH] = "ratio of the distance from the window to the height of its head "
-                      "above the point",
+    [PP_ROOM_DEPTH] =
+        ("ratio of the distance from the window to the height of its head "
+         "above the point"),
     [PP_ROOM_SIDE] = "ratio of the distance from the wall to the room height",
     [PP_ROOM_VIEW] = "configuration factor of the windows",
     [PP_BAND_FIGURE] = "value by the hand method (%)",
