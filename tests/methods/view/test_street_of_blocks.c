@@ -20,13 +20,16 @@ static struct pp_world *street(void)
                       "<room version='1'><plan width='4.2' depth='5.1' height='2.9'/>"
                       "<window wall='south' left='0.7' sill='0.9' width='2.3' "
                       "height='1.4' glazing='none'/>");
-    for (int i = 0; i < BLOCKS; i++)
+    for (int i = 0; i < BLOCKS; i++) {
+        /* in turn, since compilers evaluate arguments in different orders */
+        const double turn_deg = between(&dice, 0.0, 20.0);
+        const double height_m = between(&dice, 4.0, 16.0);
+        const double x_m = between(&dice, -40.0, 40.0);
         at += snprintf(xml + at, sizeof xml - (size_t)at,
                        "<block x='%.2f' y='%.2f' width='3.1' depth='2.3' "
                        "height='%.2f' rotate='%.0f' reflectance='%.3f'/>",
-                       between(&dice, -40.0, 40.0), -6.0 - (BLOCKS - i),
-                       between(&dice, 4.0, 16.0), between(&dice, 0.0, 20.0),
-                       0.1 + 0.01 * i);
+                       x_m, -6.0 - (BLOCKS - i), height_m, turn_deg, 0.1 + 0.01 * i);
+    }
     snprintf(xml + at, sizeof xml - (size_t)at, "</room>");
     return pp_test_world(xml);
 }
