@@ -285,6 +285,8 @@ double pp_document_grid_unit(const struct pp_document_grid *grid, int row)
     const struct pp_document_table *table = grid->table;
     double height = 0.0;
     int i = row;
+    if (row >= table->row_count)
+        return 0.0;
     while (i + 1 < table->row_count && table->rows[i].kind != PP_ROW_CELLS)
         height += pp_document_grid_row(grid, i++, 0.0, false);
     height += pp_document_grid_row(grid, i, 0.0, false);

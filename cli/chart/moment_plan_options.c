@@ -21,15 +21,15 @@ enum pp_status pp_moment_plan_options_settle(struct pp_moment_choice *moment,
                                              struct pp_error *err)
 {
     struct pp_study_options *study = &room->study;
+    if (kind != &pp_draw_plan && moment->when)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--when is for a plan; expected no --when for %s", kind->name);
     if (kind->of_year && (study->error > 0.0 || study->samples > 0)) {
         study->simulate = true;
         return pp_moment_choice_check_paths(room, err);
     }
     if (kind != &pp_draw_plan)
-        return moment->when ? pp_fail(err, PP_BAD_INPUT,
-                                      "--when is for a plan; expected no --when for %s",
-                                      kind->name)
-                            : PP_OK;
+        return PP_OK;
     moment->weather = chart->choice.availability.weather;
     chart->choice.availability.weather = NULL;
     enum pp_status status = pp_moment_choice_settle(moment, room, err);

@@ -327,8 +327,11 @@ static enum pp_status simulate_year(struct pp_assessment *assessment,
     annual.threads = options->study->threads;
     annual.watch = options->study->watch;
     assessment->has_year = true;
-    return pp_annual_of_study_room(&assessment->year, assessment->room, options->year,
-                                   &annual, err);
+    enum pp_status status = pp_annual_of_study_room(&assessment->year, assessment->room,
+                                                    options->year, &annual, err);
+    if (status == PP_OK)
+        assessment->report.finished &= assessment->year.finished;
+    return status;
 }
 
 /* Finds the room in the other states of its site. */

@@ -85,8 +85,9 @@ static enum pp_status judge_other(struct pp_assessment *assessment,
     wanted.study = &coarser;
     wanted.verdicts_only = true;
     wanted.trace_again = false;
+    wanted.with_year = false;
     enum pp_status status = pp_assessment_begin(&other, room, 1, NULL, &wanted, err);
-    if (status == PP_OK)
+    if (status == PP_OK && other.has_factors)
         status = pp_plane_trace(&other.report, &coarser, other.has_average,
                                 &other.by_clock, err);
     assessment->report.finished &= other.report.finished;

@@ -144,6 +144,21 @@ static void the_last_row_of_a_table_is_not_alone_on_a_sheet(void **state)
     assert_in_range(broken, 1, 19);
 }
 
+static void a_table_without_rows_has_a_head(void **state)
+{
+    (void)state;
+    struct pp_document document = {0};
+    pp_document_table(&document);
+    pp_document_column(&document, PP_COLUMN_WORDS, "window");
+    struct sheets sheets = sheets_of(&document);
+    pp_document_clear(&document);
+    if (!sheets.text)
+        skip();
+    assert_int_equal(sheets.count, 1);
+    assert_true(has(&sheets, 0, "window"));
+    free(sheets.text);
+}
+
 static void no_heading_is_the_last_of_a_sheet(void **state)
 {
     (void)state;
@@ -281,6 +296,7 @@ TEST_FILE
     static const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_table_over_sheets_repeats_its_head_and_has_every_row_once),
         cmocka_unit_test(the_last_row_of_a_table_is_not_alone_on_a_sheet),
+        cmocka_unit_test(a_table_without_rows_has_a_head),
         cmocka_unit_test(no_heading_is_the_last_of_a_sheet),
         cmocka_unit_test(a_chapter_begins_a_sheet_unless_most_of_one_is_left),
         cmocka_unit_test(
