@@ -50,20 +50,17 @@ static enum pp_status read_when(const char *text, void *place, struct pp_error *
     return PP_OK;
 }
 
-#define WHEN                                                                           \
-    {                                                                                  \
-        "when", 0, "'YYYY-MM-DD HH:MM'",                                               \
-            "Show illuminances in lux at this standard time, including direct "        \
-            "sunlight, instead of daylight factors. Sky and sun are taken from "       \
-            "--weather or from --sky perez,DNI,DHI. After the time, +HH:MM, "          \
-            "-HH:MM or Z sets the time zone, in hours ahead of universal time.",       \
-            read_when, 0                                                               \
-    }
+const struct pp_option pp_moment_when_option[] = {
+    {"when", 0, "'YYYY-MM-DD HH:MM'",
+     "Show illuminances in lux at this standard time, including direct sunlight, "
+     "instead of daylight factors. Sky and sun are taken from --weather or from --sky "
+     "perez,DNI,DHI. After the time, +HH:MM, -HH:MM or Z sets the time zone, in hours "
+     "ahead of universal time.",
+     read_when, 0},
+    {0},
+};
 
-const struct pp_option pp_moment_when_option[] = {WHEN, {0}};
-
-const struct pp_option pp_moment_options[] = {
-    WHEN,
+const struct pp_option pp_moment_weather_option[] = {
     {"weather", 'w', "FILE.epw", "Weather file for --when.", pp_options_read_input,
      offsetof(struct pp_moment_choice, weather)},
     {0},

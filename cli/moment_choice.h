@@ -18,11 +18,10 @@ struct pp_moment_choice {
     struct pp_weather_year year;
 };
 
-extern const struct pp_option pp_moment_options[]; /* stored in a struct
-                                                    * pp_moment_choice */
-extern const struct pp_option
-    pp_moment_when_option[]; /* --when alone, for commands with their own
-                              * --weather */
+/* Options stored in a struct pp_moment_choice: --when, and --weather for commands without
+ * a weather file of their own. */
+extern const struct pp_option pp_moment_when_option[];
+extern const struct pp_option pp_moment_weather_option[];
 
 /* Moves the Perez sky of --sky from the room's options to the choice. PP_BAD_INPUT if
  * options are missing, or apply to daylight factors only. */

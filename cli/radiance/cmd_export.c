@@ -258,7 +258,8 @@ static const struct pp_option quiet_option[] = {
 static const struct pp_option_group groups[] = {
     {"Export", to_options, 0},
     PP_ROOM_PLACE_GROUPS("Export", offsetof(struct export_options, room)),
-    {"Export", pp_moment_options, offsetof(struct export_options, moment)},
+    {"Export", pp_moment_when_option, offsetof(struct export_options, moment)},
+    {"Export", pp_moment_weather_option, offsetof(struct export_options, moment)},
     {"Output", output_options, 0},
     {"Output", quiet_option, 0},
     {0},
