@@ -9,11 +9,17 @@ static const double colours[PP_COLOUR_CLASSES][3] = {
     {0.00, 0.13, 0.30}, {0.19, 0.26, 0.42}, {0.34, 0.36, 0.43}, {0.49, 0.48, 0.47},
     {0.65, 0.61, 0.46}, {0.82, 0.75, 0.39}, {1.00, 0.92, 0.40}};
 
-void pp_colour_scale_set(cairo_t *cr, const struct pp_colour_scale *scale, double value)
+int pp_colour_scale_class(const struct pp_colour_scale *scale, double value)
 {
     int i = 0;
     while (i + 1 < PP_COLOUR_CLASSES && value >= scale->limits[i + 1])
         i++;
+    return i;
+}
+
+void pp_colour_scale_set(cairo_t *cr, const struct pp_colour_scale *scale, double value)
+{
+    const int i = pp_colour_scale_class(scale, value);
     cairo_set_source_rgb(cr, colours[i][0], colours[i][1], colours[i][2]);
 }
 

@@ -14,6 +14,9 @@ struct pp_colour_scale {
     const char *unit;
 };
 
+/* Index of the value's class, from 0. */
+int pp_colour_scale_class(const struct pp_colour_scale *scale, double value);
+
 /* Sets the colour of the value's class. */
 void pp_colour_scale_set(cairo_t *cr, const struct pp_colour_scale *scale,
                          double value);

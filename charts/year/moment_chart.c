@@ -39,12 +39,7 @@ typedef int class_of_part(const struct pp_moment_plan *plan, size_t part);
 static int colour_of_part(const struct pp_moment_plan *plan, size_t part)
 {
     double lx = plan->diffuse[part] + plan->sun[part];
-    int i = 0;
-    if (isnan(lx))
-        return -1;
-    while (i + 1 < PP_COLOUR_CLASSES && lx >= lux_classes.limits[i + 1])
-        i++;
-    return i;
+    return isnan(lx) ? -1 : pp_colour_scale_class(&lux_classes, lx);
 }
 
 static int sun_of_part(const struct pp_moment_plan *plan, size_t part)
