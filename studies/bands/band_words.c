@@ -42,6 +42,15 @@ const char *pp_band_words_feature(int feature)
     return words[feature];
 }
 
+/* Words and unit of features whose values have their unit beside them in a regime:
+ * "obstruction angle under 23 degrees". */
+static const struct {
+    const char *words, *unit;
+} with_unit[PP_BAND_FEATURES] = {
+    [PP_ROOM_OBSTRUCTION] = {"obstruction angle", " degrees"},
+    [PP_BAND_FIGURE] = {"value by the hand method", " %"},
+};
+
 static void add_condition(char *text, size_t size,
                           const struct pp_band_condition *condition)
 {
@@ -56,16 +65,11 @@ static void add_condition(char *text, size_t size,
                        isinf(condition->to) ? "with" : "without");
         return;
     }
-    const char *unit = "";
-    if (condition->feature == PP_ROOM_OBSTRUCTION) {
-        pp_text_append(text, size, "%sobstruction angle ", comma);
-        unit = " degrees";
-    } else if (condition->feature == PP_BAND_FIGURE) {
-        pp_text_append(text, size, "%svalue by the hand method ", comma);
-        unit = " %";
-    } else {
-        pp_text_append(text, size, "%s%s ", comma, words[condition->feature]);
-    }
+    const int feature = condition->feature;
+    const char *unit = with_unit[feature].unit ? with_unit[feature].unit : "";
+    pp_text_append(text, size, "%s%s ", comma,
+                   with_unit[feature].words ? with_unit[feature].words
+                                            : words[feature]);
     if (isinf(condition->from))
         pp_text_append(text, size, "under %g%s", condition->to, unit);
     else if (isinf(condition->to))
