@@ -163,8 +163,9 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
                 pp_vec_along(plane.foot, middle[0] + half[0] * nodes[i], plane.along);
             at = pp_vec_along(at, middle[1] + half[1] * nodes[k], plane.up);
             struct pp_exterior_light outside;
-            enum pp_status status = pp_exterior_light_on_pane(
-                &outside, world, light, at, plane.toward, opening->face, err);
+            enum pp_status status =
+                pp_exterior_light_within(&outside, world, light, at, plane.toward,
+                                         opening->face, PP_QUADRATURE_PANE, err);
             if (status != PP_OK)
                 return status;
             cell->sky[i][k] = outside.sky;

@@ -45,12 +45,12 @@ static struct pp_frame frame_about(struct pp_vec3 n)
     return (struct pp_frame){pp_vec_cross(b, n), b, n};
 }
 
-/* unglazed_error: error bound of a quadrature, see struct pp_direct. */
-static enum pp_status light_to(struct pp_exterior_light *outside,
-                               const struct pp_world *world,
-                               const struct pp_outside_light *light,
-                               struct pp_vec3 position, struct pp_vec3 normal, int face,
-                               double unglazed_error, struct pp_error *err)
+enum pp_status pp_exterior_light_within(struct pp_exterior_light *outside,
+                                        const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        struct pp_vec3 position, struct pp_vec3 normal,
+                                        int face, double relative_error,
+                                        struct pp_error *err)
 {
     bool hidden = has_surface_in_front(world, position, normal, face);
     for (int i = 0; i < world->skyline_count; i++)
@@ -68,7 +68,7 @@ static enum pp_status light_to(struct pp_exterior_light *outside,
     struct pp_vec3 a = frame.x, b = frame.y;
     struct pp_vec3 toward[5] = {normal, a, pp_vec_scale(a, -1.0), b,
                                 pp_vec_scale(b, -1.0)};
-    struct pp_direct sum = {.unglazed_error = unglazed_error};
+    struct pp_direct sum = {.unglazed_error = relative_error};
     struct pp_glass none = pp_glass_none();
     for (int i = 0; i < 5; i++) {
         struct pp_vec3 up = i == 0 ? b : normal;
@@ -96,18 +96,8 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err)
 {
-    return light_to(outside, world, light, position, normal, face,
-                    PP_QUADRATURE_UNGLAZED, err);
-}
-
-enum pp_status pp_exterior_light_on_pane(struct pp_exterior_light *outside,
-                                         const struct pp_world *world,
-                                         const struct pp_outside_light *light,
-                                         struct pp_vec3 position, struct pp_vec3 normal,
-                                         int face, struct pp_error *err)
-{
-    return light_to(outside, world, light, position, normal, face, PP_QUADRATURE_PANE,
-                    err);
+    return pp_exterior_light_within(outside, world, light, position, normal, face,
+                                    PP_QUADRATURE_UNGLAZED, err);
 }
 
 struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening)

@@ -42,13 +42,13 @@ enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           struct pp_vec3 normal, int face,
                                           struct pp_error *err);
 
-/* The same, to about 1e-7, for a diffusing pane under a sky without a closed form, whose
- * light is found at many points. */
-enum pp_status pp_exterior_light_on_pane(struct pp_exterior_light *outside,
-                                         const struct pp_world *world,
-                                         const struct pp_outside_light *light,
-                                         struct pp_vec3 position, struct pp_vec3 normal,
-                                         int face, struct pp_error *err);
+/* As pp_exterior_light_on_plane, with this error bound of the quadrature (quadrature.h). */
+enum pp_status pp_exterior_light_within(struct pp_exterior_light *outside,
+                                        const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        struct pp_vec3 position, struct pp_vec3 normal,
+                                        int face, double relative_error,
+                                        struct pp_error *err);
 
 /* True if the illuminance is the same all over an opening's outside: in front of it are
  * only sky, ground and skylines without a distance. */
