@@ -9,9 +9,15 @@
 #include "methods/exact/solid_angle.h"
 #include "model/room/surface_materials.h"
 
-enum pp_status pp_sky_view_init(struct pp_sky_view *view, const struct pp_world *world,
-                                const struct pp_receiver *receiver,
-                                struct pp_error *err)
+/* One of the functions of methods/view/visible.h. */
+typedef enum pp_status see_through(struct pp_visible *visible,
+                                   const struct pp_world *world,
+                                   const struct pp_opening *opening, struct pp_vec3 eye,
+                                   struct pp_error *err);
+
+static enum pp_status find_views(struct pp_sky_view *view, const struct pp_world *world,
+                                 const struct pp_receiver *receiver, see_through *see,
+                                 struct pp_error *err)
 {
     *view = (struct pp_sky_view){.world = world, .normal = receiver->normal};
     view->visible = calloc((size_t)world->opening_count + 1, sizeof *view->visible);
@@ -20,8 +26,8 @@ enum pp_status pp_sky_view_init(struct pp_sky_view *view, const struct pp_world 
     for (int i = 0; i < world->opening_count; i++) {
         if (world->openings[i].glass.diffusing)
             continue;
-        enum pp_status status = pp_visible_through(
-            &view->visible[i], world, &world->openings[i], receiver->position, err);
+        enum pp_status status =
+            see(&view->visible[i], world, &world->openings[i], receiver->position, err);
         if (status != PP_OK) {
             view->visible[i].patch_count = 0;
             pp_sky_view_clear(view);
@@ -29,6 +35,21 @@ enum pp_status pp_sky_view_init(struct pp_sky_view *view, const struct pp_world 
         }
     }
     return PP_OK;
+}
+
+enum pp_status pp_sky_view_init(struct pp_sky_view *view, const struct pp_world *world,
+                                const struct pp_receiver *receiver,
+                                struct pp_error *err)
+{
+    return find_views(view, world, receiver, pp_visible_through, err);
+}
+
+enum pp_status pp_sky_view_init_for_sun(struct pp_sky_view *view,
+                                        const struct pp_world *world,
+                                        const struct pp_receiver *receiver,
+                                        struct pp_error *err)
+{
+    return find_views(view, world, receiver, pp_visible_sky, err);
 }
 
 void pp_sky_view_clear(struct pp_sky_view *view)

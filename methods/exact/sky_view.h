@@ -27,6 +27,13 @@ struct pp_sky_view {
 enum pp_status pp_sky_view_init(struct pp_sky_view *view, const struct pp_world *world,
                                 const struct pp_receiver *receiver,
                                 struct pp_error *err);
+
+/* The same for pp_sky_view_sun alone: the views are in convex parts, which are found much
+ * faster behind many obstructions. */
+enum pp_status pp_sky_view_init_for_sun(struct pp_sky_view *view,
+                                        const struct pp_world *world,
+                                        const struct pp_receiver *receiver,
+                                        struct pp_error *err);
 void pp_sky_view_clear(struct pp_sky_view *view);
 
 struct pp_sky_piece {

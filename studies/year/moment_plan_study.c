@@ -118,7 +118,8 @@ static enum pp_status light_part(struct parts_work *work, int column, int row)
     if (!(work->sky.direct_lx > 0.0) || !(work->sky.sun.z > 0.0))
         return PP_OK;
     struct pp_sky_view view;
-    enum pp_status status = pp_sky_view_init(&view, work->world, &receiver, NULL);
+    enum pp_status status =
+        pp_sky_view_init_for_sun(&view, work->world, &receiver, NULL);
     if (status != PP_OK)
         return status;
     plan->sun[part] =
