@@ -20,6 +20,17 @@ struct drawing_task {
 
 /* ---- one picture ---- */
 
+static struct pp_sheet picture_sheet(const struct pp_study_room *room,
+                                     const struct pp_chart_kind *kind, bool to_place)
+{
+    struct pp_sheet sheet = pp_document_sheets_picture();
+    sheet.format = PP_CHART_SVG;
+    sheet.to_place = to_place;
+    sheet.title = room->world->name ? room->world->name : kind->name;
+    sheet.description = kind->summary;
+    return sheet;
+}
+
 /* Draws a chart of a room, or of a site that begins with it; *canvas is NULL if there
  * is nothing to draw. */
 static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
@@ -29,11 +40,7 @@ static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
                                  struct pp_error *err)
 {
     const struct pp_chart_kind *kind = pp_chart_kind_find(name);
-    struct pp_sheet sheet = pp_document_sheets_picture();
-    sheet.format = PP_CHART_SVG;
-    sheet.to_place = to_place;
-    sheet.title = room->world->name ? room->world->name : name;
-    sheet.description = kind->summary;
+    const struct pp_sheet sheet = picture_sheet(room, kind, to_place);
     struct pp_study_room drawn = *room;
     bool finished = true;
     enum pp_status status = pp_canvas_create(canvas, &sheet, err);
@@ -190,13 +197,10 @@ static enum pp_status draw_room_year(struct drawing_task *task, int room,
 {
     const struct pp_assessment *one = &task->run->all.list[room];
     struct pp_report_pictures *pictures = task->pictures;
-    struct pp_sheet sheet = pp_document_sheets_picture();
+    const struct pp_sheet sheet =
+        picture_sheet(one->room, &pp_draw_year, task->to_place);
     if (!one->has_year || !one->year.finished)
         return PP_OK;
-    sheet.format = PP_CHART_SVG;
-    sheet.to_place = task->to_place;
-    sheet.title = one->room->world->name ? one->room->world->name : "year";
-    sheet.description = pp_draw_year.summary;
     enum pp_status status = grow_pictures(pictures, err);
     if (status == PP_OK)
         status = pp_canvas_create(&pictures->canvases[pictures->count], &sheet, err);
