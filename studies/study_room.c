@@ -38,3 +38,9 @@ void pp_study_room_clear(struct pp_study_room *room)
     pp_world_destroy(room->world);
     *room = (struct pp_study_room){0};
 }
+
+const char *pp_study_room_title(const struct pp_study_room *room)
+{
+    const char *building = pp_building_name(room->building);
+    return building ? building : room->world->name ? room->world->name : room->file;
+}

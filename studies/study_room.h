@@ -34,4 +34,8 @@ void pp_study_room_set_points(struct pp_study_room *room, struct pp_receiver *re
 
 void pp_study_room_clear(struct pp_study_room *room);
 
+/* Title for documents: the name of the building, else of the room, else the file. Not
+ * owned. */
+const char *pp_study_room_title(const struct pp_study_room *room);
+
 #endif

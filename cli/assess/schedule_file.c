@@ -4,13 +4,13 @@
 #include <string.h>
 #include <strings.h>
 
-#include "charts/document/document_sheets.h"
+#include "cli/document_pdf.h"
 #include "cli/output.h"
 #include "cli/program/program_place.h"
 #include "reports/assess/schedule_csv.h"
-#include "reports/assess/schedule_document.h"
 #include "reports/assess/schedule_xlsx.h"
 #include "reports/page/document_html.h"
+#include "reports/page/schedule_document.h"
 
 /* Maximum number of columns of figures on an HTML page, and on landscape A4. */
 enum { HTML_FIGURES = 9, PDF_FIGURES = 12 };
@@ -46,41 +46,19 @@ enum pp_status pp_schedule_file_check(const char *path, struct pp_error *err)
                          path);
 }
 
-static enum pp_status print_schedule_pdf(const struct pp_document *document,
-                                         const char *title, FILE *out,
-                                         struct pp_error *err)
-{
-    const struct pp_sheet sheet = {.format = PP_CHART_PDF,
-                                   .paper = PP_PAPER_A4,
-                                   .landscape = true,
-                                   .title = title,
-                                   .description = "Schedule of windows"};
-    struct pp_canvas *canvas;
-    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
-    if (status != PP_OK)
-        return status;
-    status = pp_document_sheets_draw(canvas, document, title, NULL, err);
-    if (status == PP_OK)
-        status = pp_canvas_write(canvas, pp_output_put, out, err);
-    pp_canvas_destroy(canvas);
-    return status;
-}
-
 static enum pp_status print_schedule_document(const struct pp_window_schedule *schedule,
                                               bool is_pdf, FILE *out,
                                               struct pp_error *err)
 {
     const struct pp_study_room *first = schedule->rows[0].room->room;
-    const char *building = pp_building_name(first->building);
-    const char *title = building             ? building
-                        : first->world->name ? first->world->name
-                                             : first->file;
+    const char *title = pp_study_room_title(first);
     struct pp_document document = {0};
     enum pp_status status = pp_schedule_document(
         &document, schedule, title, pp_building_project(first->building),
         is_pdf ? PDF_FIGURES : HTML_FIGURES, err);
     if (status == PP_OK && is_pdf)
-        status = print_schedule_pdf(&document, title, out, err);
+        status = pp_document_pdf(&document, title, "Schedule of windows", true, NULL,
+                                 out, err);
     else if (status == PP_OK)
         pp_document_html(&document, title, NULL, out);
     pp_document_clear(&document);

@@ -8,9 +8,9 @@
 
 #include "config.h"
 #include "api/cited_works.h"
-#include "charts/document/document_sheets.h"
 #include "cli/assess/assess_run.h"
 #include "cli/command.h"
+#include "cli/document_pdf.h"
 #include "cli/message.h"
 #include "cli/output.h"
 #include "cli/report/report_pictures.h"
@@ -61,8 +61,7 @@ static const struct pp_option full_option[] = {
      NULL, PLACE(full)},
     {"year", 0, NULL,
      "With --weather: also simulate every hour of the year, and show sDA, ASE, "
-     "daylight "
-     "autonomy and a map of the hours, with blinds as in LM-83-12.",
+     "daylight autonomy and a map of the hours, with blinds as in LM-83-12.",
      NULL, PLACE(with_year)},
     {0},
 };
@@ -226,31 +225,6 @@ static enum pp_status print_html(const struct pp_document *document, const char 
     return status;
 }
 
-static enum pp_status print_pdf(const struct pp_document *document, const char *title,
-                                const struct pp_report_pictures *pictures, FILE *out,
-                                struct pp_error *err)
-{
-    const struct pp_sheet sheet = {.format = PP_CHART_PDF,
-                                   .paper = PP_PAPER_A4,
-                                   .title = title,
-                                   .description = "Daylight of rooms"};
-    struct pp_canvas *canvas;
-    enum pp_status status = pp_canvas_create(&canvas, &sheet, err);
-    if (status != PP_OK)
-        return status;
-    status = pp_document_sheets_draw(canvas, document, title, pictures->canvases, err);
-    if (status == PP_OK)
-        status = pp_canvas_write(canvas, pp_output_put, out, err);
-    pp_canvas_destroy(canvas);
-    return status;
-}
-
-static const char *title_of(const struct pp_study_room *first)
-{
-    const char *building = pp_building_name(first->building);
-    return building ? building : first->world->name ? first->world->name : first->file;
-}
-
 /* Text for the foot of sheets: title, project number, revision and date. */
 static void write_foot(char foot[256], const char *title,
                        const struct pp_project *project)
@@ -269,7 +243,7 @@ static enum pp_status print_site_report(const void *data, FILE *out,
                                         struct pp_error *err)
 {
     const struct pp_assess_run *run = data;
-    const char *title = title_of(&run->rooms->list[0]);
+    const char *title = pp_study_room_title(&run->rooms->list[0]);
     char *made_by = made_words(run);
     bool pdf = is_pdf(run->words);
     struct pp_report_pictures pictures;
@@ -299,9 +273,11 @@ static enum pp_status print_site_report(const void *data, FILE *out,
     write_foot(foot, title, &project);
     if (status == PP_OK)
         status = pp_site_report(&document, &report, err);
-    if (status == PP_OK)
-        status = (pdf ? print_pdf : print_html)(&document, pdf ? foot : title,
-                                                &pictures, out, err);
+    if (status == PP_OK && pdf)
+        status = pp_document_pdf(&document, foot, "Daylight of rooms", false,
+                                 pictures.canvases, out, err);
+    else if (status == PP_OK)
+        status = print_html(&document, title, &pictures, out, err);
     pp_document_clear(&document);
     pp_report_pictures_clear(&pictures);
     free(made_by);

@@ -93,13 +93,8 @@ static void put_heads(lxw_worksheet *sheet, const struct formats *formats,
     for (int i = 0; i < KEYS; i++)
         put_text_cell(sheet, 1, i, keys[i], formats->head);
     for (int k = 0; k < PP_SCHEDULE_CHANGES; k++) {
-        char title[96];
-        bool sun = k == PP_SCHEDULE_YEAR || k == PP_SCHEDULE_WINTER;
-        snprintf(title, sizeof title, "%s%s",
-                 !sun                 ? ""
-                 : schedule->probable ? "probable "
-                                      : "possible ",
-                 pp_schedule_titles[k]);
+        char title[PP_SCHEDULE_TITLE];
+        pp_window_schedule_title(title, schedule, (enum pp_schedule_quantity)k);
         worksheet_merge_range(sheet, 0, (lxw_col_t)(KEYS + count * k), 0,
                               (lxw_col_t)(KEYS + count * k + count - 1), title,
                               formats->head);

@@ -2,13 +2,14 @@
 #include "studies/criteria/windows/window_schedule.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/array.h"
 #include "studies/criteria/site_table.h"
 
-const char *const pp_schedule_titles[PP_SCHEDULE_CHANGES] = {
+static const char *const titles[PP_SCHEDULE_CHANGES] = {
     "vertical sky component, %", "annual sunlight hours, %", "winter sunlight hours, %",
     "area with a view of the sky, m²",
     "vertical sky component without the building's own balconies, %"};
@@ -108,4 +109,16 @@ void pp_window_schedule_clear(struct pp_window_schedule *schedule)
 {
     free(schedule->rows);
     *schedule = (struct pp_window_schedule){0};
+}
+
+void pp_window_schedule_title(char title[PP_SCHEDULE_TITLE],
+                              const struct pp_window_schedule *schedule,
+                              enum pp_schedule_quantity quantity)
+{
+    const bool is_sun = quantity == PP_SCHEDULE_YEAR || quantity == PP_SCHEDULE_WINTER;
+    snprintf(title, PP_SCHEDULE_TITLE, "%s%s",
+             !is_sun              ? ""
+             : schedule->probable ? "probable "
+                                  : "possible ",
+             titles[quantity]);
 }

@@ -24,9 +24,6 @@ enum pp_schedule_quantity {
                          * the building itself; unknown if there are none */
 };
 
-/* Titles with units: "vertical sky component, %". */
-extern const char *const pp_schedule_titles[PP_SCHEDULE_CHANGES];
-
 /* Factor from a stored value to one in that unit. */
 double pp_schedule_scale(enum pp_schedule_quantity quantity);
 
@@ -52,5 +49,12 @@ enum pp_status pp_window_schedule_of(struct pp_window_schedule *schedule,
                                      const struct pp_assessment *rooms, int count,
                                      struct pp_error *err);
 void pp_window_schedule_clear(struct pp_window_schedule *schedule);
+
+/* Title of a quantity with its unit: "vertical sky component, %", "probable annual
+ * sunlight hours, %". */
+enum { PP_SCHEDULE_TITLE = 96 };
+void pp_window_schedule_title(char title[PP_SCHEDULE_TITLE],
+                              const struct pp_window_schedule *schedule,
+                              enum pp_schedule_quantity quantity);
 
 #endif

@@ -1,13 +1,12 @@
 /* schedule_document.c - see schedule_document.h. */
-#include "reports/assess/schedule_document.h"
+#include "reports/page/schedule_document.h"
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
 #include <string.h>
 
-#include "model/base/text.h"
 #include "reports/page/project_table.h"
+#include "reports/page/room_chapter.h"
 #include "studies/criteria/br209_count.h"
 
 /* The quantities in one table. */
@@ -52,16 +51,12 @@ static void put_columns(struct pp_document *document, const struct schedule_part
     pp_document_column(document, PP_COLUMN_WORDS, "window");
     for (int n = 0; n < part->count; n++) {
         enum pp_schedule_quantity k = part->quantities[n];
-        const bool is_sun = k == PP_SCHEDULE_YEAR || k == PP_SCHEDULE_WINTER;
-        const char *title = pp_schedule_titles[k], *sun = !is_sun ? ""
-                                                          : part->schedule->probable
-                                                              ? "probable "
-                                                              : "possible ";
+        char title[PP_SCHEDULE_TITLE];
+        pp_window_schedule_title(title, part->schedule, k);
         if (part->compares)
-            pp_document_column(document, PP_COLUMN_NUMBERS, "%s%s: existing", sun,
-                               title);
-        pp_document_column(document, PP_COLUMN_NUMBERS,
-                           part->compares ? "proposed" : "%s%s", sun, title);
+            pp_document_column(document, PP_COLUMN_NUMBERS, "%s: existing", title);
+        pp_document_column(document, PP_COLUMN_NUMBERS, "%s",
+                           part->compares ? "proposed" : title);
         if (part->compares)
             pp_document_column(document, PP_COLUMN_NUMBERS, "loss, %%");
         if (part->schedule->has_cumulative)
@@ -71,16 +66,6 @@ static void put_columns(struct pp_document *document, const struct schedule_part
     }
 }
 
-/* A number, or a dash if it is not known. */
-static void put_figure(struct pp_document *document, enum pp_tone tone, int decimals,
-                       double value)
-{
-    if (isfinite(value))
-        pp_document_cell(document, tone, "%.*f", decimals, value + 0.0);
-    else
-        pp_document_cell(document, PP_TONE_PLAIN, "–");
-}
-
 static void put_change(struct pp_document *document, const struct schedule_part *part,
                        enum pp_schedule_quantity quantity,
                        const struct pp_schedule_row *row)
@@ -88,13 +73,14 @@ static void put_change(struct pp_document *document, const struct schedule_part 
     const struct pp_schedule_change change = row->changes[quantity];
     const double scale = pp_schedule_scale(quantity), loss = pp_schedule_loss(change);
     if (part->compares)
-        put_figure(document, PP_TONE_PLAIN, 2, scale * change.existing);
-    put_figure(document, PP_TONE_PLAIN, 2, scale * change.proposed);
-    if (part->compares)
-        put_figure(document, loss >= pp_loss_bands[1] ? PP_TONE_BAD : PP_TONE_PLAIN, 1,
-                   100.0 * loss);
+        pp_room_chapter_number(document, scale * change.existing, 2);
+    pp_room_chapter_number(document, scale * change.proposed, 2);
+    if (part->compares && loss >= pp_loss_bands[1])
+        pp_document_cell(document, PP_TONE_BAD, "%.1f", 100.0 * loss);
+    else if (part->compares)
+        pp_room_chapter_number(document, 100.0 * loss, 1);
     if (part->schedule->has_cumulative)
-        put_figure(document, PP_TONE_PLAIN, 2, scale * change.cumulative);
+        pp_room_chapter_number(document, scale * change.cumulative, 2);
     if (quantity == PP_SCHEDULE_SKY)
         pp_document_cell(
             document,
@@ -142,10 +128,10 @@ static void put_part(struct pp_document *document, const struct schedule_part *p
 
 /* Adds the known quantities, in as many tables as they need. */
 static void put_parts(struct pp_document *document,
-                      const struct pp_window_schedule *schedule, int most_figures)
+                      const struct pp_window_schedule *schedule, bool compares,
+                      int most_figures)
 {
-    struct schedule_part part = {.schedule = schedule,
-                                 .compares = has_existing(schedule)};
+    struct schedule_part part = {.schedule = schedule, .compares = compares};
     for (int k = 0; k < PP_SCHEDULE_CHANGES; k++) {
         if (!has_quantity(schedule, (enum pp_schedule_quantity)k))
             continue;
@@ -164,18 +150,18 @@ enum pp_status pp_schedule_document(struct pp_document *document,
                                     const char *title, const struct pp_project *project,
                                     int most_figures, struct pp_error *err)
 {
+    const bool compares = has_existing(schedule);
     pp_document_heading(document, 1, "%s", title);
     pp_document_paragraph(document, PP_TONE_SOFT, "Schedule of windows: daylight%s",
-                          has_existing(schedule) ? ", existing and proposed" : "");
+                          compares ? ", existing and proposed" : "");
     pp_project_table(document, project);
-    put_parts(document, schedule, most_figures);
-    if (has_existing(schedule))
+    put_parts(document, schedule, compares, most_figures);
+    if (compares)
         pp_document_paragraph(
             document, PP_TONE_SOFT,
             "Losses are in per cent of the existing value; those of %.0f %% or more "
-            "are "
-            "marked. "
-            "A dash means that the figure was not assessed for this window.",
+            "are marked. A dash means that the figure was not assessed for this "
+            "window.",
             100.0 * pp_loss_bands[1]);
     return pp_document_status(document, err);
 }

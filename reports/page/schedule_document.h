@@ -1,6 +1,6 @@
 /* schedule_document.h - the schedule of windows as a document, for HTML or paper. */
-#ifndef PP_REPORTS_ASSESS_SCHEDULE_DOCUMENT_H
-#define PP_REPORTS_ASSESS_SCHEDULE_DOCUMENT_H
+#ifndef PP_REPORTS_PAGE_SCHEDULE_DOCUMENT_H
+#define PP_REPORTS_PAGE_SCHEDULE_DOCUMENT_H
 
 #include "model/results/document.h"
 #include "model/room/project.h"
