@@ -12,6 +12,7 @@ static struct {
     pthread_mutex_t lock;
     uint64_t clients[TASKS_MOST];
     int count;
+    bool is_held; /* the worker has begun to hold */
     bool is_open;
 } seen = {.lock = PTHREAD_MUTEX_INITIALIZER};
 
@@ -33,6 +34,7 @@ static bool hold(struct pp_task *task)
 {
     (void)task;
     pthread_mutex_lock(&seen.lock);
+    seen.is_held = true;
     bool done = seen.is_open;
     pthread_mutex_unlock(&seen.lock);
     while (!done) {
@@ -55,16 +57,27 @@ static void join(struct pp_server *server, struct pp_work_line *line, pp_task_ru
     pp_task_release(task);
 }
 
+/* Gives the worker a task that holds it, and returns when it does. */
+static void hold_worker(struct pp_server *server, struct pp_work_line *line)
+{
+    bool is_held = false;
+    seen.count = 0;
+    seen.is_held = seen.is_open = false;
+    join(server, line, hold, 9);
+    while (!is_held) {
+        nap();
+        pthread_mutex_lock(&seen.lock);
+        is_held = seen.is_held;
+        pthread_mutex_unlock(&seen.lock);
+    }
+}
+
 static void a_client_with_one_task_does_not_wait_for_ten_of_another(void **state)
 {
     (void)state;
     struct pp_server server = {0};
     struct pp_work_line *line = pp_work_line_create(1);
-    seen.count = 0;
-    seen.is_open = false;
-    join(&server, line, hold, 9);
-    while (pp_work_line_count(line) == 0)
-        nap();
+    hold_worker(&server, line);
     for (int i = 0; i < 10; i++)
         join(&server, line, note_client, 1);
     join(&server, line, note_client, 2);
@@ -86,12 +99,7 @@ static void a_line_that_is_full_refuses(void **state)
     (void)state;
     struct pp_server server = {0};
     struct pp_work_line *line = pp_work_line_create(1);
-    seen.count = 0;
-    seen.is_open = false;
-    join(&server, line, hold, 9);
-    while (pp_work_line_count(line) == 0)
-        nap();
-    nap();
+    hold_worker(&server, line);
     for (int i = 0; i < PP_WORK_LINE_CLIENT_MOST; i++)
         join(&server, line, hold, 1);
     struct pp_task *task =
