@@ -160,8 +160,9 @@ static void say_summary(char *text, size_t room, const struct pp_moment_plan *pl
     pp_page_say(text, room,
                 "Mean over the plane %.0f\u00a0\u00b1\u00a0%.0f\u00a0lx: %.0f from the "
                 "sky, %.0f from the sun directly, %.0f from sunlit surfaces.",
-                mean->year_lxh.value, mean->year_lxh.std_error, mean->sky_lxh.value,
-                mean->sun_lxh.value, mean->sun_reflected_lxh.value);
+                mean->year_lxh.value - mean->sun_lxh.value + plan->sun_lx,
+                mean->year_lxh.std_error, mean->sky_lxh.value, plan->sun_lx,
+                mean->sun_reflected_lxh.value);
     pp_page_say(text, room, "Lowest %.0f\u00a0lx, highest %.0f\u00a0lx.",
                 plan->lowest_lx, plan->highest_lx);
     if (plan->sun_share > 0.0)

@@ -142,6 +142,7 @@ static bool light_row(void *data, int worker, int row)
 static void sum_parts_up(struct pp_moment_plan *plan)
 {
     int parts = plan->columns * SUB * plan->rows * SUB, in_plane = 0, sunlit = 0;
+    double sun_sum = 0.0;
     plan->lowest_lx = INFINITY;
     for (int i = 0; i < parts; i++) {
         double lx = plan->diffuse[i] + plan->sun[i];
@@ -149,10 +150,12 @@ static void sum_parts_up(struct pp_moment_plan *plan)
             continue;
         in_plane++;
         sunlit += plan->sun[i] > 0.0f;
+        sun_sum += plan->sun[i];
         plan->lowest_lx = fmin(plan->lowest_lx, lx);
         plan->highest_lx = fmax(plan->highest_lx, lx);
     }
     plan->sun_share = in_plane > 0 ? (double)sunlit / in_plane : NAN;
+    plan->sun_lx = in_plane > 0 ? sun_sum / in_plane : NAN;
 }
 
 static enum pp_status light_parts(struct pp_moment_plan *plan,

@@ -18,11 +18,13 @@ struct pp_moment_plan {
     struct pp_receiver *centres;   /* their places; owned */
     int columns, rows;
     double low[2], cell_m[2]; /* lower corner of the first cell; sides of a cell */
-    int *cell_at;     /* [row][column]: index in cells; -1: outside the plane; owned */
-    float *diffuse;   /* [part row][part column]: lx without direct sun, interpolated;
+    int *cell_at;   /* [row][column]: index in cells; -1: outside the plane; owned */
+    float *diffuse; /* [part row][part column]: lx without direct sun, interpolated;
                        * NAN: outside the plane; owned */
-    float *sun;       /* the same: lx of direct sun; owned */
-    double sun_share; /* share of the plane in direct sun */
+    float *sun;     /* the same: lx of direct sun; owned */
+    double sun_lx; /* mean direct sunlight of the parts in the plane; that of `cells` is
+                    * known only at their centres */
+    double sun_share;             /* share of the plane in direct sun */
     double lowest_lx, highest_lx; /* over the parts */
 };
 

@@ -64,6 +64,7 @@ static void sunlit_area_is_the_window_projected_along_the_sun(void **state)
     /* Each of four edges is known to half a part, 16 mm. */
     assert_near(plan.sun_share, 2.0 * 1.2 / 20.0, 0.016 * (2.0 + 1.2) / 20.0);
     double level = moment.sky.direct_lx * sqrt(0.5);
+    assert_near(plan.sun_lx, level * plan.sun_share, 1e-4 * level);
     assert_near(sun_at(&plan, 1.1, 0.3), level, 1.0);
     assert_near(sun_at(&plan, 2.9, 1.3), level, 1.0);
     assert_near(sun_at(&plan, 0.9, 0.3), 0.0, 0.0);
@@ -85,6 +86,7 @@ static void sun_from_the_side_shears_the_area(void **state)
     double deep = 1.2 * sqrt(0.5);
     assert_near(plan.sun_share, 2.0 * deep / 20.0, 0.016 * (2.0 + deep) / 20.0);
     double level = moment.sky.direct_lx * sqrt(0.5);
+    assert_near(plan.sun_lx, level * plan.sun_share, 1e-4 * level);
     assert_near(sun_at(&plan, 1.0 + 0.5 + 0.1, 0.5), level, 1.0);
     assert_near(sun_at(&plan, 1.0 + 0.5 - 0.1, 0.5), 0.0, 0.0);
     assert_near(sun_at(&plan, 3.0 + 0.5 - 0.1, 0.5), level, 1.0);
