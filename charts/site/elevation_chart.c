@@ -270,8 +270,9 @@ static void say_title(struct elevation_drawing *drawing,
                                        "South", "South-west", "West", "North-west"};
     char words[96];
     int way = (int)floor(elevation->bearing_rad / (PP_PI / 4.0) + 0.5) % 8;
-    snprintf(words, sizeof words, "%s elevation, %.0f\u00b0", ways[way],
-             elevation->bearing_rad / PP_RAD);
+    snprintf(words, sizeof words, "%s elevation, %.0f\u00b0%s", ways[way],
+             elevation->bearing_rad / PP_RAD,
+             elevation->layer > 0 ? ", walls further back" : "");
     struct pp_lettering set = {.size = PP_TEXT_BODY, .bold = true, .down = 1.0};
     pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, words);
 }

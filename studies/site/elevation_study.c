@@ -9,8 +9,8 @@
 #include "model/geometry/bounds.h"
 #include "model/geometry/clipper.h"
 #include "model/geometry/contour/contour.h"
+#include "studies/site/elevation_layers.h"
 
-#define SAME_WAY_RAD (2.0 * PP_RAD)
 #define TOLERANCE_M 0.01
 #define INSET_M 0.005 /* distance by which points on a wall's edge are moved inside */
 
@@ -130,17 +130,13 @@ static enum pp_status flatten_wall(struct pp_elevation_wall *wall,
     return status;
 }
 
-static enum pp_status add_wall(struct pp_site_elevation *elevation,
-                               const struct pp_world *world, int face,
-                               struct pp_error *err)
+static enum pp_status fill_elevation_wall(struct pp_site_elevation *elevation,
+                                          struct pp_elevation_wall *wall,
+                                          const struct pp_world *world,
+                                          struct pp_error *err)
 {
-    enum pp_status status = pp_array_append(&elevation->walls, elevation->wall_count,
-                                            sizeof *elevation->walls, err);
-    if (status != PP_OK)
-        return status;
-    struct pp_elevation_wall *wall = &elevation->walls[elevation->wall_count++];
-    *wall = (struct pp_elevation_wall){.room = world->name};
-    status = flatten_wall(wall, elevation, world, face, err);
+    int face = wall->face;
+    enum pp_status status = flatten_wall(wall, elevation, world, face, err);
     if (status == PP_OK)
         status = add_doors(wall, elevation, world, face, err);
     if (status != PP_OK || wall->outline.count == 0)
@@ -162,69 +158,15 @@ static enum pp_status add_wall(struct pp_site_elevation *elevation,
 
 /* ---- elevations ---- */
 
-static struct pp_site_elevation *find_elevation(struct pp_elevation_sheet *sheet,
-                                                struct pp_vec3 out)
-{
-    for (int i = 0; i < sheet->count; i++)
-        if (pp_vec_dot(sheet->elevations[i].out, out) > cos(SAME_WAY_RAD))
-            return &sheet->elevations[i];
-    return NULL;
-}
-
-static enum pp_status add_elevation(struct pp_elevation_sheet *sheet,
-                                    struct pp_vec3 out, struct pp_error *err)
-{
-    enum pp_status status = pp_array_append(&sheet->elevations, sheet->count,
-                                            sizeof *sheet->elevations, err);
-    if (status != PP_OK)
-        return status;
-    double bearing = atan2(out.x, out.y) + sheet->site.north_rad;
-    bearing = fmod(bearing, 2.0 * PP_PI);
-    sheet->elevations[sheet->count++] = (struct pp_site_elevation){
-        .out = out,
-        .right = pp_vec(-out.y, out.x, 0.0),
-        .bearing_rad = bearing < -1e-9 ? bearing + 2.0 * PP_PI : fmax(bearing, 0.0),
-        .low = {INFINITY, sheet->site.ground_m},
-        .high = {-INFINITY, sheet->site.ground_m}};
-    return PP_OK;
-}
-
-static int by_bearing(const void *left, const void *right)
-{
-    const struct pp_site_elevation *a = left, *b = right;
-    return (a->bearing_rad > b->bearing_rad) - (a->bearing_rad < b->bearing_rad);
-}
-
-static enum pp_status add_elevation_windows(struct pp_elevation_sheet *sheet,
-                                            struct pp_site_elevation *elevation,
-                                            struct pp_error *err)
+static enum pp_status fill_walls(struct pp_site_elevation *elevation,
+                                 const struct pp_site_rooms *rooms,
+                                 struct pp_error *err)
 {
     enum pp_status status = PP_OK;
-    for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++) {
-        if (pp_vec_dot(sheet->site.windows[i].out, elevation->out) <= cos(SAME_WAY_RAD))
-            continue;
-        status = pp_array_append(&elevation->windows, elevation->window_count,
-                                 sizeof *elevation->windows, err);
-        if (status == PP_OK)
-            elevation->windows[elevation->window_count++] = i;
-    }
-    return status;
-}
-
-static enum pp_status add_walls(struct pp_elevation_sheet *sheet,
-                                const struct pp_world *world, struct pp_error *err)
-{
-    enum pp_status status = PP_OK;
-    for (int i = 0; i < world->face_count && status == PP_OK; i++) {
-        const struct pp_surface *face = &world->surfaces[i];
-        if (face->role != PP_WALL || face->is_inner
-            || fabs(face->outline.normal.z) > 0.02)
-            continue;
-        struct pp_vec3 out = pp_placement_turn(pp_vec_scale(face->outline.normal, -1.0),
-                                               world->placement.rotate_rad);
-        struct pp_site_elevation *elevation = find_elevation(sheet, out);
-        if (elevation)
-            status = add_wall(elevation, world, i, err);
+    for (int i = 0; i < elevation->wall_count && status == PP_OK; i++) {
+        struct pp_elevation_wall *wall = &elevation->walls[i];
+        status =
+            fill_elevation_wall(elevation, wall, rooms->list[wall->room_at].world, err);
     }
     return status;
 }
@@ -248,23 +190,26 @@ static enum pp_status add_box(struct pp_bounds2 **list, int *count,
     return status;
 }
 
-/* Elevation that shows a face of the room; NULL: none does. */
+/* Elevation that shows a face of a room; NULL: none does. */
 static struct pp_site_elevation *elevation_of(struct pp_elevation_sheet *sheet,
-                                              const struct pp_world *world, int face)
+                                              int room, int face)
 {
-    return find_elevation(
-        sheet,
-        pp_placement_turn(pp_vec_scale(world->surfaces[face].outline.normal, -1.0),
-                          world->placement.rotate_rad));
+    for (int i = 0; i < sheet->count; i++)
+        for (int k = 0; k < sheet->elevations[i].wall_count; k++)
+            if (sheet->elevations[i].walls[k].room_at == room
+                && sheet->elevations[i].walls[k].face == face)
+                return &sheet->elevations[i];
+    return NULL;
 }
 
 static enum pp_status add_facades(struct pp_elevation_sheet *sheet,
-                                  const struct pp_world *world, struct pp_error *err)
+                                  const struct pp_world *world, int room,
+                                  struct pp_error *err)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->facade_count && status == PP_OK; i++) {
         struct pp_site_elevation *elevation =
-            elevation_of(sheet, world, world->facades[i].face);
+            elevation_of(sheet, room, world->facades[i].face);
         if (elevation)
             status = add_box(&elevation->facades, &elevation->facade_count, elevation,
                              world, world->facades[i].corners, 4, err);
@@ -274,7 +219,7 @@ static enum pp_status add_facades(struct pp_elevation_sheet *sheet,
 
 /* Adds balconies, overhangs and fins of the room's own windows. */
 static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
-                                           const struct pp_world *world,
+                                           const struct pp_world *world, int room,
                                            struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -283,7 +228,7 @@ static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
         if (!shade->is_shade || shade->owner < 0 || shade->inside)
             continue;
         struct pp_site_elevation *elevation =
-            elevation_of(sheet, world, world->openings[shade->owner].face);
+            elevation_of(sheet, room, world->openings[shade->owner].face);
         if (elevation)
             status = add_box(&elevation->shades, &elevation->shade_count, elevation,
                              world, shade->outline.vertices, shade->outline.count, err);
@@ -330,24 +275,20 @@ static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
                                            struct pp_error *err)
 {
     enum pp_status status = pp_site_study_make(&sheet->site, rooms, err);
-    for (int i = 0; i < sheet->site.window_count && status == PP_OK; i++)
-        if (!find_elevation(sheet, sheet->site.windows[i].out))
-            status = add_elevation(sheet, sheet->site.windows[i].out, err);
+    if (status == PP_OK)
+        status = pp_elevation_layers_make(sheet, rooms, err);
     if (status == PP_OK && sheet->count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "no elevation: the room has no vertical windows");
-    if (status == PP_OK)
-        qsort(sheet->elevations, sheet->count, sizeof *sheet->elevations, by_bearing);
-    for (int i = 0; i < rooms->count && status == PP_OK; i++)
-        status = add_walls(sheet, rooms->list[i].world, err);
-    for (int i = 0; i < rooms->count && status == PP_OK; i++)
-        status = add_facades(sheet, rooms->list[i].world, err);
-    for (int i = 0; i < rooms->count && status == PP_OK; i++)
-        status = add_elevation_shades(sheet, rooms->list[i].world, err);
-    for (int i = 0; i < sheet->count && status == PP_OK; i++) {
-        measure_elevation(&sheet->elevations[i]);
-        status = add_elevation_windows(sheet, &sheet->elevations[i], err);
+    for (int i = 0; i < sheet->count && status == PP_OK; i++)
+        status = fill_walls(&sheet->elevations[i], rooms, err);
+    for (int i = 0; i < rooms->count && status == PP_OK; i++) {
+        status = add_facades(sheet, rooms->list[i].world, i, err);
+        if (status == PP_OK)
+            status = add_elevation_shades(sheet, rooms->list[i].world, i, err);
     }
+    for (int i = 0; i < sheet->count && status == PP_OK; i++)
+        measure_elevation(&sheet->elevations[i]);
     return status;
 }
 

@@ -29,15 +29,16 @@ static double before_of(const struct pp_study_room *before, const int *pairs,
 }
 
 static enum pp_status add_window(struct pp_site_sheet *sheet,
-                                 const struct pp_study_room *room, int index,
+                                 const struct pp_world *world, int room_at, int index,
                                  double before, struct pp_error *err)
 {
-    const struct pp_world *world = room->world;
     const struct pp_opening *opening = &world->openings[index];
     const struct pp_placement *place = &world->placement;
     struct pp_site_window window = {.name = opening->name,
                                     .label = opening->label,
                                     .room = world->name,
+                                    .room_at = room_at,
+                                    .face = opening->face,
                                     .line = opening->line,
                                     .before = before,
                                     .height_m = opening->height_m};
@@ -68,10 +69,11 @@ static enum pp_status add_window(struct pp_site_sheet *sheet,
 }
 
 static enum pp_status add_site_windows(struct pp_site_sheet *sheet,
-                                       const struct pp_study_room *room,
-                                       const struct pp_study_room *before,
+                                       const struct pp_site_rooms *rooms, int room_at,
                                        struct pp_error *err)
 {
+    const struct pp_study_room *room = &rooms->list[room_at];
+    const struct pp_study_room *before = rooms->before[room_at];
     int *pairs = NULL;
     enum pp_status status = PP_OK;
     if (before)
@@ -81,7 +83,7 @@ static enum pp_status add_site_windows(struct pp_site_sheet *sheet,
             continue;
         double former = before_of(before, pairs, i, sheet->french_m, &status, err);
         if (status == PP_OK)
-            status = add_window(sheet, room, i, former, err);
+            status = add_window(sheet, room->world, room_at, i, former, err);
     }
     free(pairs);
     return status;
@@ -365,7 +367,7 @@ static enum pp_status make_site_sheet(struct pp_site_sheet *sheet,
         for (int k = 0; k < world->garden_count && status == PP_OK; k++)
             status = add_garden(sheet, world, &world->gardens[k], err);
         if (status == PP_OK)
-            status = add_site_windows(sheet, &rooms->list[i], rooms->before[i], err);
+            status = add_site_windows(sheet, rooms, i, err);
     }
     if (status != PP_OK)
         return status;

@@ -44,6 +44,7 @@ struct pp_site_window {
     const char *name;         /* NULL: no name */
     const char *label;        /* name, or W1, W2 ... by its place in the file */
     const char *room;         /* name of its room; NULL: it has none */
+    int room_at, face;        /* its room in the list of rooms, and the face it is in */
     int line;
     int storey; /* number of windows below it in the same wall */
 };
@@ -92,7 +93,9 @@ extern const double pp_site_sheet_levels[PP_SITE_LEVELS];
 /* An outer wall in elevation: u runs to the right seen from outside, from the sheet's
  * origin; v is z. */
 struct pp_elevation_wall {
-    const char *room; /* name of its room; NULL: it has none */
+    const char *room;  /* name of its room; NULL: it has none */
+    int room_at, face; /* its room in the list of rooms, and its face */
+    double front_m;    /* distance of its inner face along the direction it faces */
     struct pp_region outline;
     struct pp_curve_list below; /* areas below each level, as in pp_daylight_plan;
                                  * each curve has its level */
@@ -101,9 +104,10 @@ struct pp_elevation_wall {
     int door_count;
 };
 
-/* Walls of a site that face the same way. */
+/* Walls of a site that face the same way, none of which hides another. */
 struct pp_site_elevation {
     struct pp_vec3 out, right; /* unit, level */
+    int layer;                 /* 0: the walls in front; 1 and more: walls behind */
     double bearing_rad;        /* bearing that the walls face, clockwise from north,
                                 * 0 to 2 pi */
     struct pp_elevation_wall *walls;
@@ -119,7 +123,7 @@ struct pp_site_elevation {
 
 struct pp_elevation_sheet {
     struct pp_site_sheet site;
-    struct pp_site_elevation *elevations; /* clockwise from north */
+    struct pp_site_elevation *elevations; /* clockwise from north, then by layer */
     int count;
 };
 

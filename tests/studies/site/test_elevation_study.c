@@ -263,6 +263,34 @@ static void elevations_go_round_from_north(void **state)
     clear_made(&made);
 }
 
+/* Two houses of 4 m across a court that both face south: their walls overlap in elevation,
+ * so each has an elevation of its own. The north walls have no windows and are on none. */
+static void a_house_in_front_does_not_cover_the_windows_behind_it(void **state)
+{
+    (void)state;
+    struct made_sheet made;
+    const struct pp_elevation_sheet *sheet = &made.sheet;
+    make(&made,
+         "<building version='1'><room name='Front'><plan width='4' depth='4' "
+         "height='3'/>"
+         "<window name='F' wall='south' left='1' sill='1' width='1' height='1'/></room>"
+         "<room name='Back' x='2' y='12'><plan width='4' depth='4' height='3'/>"
+         "<window name='B' wall='south' left='1' sill='1' width='1' height='1'/></room>"
+         "</building>",
+         false);
+    assert_int_equal(sheet->count, 2);
+    for (int i = 0; i < 2; i++) {
+        const struct pp_site_elevation *one = &sheet->elevations[i];
+        assert_int_equal(one->layer, i);
+        assert_int_equal(one->wall_count, 1);
+        assert_int_equal(one->window_count, 1);
+        assert_string_equal(one->walls[0].room, i == 0 ? "Front" : "Back");
+        assert_string_equal(sheet->site.windows[one->windows[0]].label,
+                            i == 0 ? "F" : "B");
+    }
+    clear_made(&made);
+}
+
 /* Changes of obstructions: the shed goes, the tower comes, the mill stays. */
 static void what_goes_and_what_comes_is_told_apart(void **state)
 {
@@ -299,6 +327,7 @@ TEST_FILE
         cmocka_unit_test(facades_and_balconies_are_in_the_elevation),
         cmocka_unit_test(doors_of_outer_walls_stand_where_they_are),
         cmocka_unit_test(elevations_go_round_from_north),
+        cmocka_unit_test(a_house_in_front_does_not_cover_the_windows_behind_it),
         cmocka_unit_test(what_goes_and_what_comes_is_told_apart),
     };
     add_tests(tests, NULL, NULL);
