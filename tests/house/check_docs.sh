@@ -122,7 +122,7 @@ check "no page of the manual has a dead link" nothing "$(
 find README.md ARCHITECTURE.md CONTRIBUTING.md docs -name '*.md' ! -name PERFORMANCE.md \
     ! -name SOURCES.md ! -name reference.md >"$scratch/plain"
 check "pages have fewer than 18 words a sentence on average" nothing "$(
-    xargs ${AWK:-awk} -v limit=18 -f tests/house/sentences.awk <"$scratch/plain")"
+    LC_ALL=C xargs ${AWK:-awk} -v limit=18 -f tests/house/sentences.awk <"$scratch/plain")"
 
 # A number of a published formula stands once, so that program, --explain and manual change
 # with it: whole formulae in C, comments aside, have no other place for it.
