@@ -55,7 +55,9 @@ const struct pp_option pp_moment_when_option[] = {
      "Show illuminances in lux at this standard time, including direct sunlight, "
      "instead of daylight factors. Sky and sun are taken from --weather or from --sky "
      "perez,DNI,DHI. After the time, +HH:MM, -HH:MM or Z sets the time zone, in hours "
-     "ahead of universal time.",
+     "ahead of universal time. Without --when, the same is shown for --sky "
+     "perez,DNI,DHI,ALTITUDE,BEARING, for iso-N,ALTITUDE,BEARING,DIRECT,DIFFUSE and "
+     "for overcast,DIFFUSE, with illuminances in lux.",
      read_when, 0},
     {0},
 };
@@ -81,7 +83,7 @@ static bool is_in_calendar(const struct pp_moment_irradiances *of)
 static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_error *err)
 {
     static const double MOST_W_M2 = 1500.0; /* sun outside the atmosphere: 1412 */
-    const char *numbers = choice->perez + strlen("perez");
+    const char *numbers = choice->sky + strlen("perez");
     double v[PEREZ_NUMBERS] = {NAN, NAN, NAN, NAN};
     int count =
         *numbers == ',' ? pp_options_numbers(numbers + 1, ',', v, PEREZ_NUMBERS) : 0;
@@ -94,7 +96,7 @@ static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_erro
                        "diffuse horizontal irradiance from 0 to 1500 W/m2), or "
                        "perez,DNI,DHI,ALTITUDE,BEARING with the sun at 0 to 90 and "
                        "-360 to 360 degrees",
-                       choice->perez);
+                       choice->sky);
     choice->of.direct_w_m2 = v[0];
     choice->of.diffuse_w_m2 = v[1];
     choice->of.sun_altitude_rad = v[2] * PP_RAD;
@@ -115,7 +117,7 @@ static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_erro
         return pp_fail(err, PP_BAD_INPUT,
                        "--sky %s has no position of the sun; expected "
                        "perez,DNI,DHI,ALTITUDE,BEARING, or --when 'YYYY-MM-DD HH:MM'",
-                       choice->perez);
+                       choice->sky);
     return PP_OK;
 }
 
@@ -126,15 +128,76 @@ static bool is_perez(const char *sky)
            && (sky[length] == '\0' || sky[length] == ',');
 }
 
+/* ---- a standard sky with illuminances ---- */
+
+/* True for overcast,DIFFUSE, uniform,DIFFUSE and iso-N with more than a sun's position;
+ * without illuminances these skies are for daylight factors. */
+static bool is_standard_moment(const char *sky)
+{
+    int commas = 0;
+    for (const char *c = sky; c && *c; c++)
+        commas += *c == ',';
+    return sky
+           && (strncmp(sky, "overcast,", 9) == 0 || strncmp(sky, "uniform,", 8) == 0
+               || (strncmp(sky, "iso-", 4) == 0 && commas > 2));
+}
+
+static enum pp_status read_standard(struct pp_moment_choice *choice,
+                                    struct pp_error *err)
+{
+    static const double MOST_LX = 200000.0; /* above the sun outside the atmosphere */
+    struct pp_moment_standard *standard = &choice->standard;
+    double v[4] = {0.0};
+    double type = 0.0;
+    int length = (int)strcspn(choice->sky, ",");
+    int count = pp_options_numbers(choice->sky + length + 1, ',', v, 4);
+    bool is_iso = strncmp(choice->sky, "iso-", 4) == 0;
+    snprintf(choice->standard_name, sizeof choice->standard_name, "%.*s", length,
+             choice->sky);
+    bool good = count == (is_iso ? 4 : 1);
+    if (is_iso)
+        good = good && pp_text_parse_number(choice->standard_name + 4, &type)
+               && type == floor(type) && type >= 1.0 && type <= 15.0 && v[0] >= 0.0
+               && v[0] <= 90.0 && v[1] >= -360.0 && v[1] <= 360.0 && v[2] >= 0.0
+               && v[2] <= MOST_LX;
+    double diffuse_lx = is_iso ? v[3] : v[0];
+    if (!good || !(diffuse_lx > 0.0 && diffuse_lx <= MOST_LX))
+        return pp_fail(err, PP_BAD_INPUT,
+                       is_iso ? "--sky is \"%.100s\"; expected iso-1 to iso-15 as "
+                                "iso-N,ALTITUDE,BEARING,DIRECT,DIFFUSE, in degrees and "
+                                "lux up to 200000"
+                              : "--sky is \"%.100s\"; expected overcast,DIFFUSE or "
+                                "uniform,DIFFUSE, in lux up to 200000",
+                       choice->sky);
+    *standard = (struct pp_moment_standard){.name = choice->standard_name,
+                                            .iso = (int)type,
+                                            .sun_altitude_rad = v[0] * PP_RAD,
+                                            .sun_bearing_rad = v[1] * PP_RAD,
+                                            .direct_lx = v[2],
+                                            .diffuse_lx = diffuse_lx};
+    if (!is_iso) {
+        standard->sun_altitude_rad = PP_PI / 2.0;
+        standard->sun_bearing_rad = standard->direct_lx = 0.0;
+    }
+    if (choice->weather || choice->when)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s and --sky %s both determine the sky; expected only one of "
+                       "them",
+                       choice->weather ? "--weather" : "--when", choice->sky);
+    return PP_OK;
+}
+
 enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                        struct pp_room_options *room,
                                        struct pp_error *err)
 {
     struct pp_study_options *study = &room->study;
-    if (is_perez(study->sky)) {
-        choice->perez = study->sky;
+    bool perez = is_perez(study->sky);
+    if (perez || is_standard_moment(study->sky)) {
+        choice->sky = study->sky;
         study->sky = NULL;
-        enum pp_status status = read_perez(choice, err);
+        enum pp_status status =
+            perez ? read_perez(choice, err) : read_standard(choice, err);
         if (status != PP_OK)
             return status;
     } else if (!choice->when && !choice->weather) {
@@ -159,13 +222,16 @@ enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
         return pp_fail(err, PP_BAD_INPUT,
                        "%s: a calculation for one moment has its own sky and is "
                        "simulated; expected no %s",
-                       choice->perez ? "--sky perez" : "--when", of_factors);
+                       perez         ? "--sky perez"
+                       : choice->sky ? choice->sky
+                                     : "--when",
+                       of_factors);
     return PP_OK;
 }
 
 bool pp_moment_choice_said(const struct pp_moment_choice *choice)
 {
-    return choice->perez || choice->when;
+    return choice->sky || choice->when;
 }
 
 enum pp_status pp_moment_choice_check_paths(const struct pp_room_options *room,
@@ -206,8 +272,8 @@ void pp_moment_choice_clear(struct pp_moment_choice *choice)
 
 struct pp_moment_source pp_moment_choice_source(const struct pp_moment_choice *choice)
 {
-    return (struct pp_moment_source){choice->when, choice->perez ? NULL : &choice->year,
-                                     choice->of};
+    return (struct pp_moment_source){choice->when, choice->sky ? NULL : &choice->year,
+                                     choice->of, choice->standard};
 }
 
 enum pp_status pp_moment_choice_find(struct pp_moment *moment,

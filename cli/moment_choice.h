@@ -1,5 +1,5 @@
-/* moment_choice.h - the options --when and --weather, or --sky perez,...: sky and sun
- * of one moment, which replace the room file's sky. */
+/* moment_choice.h - the options --when and --weather, or a --sky with its irradiances
+ * or illuminances: sky and sun of one moment, which replace the room file's sky. */
 #ifndef PP_CLI_MOMENT_CHOICE_H
 #define PP_CLI_MOMENT_CHOICE_H
 
@@ -11,7 +11,9 @@
 struct pp_moment_choice {
     const char *when; /* as typed, "2023-03-21 15:00"; NULL: not given */
     const char *weather;
-    const char *perez; /* --sky perez,...; NULL: not given */
+    const char *sky; /* --sky with irradiances or illuminances; NULL: not given */
+    struct pp_moment_standard standard; /* the sky, if it is not perez */
+    char standard_name[16];
     struct pp_moment_irradiances of;
 
     struct pp_year_options light; /* loaded */
@@ -23,7 +25,7 @@ struct pp_moment_choice {
 extern const struct pp_option pp_moment_when_option[];
 extern const struct pp_option pp_moment_weather_option[];
 
-/* Moves the Perez sky of --sky from the room's options to the choice. PP_BAD_INPUT if
+/* Moves a sky with irradiances or illuminances from the room's options to the choice. PP_BAD_INPUT if
  * options are missing, or apply to daylight factors only. */
 enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,
                                        struct pp_room_options *room,

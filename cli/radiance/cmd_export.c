@@ -113,7 +113,7 @@ static char *folder_of(const struct pp_rooms *rooms, int which, char *const *bef
 
 /* Replaces a room's sky by the sky and sun of the moment. *external_lux: horizontal
  * illuminance from that sky. note: a comment with the Radiance command for a similar
- * sky. */
+ * sky; empty for standard skies. */
 static enum pp_status take_moment(struct pp_study_room *room,
                                   const struct pp_moment_choice *choice,
                                   double *external_lux, char *note, size_t size,
@@ -129,11 +129,14 @@ static enum pp_status take_moment(struct pp_study_room *room,
     struct pp_vec3 sun = room->light.sky.sun;
     double west_of_south = atan2(-sun.x, -sun.y) / PP_RAD;
     *external_lux = moment.sky.diffuse_lx;
-    snprintf(note, size,
-             "approximately the same sky by illuminances: !gendaylit -ang %.3f %.3f -L "
-             "%.0f %.0f",
-             asin(sun.z) / PP_RAD, west_of_south, moment.sky.direct_lx,
-             moment.sky.diffuse_lx);
+    *note = '\0';
+    if (strcmp(moment.sky_name, "perez") == 0)
+        snprintf(
+            note, size,
+            "approximately the same sky by illuminances: !gendaylit -ang %.3f %.3f -L "
+            "%.0f %.0f",
+            asin(sun.z) / PP_RAD, west_of_south, moment.sky.direct_lx,
+            moment.sky.diffuse_lx);
     return PP_OK;
 }
 
@@ -147,7 +150,7 @@ static enum pp_status add_rooms(struct pp_output_directory *directory,
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         struct pp_study_room *room = &rooms->list[i];
         double external_lux = options->external_lux;
-        char note[160];
+        char note[160] = "";
         bool of_moment = pp_moment_choice_said(&options->moment);
         if (rooms->several && !(folders[i] = folder_of(rooms, i, folders)))
             status = pp_fail_memory(err);
@@ -157,7 +160,7 @@ static enum pp_status add_rooms(struct pp_output_directory *directory,
                                  sizeof note, &said);
         if (status == PP_OK)
             status = pp_radiance_export(directory, folders[i], room, external_lux,
-                                        options->gloss, of_moment ? note : NULL, &said);
+                                        options->gloss, *note ? note : NULL, &said);
         if (status != PP_OK && folders[i] == NULL && rooms->several)
             break;
         if (status == PP_BAD_INPUT)

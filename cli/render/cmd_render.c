@@ -189,7 +189,7 @@ static void init_render_options(void *values)
 static enum pp_status check_moment(const struct render_options *options,
                                    struct pp_error *err)
 {
-    const char *given = options->moment.perez ? "--sky perez" : "--when";
+    const char *given = options->moment.sky ? "--sky" : "--when";
     if (options->choice.from_picture)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s is for rendering; it cannot be combined with --from-picture",

@@ -61,7 +61,7 @@ static void set_shape(struct pp_perez_sky *sky, const double *row, double Z)
 static double relative(const struct pp_perez_sky *sky, double z, double to_sun,
                        double gamma)
 {
-    double gradation = 1.0 + sky->a * exp(sky->b / z);
+    double gradation = (1.0 + sky->gradation * z) * (1.0 + sky->a * exp(sky->b / z));
     double indicatrix = 1.0 + sky->c * exp(sky->d * gamma) + sky->e * to_sun * to_sun;
     return fmax(gradation * indicatrix, 0.0);
 }
@@ -161,6 +161,26 @@ struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions
     return sky;
 }
 
+struct pp_perez_sky pp_perez_sky_of_standard(const struct pp_sky *standard,
+                                             struct pp_vec3 sun, double direct_lx,
+                                             double diffuse_lx)
+{
+    struct pp_perez_sky sky = {.sun = sun, .direct_lx = direct_lx};
+    if (pp_sky_is_graded(standard)) {
+        sky.gradation = standard->gradation;
+    } else {
+        /* pp_perez_sky_relative has the inverse of this. */
+        double K = 1.0 - standard->c * exp(standard->d * PP_PI / 2.0);
+        sky.a = standard->a;
+        sky.b = standard->b;
+        sky.c = standard->c / K;
+        sky.d = standard->d;
+        sky.e = standard->e / K;
+    }
+    pp_perez_sky_set_diffuse(&sky, diffuse_lx);
+    return sky;
+}
+
 void pp_perez_sky_set_diffuse(struct pp_perez_sky *sky, double diffuse_lx)
 {
     sky->N = sky->diffuse_lx > 0.0 ? sky->N * diffuse_lx / sky->diffuse_lx
@@ -180,6 +200,8 @@ double pp_perez_sky_luminance(const struct pp_perez_sky *sky, struct pp_vec3 u)
 
 struct pp_sky pp_perez_sky_relative(const struct pp_perez_sky *perez)
 {
+    if (perez->gradation > 0.0)
+        return pp_sky_graded(perez->gradation);
     /* In (1), 1 + c exp(d gamma) equals K + c (exp(d gamma) - exp(d pi/2)), the form of
      * ISO 15469. */
     double K = 1.0 + perez->c * exp(perez->d * PP_PI / 2.0);

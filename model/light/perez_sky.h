@@ -16,6 +16,9 @@
  *     E0      1367 W/m2 over the squared distance of the sun in astronomical units
  *     Z       zenith angle of the sun, in radians except in m
  *
+ * Other skies have the same form: ISO 15469, and the graded skies (graded_sky.h), with
+ * the factor 1 + g cos zeta in (1); g is 0 for Perez's.
+ *
  * N makes the sky's horizontal illuminance equal to Ed times its luminous efficacy
  * [PISMS90], to 1e-6:
  *
@@ -55,6 +58,7 @@ enum pp_perez_limit {
 
 struct pp_perez_sky {
     double a, b, c, d, e;
+    double gradation; /* g: 2 for the CIE overcast sky, else 0 */
     struct pp_vec3 sun;
     double N;                     /* cd/m2 */
     double diffuse_lx, direct_lx; /* horizontal; normal to the sun */
@@ -66,6 +70,12 @@ struct pp_perez_sky {
 /* Sky of an hour. Without diffuse irradiance it is black; without any irradiance there
  * is no sun either. */
 struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions);
+
+/* A standard sky with these illuminances, at least one above 0; not of a photograph.
+ * sun: its direction, also for skies that do not depend on it. */
+struct pp_perez_sky pp_perez_sky_of_standard(const struct pp_sky *standard,
+                                             struct pp_vec3 sun, double direct_lx,
+                                             double diffuse_lx);
 
 /* Scales the sky to another diffuse illuminance (lx, 0 or more). */
 void pp_perez_sky_set_diffuse(struct pp_perez_sky *sky, double diffuse_lx);

@@ -115,7 +115,7 @@ static struct json_object *moment_room(const void *all, int index)
     bool good =
         object && pp_json_text(object, "format", "pepperpot-df-1")
         && pp_json_text(object, "room", sheet->world->name)
-        && pp_json_text(object, "sky", "perez")
+        && pp_json_text(object, "sky", sheet->sky_name)
         && (!rooms->when || pp_json_text(object, "when", rooms->when))
         && pp_json_text(object, "unit", "lx")
         && pp_json_text(object, "weather", sheet->weather)

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "model/base/text.h"
 #include "model/light/sun.h"
@@ -12,7 +13,8 @@ enum pp_status pp_moment_of_weather(struct pp_moment *moment,
                                     struct pp_month_day date, double clock_h,
                                     struct pp_error *err)
 {
-    *moment = (struct pp_moment){.date = date, .clock_h = clock_h, .year = year};
+    *moment = (struct pp_moment){
+        .date = date, .clock_h = clock_h, .year = year, .sky_name = "perez"};
     return pp_weather_year_moment(&moment->sky, year, date, clock_h, err);
 }
 
@@ -65,7 +67,8 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
                          .bearing_rad = of->sun_bearing_rad,
                          .distance_au = 1.0};
     double zone_h = 0.0;
-    *moment = (struct pp_moment){.date = of->date, .clock_h = of->clock_h};
+    *moment = (struct pp_moment){
+        .date = of->date, .clock_h = of->clock_h, .sky_name = "perez"};
     enum pp_status status = by_time ? sun_of_time(of, &zone_h, &sun, err) : PP_OK;
     if (status != PP_OK)
         return status;
@@ -103,6 +106,36 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
     return PP_OK;
 }
 
+/* ---- standard skies ---- */
+
+enum pp_status pp_moment_of_standard(struct pp_moment *moment,
+                                     const struct pp_moment_standard *of,
+                                     struct pp_error *err)
+{
+    *moment = (struct pp_moment){.sky_name = of->name};
+    struct pp_vec3 sun = pp_vec_at_bearing(of->sun_bearing_rad, of->sun_altitude_rad);
+    if (!(of->diffuse_lx > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the sky gives no light; expected a diffuse illuminance above "
+                       "0");
+    if (of->direct_lx > 0.0 && !(sun.z > 0.0))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the sun is at the horizon; expected a direct illuminance of 0, "
+                       "or an altitude above 0");
+    struct pp_sky standard =
+        strcmp(of->name, "uniform") == 0 ? pp_sky_uniform() : pp_sky_overcast();
+    enum pp_status status =
+        of->iso > 0 ? pp_sky_iso(&standard, of->iso, sun, err) : PP_OK;
+    if (status != PP_OK)
+        return status;
+    moment->sky =
+        pp_perez_sky_of_standard(&standard, sun, of->direct_lx, of->diffuse_lx);
+    snprintf(moment->words, sizeof moment->words,
+             "Sky %s with the given diffuse horizontal%s illuminance; sun as given",
+             of->name, of->direct_lx > 0.0 ? " and direct normal" : "");
+    return PP_OK;
+}
+
 /* ---- a room ---- */
 
 enum pp_status pp_moment_at(struct pp_moment *moment,
@@ -112,6 +145,8 @@ enum pp_status pp_moment_at(struct pp_moment *moment,
     struct pp_moment_irradiances of = source->of;
     if (source->year)
         return pp_moment_of_weather(moment, source->year, of.date, of.clock_h, err);
+    if (source->standard.name)
+        return pp_moment_of_standard(moment, &source->standard, err);
     of.latitude_rad = world->latitude_rad;
     of.longitude_rad = world->longitude_rad;
     return pp_moment_of_irradiances(moment, &of, err);
@@ -161,6 +196,8 @@ enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
     whole.illuminances_lx[0] = 300.0;
     whole.patches = 2305;
     whole.blinds = false;
-    return pp_annual_of_room(sheet, world, light, receivers, receiver_count, false,
-                             &one, &whole, err);
+    enum pp_status status = pp_annual_of_room(sheet, world, light, receivers,
+                                              receiver_count, false, &one, &whole, err);
+    sheet->sky_name = moment->sky_name;
+    return status;
 }

@@ -1,8 +1,9 @@
 /* moment.h - sky and sun of one moment, and the illuminances of a room's points under
  * them.
  *
- * Sky and sun come from a record of a weather file or from irradiances. In the latter
- * case the position of the sun is given, or follows from a time at the room's site.
+ * Sky and sun come from a record of a weather file, from irradiances, or from the
+ * illuminances of a standard sky. With irradiances the position of the sun is given, or
+ * follows from a time at the room's site.
  */
 #ifndef PP_STUDIES_YEAR_MOMENT_H
 #define PP_STUDIES_YEAR_MOMENT_H
@@ -15,6 +16,7 @@ struct pp_moment {
     double clock_h;                     /* local standard time */
     const struct pp_weather_year *year; /* year of the record; not owned; NULL: none */
     char words[PP_ANNUAL_WORDS];        /* on sky and sun, without a record */
+    const char *sky_name;               /* "perez", "iso-12", ... */
 };
 
 /* The moment in a record of the file. PP_BAD_INPUT if the hour is dark or unknown. year
@@ -41,13 +43,28 @@ enum pp_status pp_moment_of_irradiances(struct pp_moment *moment,
                                         const struct pp_moment_irradiances *of,
                                         struct pp_error *err);
 
-/* Where the moment of any room comes from: a record of a weather file, or
- * irradiances. */
+/* A standard sky given by its illuminances, and its sun. */
+struct pp_moment_standard {
+    const char *name; /* "overcast", "uniform", "iso-12"; NULL: not given */
+    int iso;          /* 1 to 15; 0: overcast or uniform */
+    double sun_altitude_rad, sun_bearing_rad;
+    double direct_lx, diffuse_lx; /* normal, horizontal */
+};
+
+/* PP_BAD_INPUT for a sky without diffuse light, and for direct light with the sun at
+ * the horizon. */
+enum pp_status pp_moment_of_standard(struct pp_moment *moment,
+                                     const struct pp_moment_standard *of,
+                                     struct pp_error *err);
+
+/* Where the moment of any room comes from: a record of a weather file, irradiances, or
+ * a standard sky. */
 struct pp_moment_source {
     const char *when;                   /* as typed; NULL: no time is given */
     const struct pp_weather_year *year; /* not owned; NULL: irradiances */
     struct pp_moment_irradiances of;    /* with the time, in either case; its place is
                                          * not used */
+    struct pp_moment_standard standard; /* instead of irradiances, if it has a name */
 };
 
 /* The moment at the place of a room. */

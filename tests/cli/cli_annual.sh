@@ -137,6 +137,18 @@ check "its factor is null" shows '"df": { "value": null, "why"' $perez,35,150 -f
 check "the sun of a time" shows "sun 38.7 degrees high" $perez --when "2023-03-21 12:00" "$room"
 check "clock of a zone" shows "clock 9 h ahead" $perez --when "2023-03-21 21:00+09:00" "$room"
 check "a black sky is said" shows "sky is black" df --samples 16 --sky perez,100,0,10,180 "$room"
+check "an ISO sky with a sun" shows "12000 lx diffuse horizontal, 70000 lx direct normal" \
+    df --samples 16 --sky iso-12,30,180,70000,12000 "$room"
+check "its JSON names the sky" shows '"sky": "iso-12"' \
+    df --samples 16 --sky iso-12,30,180,70000,12000 -f json "$room"
+check "an overcast sky in lux" shows "Sky overcast with the given diffuse horizontal illuminance" \
+    df --samples 16 --sky overcast,20000 "$room"
+check "no such ISO sky" refuses 2 "iso-1 to iso-15" df --sky iso-16,30,180,70000,12000 "$room"
+check "an ISO sky without diffuse light" refuses 2 "iso-1 to iso-15" \
+    df --sky iso-12,30,180,70000 "$room"
+check "the sun at the horizon" refuses 1 "at the horizon" df --sky iso-12,0,180,70000,12000 "$room"
+check "a standard sky has no time" refuses 2 "only one of them" \
+    df --sky overcast,20000 --when "2023-03-21 12:00" "$room"
 check "no sun" refuses 2 "has no position of the sun" $perez "$room"
 check "one irradiance" refuses 2 "perez,DNI,DHI" df --sky perez,600 "$room"
 check "more than the sun gives" refuses 2 "1500" df --sky perez,1600,100,35,150 "$room"

@@ -135,6 +135,7 @@ struct pp_annual_sheet {
 
     int hour_count;
     struct pp_annual_hour *hours; /* owned */
+    const char *sky_name;         /* of a moment: "perez", "iso-12", ...; not owned */
     int sky_count;
     float *lx; /* [receiver][sky]: illuminances, blinds open; owned */
     int patch_count;

@@ -129,9 +129,41 @@ static void direct_light_alone_leaves_a_black_sky(void **state)
     assert_near(sky.direct_lx + sky.diffuse_lx, 0.0, 0.0);
 }
 
+/* Zenith luminances by a quadrature outside the program. The overcast one is 9 Ed/(7
+ * pi). */
+static void standard_skies_have_the_zenith_of_their_illuminance(void **state)
+{
+    (void)state;
+    static const struct {
+        double altitude, diffuse_lx, zenith;
+    } iso12[] = {{30.0, 12000.0, 1876.73}, {20.0, 9000.0, 1276.25}};
+    struct pp_vec3 up = pp_vec(0.0, 0.0, 1.0);
+    for (int i = 0; i < 2; i++) {
+        struct pp_vec3 sun = toward(iso12[i].altitude, 135.0);
+        struct pp_sky standard;
+        assert_int_equal(pp_sky_iso(&standard, 12, sun, NULL), PP_OK);
+        struct pp_perez_sky sky =
+            pp_perez_sky_of_standard(&standard, sun, 55000.0, iso12[i].diffuse_lx);
+        assert_relative(pp_perez_sky_luminance(&sky, up), iso12[i].zenith, 1e-5);
+        struct pp_sky relative = pp_perez_sky_relative(&sky);
+        struct pp_vec3 u = toward(12.0, 100.0);
+        assert_relative(pp_sky_luminance(&relative, u), pp_sky_luminance(&standard, u),
+                        1e-5);
+    }
+    struct pp_sky overcast = pp_sky_overcast();
+    struct pp_perez_sky sky = pp_perez_sky_of_standard(&overcast, up, 0.0, 20000.0);
+    assert_relative(pp_perez_sky_luminance(&sky, up), 9.0 * 20000.0 / (7.0 * PP_PI),
+                    1e-6);
+    assert_relative(pp_perez_sky_luminance(&sky, toward(30.0, 0.0)),
+                    6.0 * 20000.0 / (7.0 * PP_PI), 1e-6);
+    struct pp_sky relative = pp_perez_sky_relative(&sky);
+    assert_near(pp_sky_on_plane(&relative, up), 1.0, 1e-9);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(standard_skies_have_the_zenith_of_their_illuminance),
         cmocka_unit_test(its_coefficients_are_those_of_gendaylit),
         cmocka_unit_test(its_luminances_are_those_of_another_program),
         cmocka_unit_test(every_sky_gives_its_diffuse_illuminance),
