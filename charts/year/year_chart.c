@@ -8,6 +8,7 @@
 #include "charts/sheet/axis.h"
 #include "charts/sheet/page.h"
 #include "charts/year/colour_scale.h"
+#include "charts/year/depth_profile.h"
 #include "model/results/lattice.h"
 
 static const struct pp_colour_scale lux_scale = {
@@ -190,6 +191,20 @@ static double share_with(const struct pp_annual_sheet *sheet, int point, double 
     return 100.0 * hours / sheet->occupied_h;
 }
 
+/* Writes the key of a curve: a piece of its line, and words beside it. */
+static void draw_curve_key(const struct year_plot *plot, int style, const char *words,
+                           double x, double y)
+{
+    struct pp_curve_style look = pp_style_curve(style);
+    pp_style_pen(plot->cr, &plot->style, &look);
+    cairo_move_to(plot->cr, x, y);
+    cairo_line_to(plot->cr, x + 7.0 * plot->style.scale, y);
+    cairo_stroke(plot->cr);
+    struct pp_lettering name = {.size = PP_TEXT_SMALL, .down = 0.5};
+    pp_lettering_draw_on_white(plot->cr, &plot->style, &name,
+                               x + 8.0 * plot->style.scale, y, words);
+}
+
 static void draw_share_curve(const struct year_plot *plot, const struct pp_axis *across,
                              const struct pp_axis *up, int point, int style,
                              const char *words, double y)
@@ -204,20 +219,14 @@ static void draw_share_curve(const struct year_plot *plot, const struct pp_axis 
                       pp_axis_at(up, share_with(plot->sheet, point, lx)));
     }
     cairo_stroke(cr);
-    double x = across->from + 2.0 * plot->style.scale;
-    pp_style_pen(cr, &plot->style, &look);
-    cairo_move_to(cr, x, y);
-    cairo_line_to(cr, x + 7.0 * plot->style.scale, y);
-    cairo_stroke(cr);
-    struct pp_lettering name = {.size = PP_TEXT_SMALL, .down = 0.5};
-    pp_lettering_draw_on_white(cr, &plot->style, &name, x + 8.0 * plot->style.scale, y,
-                               words);
+    draw_curve_key(plot, style, words, across->from, y);
 }
 
 static void draw_curves(const struct year_plot *plot, struct pp_box box)
 {
     const struct pp_annual_sheet *sheet = plot->sheet;
-    double scale = plot->style.scale, low = box.y + box.height - 6.0 * scale;
+    double scale = plot->style.scale, key = 3.5 * scale;
+    double low = box.y + box.height - (6.0 * scale + 3 * key);
     int dark = 0, bright = 0;
     for (int x = 1; x < sheet->receiver_count; x++) {
         double value = sheet->points[x].year_lxh.value;
@@ -233,11 +242,60 @@ static void draw_curves(const struct year_plot *plot, struct pp_box box)
     pp_axis_grid_up(plot->cr, &plot->style, &across, box.y, low);
     pp_axis_draw_across(plot->cr, &plot->style, &across, low);
     pp_axis_draw_up(plot->cr, &plot->style, &up, across.from);
-    double y = low - 3.0 * scale;
-    draw_share_curve(plot, &across, &up, dark, 2, "point with the least light", y);
-    draw_share_curve(plot, &across, &up, -1, 0, "mean of the points", y - 3.5 * scale);
-    draw_share_curve(plot, &across, &up, bright, 1, "point with the most light",
-                     y - 7.0 * scale);
+    double y = low + 7.0 * scale;
+    draw_share_curve(plot, &across, &up, bright, 1, "point with the most light", y);
+    draw_share_curve(plot, &across, &up, -1, 0, "mean of the points", y + key);
+    draw_share_curve(plot, &across, &up, dark, 2, "point with the least light",
+                     y + 2 * key);
+}
+
+/* ---- by depth ---- */
+
+static void draw_depth_curve(const struct year_plot *plot, const struct pp_axis *across,
+                             const struct pp_axis *up,
+                             const struct pp_depth_profile *profile, size_t member,
+                             int style)
+{
+    struct pp_curve_style look = pp_style_curve(style);
+    pp_style_pen(plot->cr, &plot->style, &look);
+    for (int i = 0; i < profile->count; i++) {
+        const struct pp_depth_step *step = &profile->steps[i];
+        double value = *(const double *)((const char *)step + member);
+        cairo_line_to(plot->cr, pp_axis_at(across, step->depth_m),
+                      pp_axis_at(up, 100.0 * value));
+    }
+    cairo_stroke(plot->cr);
+}
+
+/* Draws autonomies against the distance from the main window wall. */
+static void draw_depth(const struct year_plot *plot,
+                       const struct pp_depth_profile *profile, struct pp_box box)
+{
+    static const struct {
+        size_t member;
+        const char *words;
+    } curves[] = {
+        {offsetof(struct pp_depth_step, autonomy), "DA 300 lx"},
+        {offsetof(struct pp_depth_step, udi), "UDI 300 to 3000 lx"},
+        {offsetof(struct pp_depth_step, blinds_autonomy), "DA 300 lx with blinds"}};
+    int count = plot->sheet->has_blinds ? 3 : 2;
+    double scale = plot->style.scale, key = 3.5 * scale;
+    double low = box.y + box.height - (6.0 * scale + key * count);
+    struct pp_axis across = pp_axis_linear(
+        0.0, fmax(profile->steps[profile->count - 1].depth_m, 1.0), box.x + 8.0 * scale,
+        box.x + box.width - 2.0 * scale, 9.0 * scale, true);
+    struct pp_axis up = pp_axis_linear(0.0, 100.0, low, box.y, 5.0 * scale, true);
+    put_panel_title(plot, box.x, box.y - 1.0 * scale,
+                    "Occupied hours (%) by distance from the window wall (m)");
+    pp_axis_grid_across(plot->cr, &plot->style, &up, across.from, across.to);
+    pp_axis_grid_up(plot->cr, &plot->style, &across, box.y, low);
+    pp_axis_draw_across(plot->cr, &plot->style, &across, low);
+    pp_axis_draw_up(plot->cr, &plot->style, &up, across.from);
+    for (int i = 0; i < count; i++) {
+        draw_depth_curve(plot, &across, &up, profile, curves[i].member, i);
+        draw_curve_key(plot, i, curves[i].words, across.from,
+                       low + 7.0 * scale + key * i);
+    }
 }
 
 /* ---- the sheet ---- */
@@ -266,6 +324,33 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
         pp_page_say(foot, room, "Warning: %s.", sheet->warnings[i]);
 }
 
+/* Draws plans, if the points are a grid, and curves: of illuminance and, if the room has a
+ * vertical window, by depth. */
+static void draw_lower_panels(const struct year_plot *plot,
+                              const struct pp_depth_profile *profile, struct pp_box box)
+{
+    double gap = 6.0 * plot->style.scale, title = 5.0 * plot->style.scale;
+    if (plot->lattice.columns > 0) {
+        double wide = 0.30 * box.width;
+        draw_plans(plot,
+                   (struct pp_box){box.x, box.y, box.width - wide - gap, box.height});
+        box = (struct pp_box){box.x + box.width - wide, box.y, wide, box.height};
+    }
+    struct pp_box second = box;
+    if (profile->count > 1 && plot->lattice.columns > 0) {
+        box.height = 0.5 * (box.height - title);
+        second =
+            (struct pp_box){box.x, box.y + box.height + title, box.width, box.height};
+    } else if (profile->count > 1) {
+        box.width = 0.5 * (box.width - gap);
+        second.x += box.width + gap;
+        second.width = box.width;
+    }
+    draw_curves(plot, box);
+    if (profile->count > 1)
+        draw_depth(plot, profile, second);
+}
+
 enum pp_status pp_year_chart_draw(struct pp_canvas *canvas,
                                   const struct pp_annual_sheet *sheet,
                                   struct pp_error *err)
@@ -277,24 +362,27 @@ enum pp_status pp_year_chart_draw(struct pp_canvas *canvas,
         pp_lattice_find(&plot.lattice, sheet->receivers, sheet->receiver_count, err);
     if (status != PP_OK)
         return status;
+    struct pp_depth_profile profile;
+    status = pp_depth_profile_find(&profile, sheet, err);
+    if (status != PP_OK) {
+        pp_lattice_clear(&plot.lattice);
+        return status;
+    }
     say_year(foot, sizeof foot, sheet);
     const struct pp_page page = {sheet->world->name,
                                  "Daylight in every hour of a year, simulated", foot};
     struct pp_box box = pp_page_draw(canvas, &plot.style, &page);
-    double scale = plot.style.scale, gap = 6.0 * scale;
+    double scale = plot.style.scale;
     double legend = 8.0 * scale, title = 4.0 * scale;
     double top = 0.40 * box.height;
     draw_map(&plot,
              (struct pp_box){box.x, box.y + title, box.width, top - legend - title});
     pp_colour_scale_legend(plot.cr, &plot.style, &lux_scale, box.x + 7.0 * scale,
                            box.y + top - legend + 1.0 * scale, 0.5 * box.width);
-    double curve = plot.lattice.columns > 0 ? 0.30 * box.width : box.width;
-    struct pp_box lower = {box.x, box.y + top + title, box.width - curve - gap,
+    struct pp_box lower = {box.x, box.y + top + title, box.width,
                            box.height - top - title};
-    if (plot.lattice.columns > 0)
-        draw_plans(&plot, lower);
-    draw_curves(&plot, (struct pp_box){box.x + box.width - curve, lower.y, curve,
-                                       lower.height});
+    draw_lower_panels(&plot, &profile, lower);
+    pp_depth_profile_clear(&profile);
     pp_lattice_clear(&plot.lattice);
     return PP_OK;
 }

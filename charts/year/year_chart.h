@@ -1,6 +1,7 @@
 /* year_chart.h - a room's daylight through a year on one sheet: a map of days and
- * hours, plans of autonomies and sun hours if the points are a grid, and the share of
- * the occupied hours that reach an illuminance.
+ * hours, plans of autonomies and sun hours if the points are a grid, the share of the
+ * occupied hours that reach an illuminance, and autonomies against the distance from the
+ * main window wall.
  *
  * Colours run from dark to light, so that they keep their order in black and white.
  */
