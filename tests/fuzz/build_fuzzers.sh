@@ -33,6 +33,21 @@ printf '%s\n' 'void plastic g 0 0 5 .5 .5 .5 0 0' \
     '!xform -a 9 -t 1 0 0 a b' '!gensky 6 21 12 +s | xform -a 3 -rz 9 | xform -a 3' \
     '!xform -a 9 -t 1 0 0 a' '!xform -n b -I a | xform -a 2' \
     'g polygon p 0 0 9 0 0 0 1 0 0 0 1 0' >"$scenes/nested"
+bsdfs=$(corpus bsdf)
+for data in 'Columns 1,.1,.1 .1,2,.1 .1,.1,2' 'TensorTree4 {{.1}{.2}{.3}{.4}{.1}{.1}{.1}{.1}{.1}{.1}{.1}{.1}{.1}{.1}{.1}{.1}}' \
+    'TensorTree3 {.1 .2 .1 .2 .1 .2 .1 .2}' 'Rows 1,2,-3,4e-1 0.1 .1,.1,.1 .2'; do
+    printf '%s' '<WindowElement><Optical><Layer><DataDefinition><IncidentDataStructure>' \
+        "${data%% *}" '</IncidentDataStructure><AngleBasis><AngleBasisName>b</AngleBasisName>' \
+        '<AngleBasisBlock><nPhis>1</nPhis><ThetaBounds><LowerTheta>0</LowerTheta>' \
+        '<UpperTheta>30</UpperTheta></ThetaBounds></AngleBasisBlock><AngleBasisBlock><nPhis>2' \
+        '</nPhis><ThetaBounds><LowerTheta>30</LowerTheta><UpperTheta>90</UpperTheta>' \
+        '</ThetaBounds></AngleBasisBlock></AngleBasis></DataDefinition><WavelengthData>' \
+        '<Wavelength>Visible</Wavelength><WavelengthDataBlock><WavelengthDataDirection>' \
+        'Transmission Front</WavelengthDataDirection><ColumnAngleBasis>b</ColumnAngleBasis>' \
+        '<RowAngleBasis>b</RowAngleBasis><ScatteringData>' "${data#* }" \
+        '</ScatteringData></WavelengthDataBlock></WavelengthData></Layer></Optical>' \
+        '</WindowElement>' >"$bsdfs/${data%% *}"
+done
 meshes=$(corpus mesh)
 printf '%s\n' 'ov 0 0 0' 'v 1 0 0' 'v 1 1 0' 'v 0 1 2' 'f 1 2 3 4' 'f -3//1 -2/1 -1/1/1' \
     >"$meshes/faces.obj"

@@ -1,0 +1,128 @@
+/* test_measured_pane.c - measured data as a pane: unscattered light, sampling, kinds. */
+#include "model/light/bsdf/measured_pane.h"
+
+#include "tests/lib/made_bsdf.h"
+#include "tests/lib/near.h"
+
+#define QUARTER "LBNL/Klems Quarter"
+
+static struct pp_measured_pane *made_pane(made_bsdf_law *law, bool split)
+{
+    struct made_bsdf file = made_bsdf_front(QUARTER, law);
+    struct pp_bsdf bsdf;
+    struct pp_measured_pane *pane = NULL;
+    struct pp_error err = {PP_OK, ""};
+    if (pp_bsdf_file_parse(&bsdf, file.text, file.length, "made.xml", &err) != PP_OK
+        || pp_measured_pane_create(&pane, &bsdf, split, &err) != PP_OK)
+        fail_msg("%s", err.message);
+    pp_bsdf_clear(&bsdf);
+    free(file.text);
+    return pane;
+}
+
+static double clear(const struct pp_angle_basis *basis, int in, int out)
+{
+    return in == out ? 0.8 / pp_angle_basis_projected(basis, out) : 0.0;
+}
+
+static const struct pp_vec3 DOWN = {0.1, -0.7, 0.7071067811865476};
+
+static void unscattered_light_is_split_off(void **state)
+{
+    (void)state;
+    struct pp_measured_pane *pane = made_pane(made_bsdf_prism, true);
+    const struct pp_pane_scatter *scatter = &pane->scatter;
+    struct pp_vec3 up = pp_vec(DOWN.x, -DOWN.y, DOWN.z);
+    assert_near(scatter->straight(pane, DOWN), 0.25, 1e-8);
+    assert_near(scatter->straight(pane, up), 0.25, 1e-8);
+    assert_near(scatter->scattered(pane, DOWN), 0.55, 1e-8);
+    assert_near(scatter->scattered(pane, up), 0.25, 1e-8);
+    assert_near(scatter->btdf(pane, DOWN, DOWN), 0.1 / PP_PI, 1e-8);
+    pp_measured_pane_release(pane);
+
+    pane = made_pane(made_bsdf_prism, false);
+    assert_near(pane->scatter.straight(pane, DOWN), 0.0, 0.0);
+    assert_near(pane->scatter.scattered(pane, DOWN), 0.8, 1e-8);
+    pp_measured_pane_release(pane);
+}
+
+/* Means over a fine grid of samples against sums over all patches. */
+static void samples_have_the_density_that_they_state(void **state)
+{
+    (void)state;
+    enum { SIDE = 64 };
+    struct pp_measured_pane *pane = made_pane(made_bsdf_prism, false);
+    const struct pp_pane_scatter *scatter = &pane->scatter;
+    const struct pp_angle_basis *basis = &pane->into_room.in;
+    for (int way = 0; way < 2; way++) {
+        struct pp_vec3 out = way ? pp_vec_scale(DOWN, -1.0) : DOWN, in;
+        double height = 0.0, exact = 0.0, sum = 0.0;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            assert_near(scatter->sample(pane, out, (i / SIDE + 0.5) / SIDE,
+                                        (i % SIDE + 0.5) / SIDE, &in),
+                        1.0, 0.0);
+            assert_true(in.z * out.z > 0.0);
+            assert_true(scatter->density(pane, in, out) > 0.0);
+            height += in.y / (SIDE * SIDE);
+        }
+        for (int i = 0; i < basis->count * 256; i++) {
+            in = pp_angle_basis_direction(basis, i / 256, (i / 16 % 16 + 0.5) / 16,
+                                          (i % 16 + 0.5) / 16);
+            if (way)
+                in.z = -in.z;
+            double share = scatter->density(pane, in, out) / fabs(in.z)
+                           * pp_angle_basis_projected(basis, i / 256) / 256.0;
+            exact += share * in.y;
+            sum += share;
+        }
+        assert_near(sum, 1.0, 1e-9);
+        assert_near(height, exact, 0.01);
+    }
+    pp_measured_pane_release(pane);
+}
+
+/* Light that leaves downwards into the room has come from below: 0.25 and 0.1 as for
+ * any direction, and 0.15 of the light that travels up. */
+static void radiance_under_an_even_sky_sums_over_arriving_light(void **state)
+{
+    (void)state;
+    struct pp_measured_pane *pane = made_pane(made_bsdf_prism, false);
+    struct pp_vec3 up = pp_vec(DOWN.x, -DOWN.y, DOWN.z);
+    assert_near(pane->scatter.arriving(pane, DOWN), 0.25 + 0.15 + 0.1, 1e-8);
+    assert_near(pane->scatter.arriving(pane, up), 0.25 + 0.45 + 0.1, 1e-8);
+    pp_measured_pane_release(pane);
+}
+
+static void panes_are_told_apart_by_their_light(void **state)
+{
+    (void)state;
+    static const struct {
+        made_bsdf_law *law;
+        enum pp_measured_kind kind;
+        double normal, diffuse, straight;
+    } of[] = {{clear, PP_MEASURED_CLEAR, 0.8, 0.8, 0.8},
+              {made_bsdf_lambertian, PP_MEASURED_DIFFUSING, 0.4, 0.4, 0.0}};
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        struct pp_measured_pane *pane = made_pane(of[i].law, true);
+        assert_int_equal(pane->kind, of[i].kind);
+        assert_near(pane->normal, of[i].normal, 1e-8);
+        assert_near(pane->diffuse, of[i].diffuse, 1e-8);
+        assert_near(pane->straight_diffuse, of[i].straight, 1e-8);
+        assert_near(pane->scatter.straight(pane, DOWN), of[i].straight, 1e-8);
+        pp_measured_pane_release(pane);
+    }
+    struct pp_measured_pane *prism = made_pane(made_bsdf_prism, true);
+    assert_int_equal(prism->kind, PP_MEASURED_SCATTERING);
+    pp_measured_pane_release(prism);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(unscattered_light_is_split_off),
+        cmocka_unit_test(samples_have_the_density_that_they_state),
+        cmocka_unit_test(radiance_under_an_even_sky_sums_over_arriving_light),
+        cmocka_unit_test(panes_are_told_apart_by_their_light),
+    };
+    add_tests(tests, NULL, NULL);
+}
