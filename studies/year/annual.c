@@ -189,6 +189,7 @@ static void finish(struct pp_annual_work *work)
 {
     struct pp_annual_sheet *sheet = work->sheet;
     pp_annual_plane_fill(sheet, work->without, PP_YEAR_BATCHES);
+    pp_annual_lighting_finish(work->lighting);
     for (int g = 0; g < work->groups.count; g++) {
         double sums[1 + PP_YEAR_BATCHES] = {0.0}, without[PP_YEAR_BATCHES];
         for (int x = 0; x < work->receiver_count; x++)
@@ -213,6 +214,9 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
     if (status == PP_OK)
         status = pp_annual_words_fill(work->sheet, work->world, work->year,
                                       work->options, &work->clock, &work->groups, err);
+    if (status == PP_OK)
+        status = pp_annual_lighting_create(&work->lighting, work->sheet, work->options,
+                                           pp_thread_pool_size(work->pool), err);
     if (status == PP_OK)
         status = simulate(work, err);
     if (status != PP_OK)
@@ -242,6 +246,7 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
 static void clear_work(struct pp_annual_work *work)
 {
     pp_annual_point_clear_spaces(work);
+    pp_annual_lighting_destroy(work->lighting);
     pp_year_coefficients_destroy(work->coefficients);
     pp_plain_year_destroy(work->plain);
     pp_light_columns_clear(&work->columns);

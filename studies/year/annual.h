@@ -31,6 +31,8 @@ struct pp_annual_options {
     bool coefficients; /* keep the coefficients in the sheet */
     bool measure;      /* measure the error of patches and cells */
     bool exact_sky;    /* without patches and cells: slow, for reference */
+    int lighting_count;
+    struct pp_lighting_control lighting[PP_LIGHTING_CONTROLS_MOST]; /* electric light */
     uint64_t seed;
     int threads;
     struct pp_watch watch;

@@ -129,6 +129,7 @@ static double total_without(const double *totals, int batch)
 
 static void judge(struct pp_annual_work *work, struct pp_annual_space *space, int x)
 {
+    int worker = (int)(space - work->spaces);
     const struct pp_annual_options *options = work->options;
     struct pp_annual_figures *figures = &work->sheet->points[x];
     int count = work->year->sky_count;
@@ -146,6 +147,9 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
     memcpy(work->sheet->sun_lx + (size_t)x * (size_t)count, values.sun,
            (size_t)count * sizeof *row);
 
+    if (work->lighting)
+        pp_annual_lighting_add(work->lighting, worker, x, -1, means[0], means[1]);
+
     /* Figures without each of the batches. */
     double *without = work->without + (size_t)x * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES;
     float *open = space->sky, *blinds = space->sun; /* used up */
@@ -157,6 +161,8 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
         leave_out(blinds, means[1], space->blinds + (size_t)b * work->step, count);
         pp_year_metrics_of(&part, &values, &work->clock, options->illuminances_lx,
                            options->illuminance_count);
+        if (work->lighting)
+            pp_annual_lighting_add(work->lighting, worker, x, b, open, blinds);
         part.sky_lxh.value = total_without(space->parts[0], b);
         part.sun_reflected_lxh.value = total_without(space->parts[1], b);
         for (int i = 0; i < PP_ANNUAL_FIGURES; i++)

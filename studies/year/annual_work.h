@@ -6,6 +6,7 @@
 #include "simulate/year/plain_year.h"
 #include "simulate/year/year_coefficients.h"
 #include "studies/year/annual.h"
+#include "studies/year/annual_lighting.h"
 #include "studies/year/blind_groups.h"
 #include "studies/year/year_metrics.h"
 
@@ -26,6 +27,7 @@ struct pp_annual_work {
     struct pp_light_columns columns;
     struct pp_year_coefficients *coefficients; /* NULL for the plain year */
     struct pp_plain_year *plain;
+    struct pp_annual_lighting *lighting; /* NULL: no electric light */
     int samples;
 
     int block;         /* points that a worker computes together */

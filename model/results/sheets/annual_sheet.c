@@ -33,6 +33,11 @@ double pp_annual_sheet_lx(const struct pp_annual_sheet *sheet, int receiver, int
 
 void pp_annual_sheet_clear(struct pp_annual_sheet *sheet)
 {
+    for (int k = 0; k < sheet->lighting_count; k++) {
+        free(sheet->lighting[k].points);
+        free(sheet->lighting[k].fraction);
+    }
+    free(sheet->lighting);
     free(sheet->points);
     free(sheet->groups);
     free(sheet->hours);

@@ -8,6 +8,8 @@
 
 #include <stdbool.h>
 
+#include "model/results/sheets/annual_value.h"
+#include "model/results/sheets/lighting_sheet.h"
 #include "model/room/world.h"
 
 enum {
@@ -18,11 +20,6 @@ enum {
 };
 
 extern const double pp_annual_sheet_levels_lx[PP_ANNUAL_LEVELS];
-
-/* A value with its standard error; std_error is 0 if nothing was sampled. */
-struct pp_annual_value {
-    double value, std_error;
-};
 
 /* Results for a point, and their means over all points. "Hours" are occupied hours. */
 struct pp_annual_figures {
@@ -132,6 +129,9 @@ struct pp_annual_sheet {
     int near_half; /* points whose autonomy is within 2 standard errors of 0.5 */
     int group_count;
     struct pp_annual_group *groups; /* owned */
+
+    int lighting_count; /* number of controls of electric light; 0: not studied */
+    struct pp_lighting_sheet *lighting; /* owned */
 
     int hour_count;
     struct pp_annual_hour *hours; /* owned */

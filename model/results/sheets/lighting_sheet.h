@@ -1,0 +1,62 @@
+/* lighting_sheet.h - electric lighting with a daylight control in a year, as printed.
+ *
+ * studies/lighting/ fills it. Shares are 0 to 1, of the occupied hours with all lamps at
+ * full power.
+ */
+#ifndef PP_MODEL_RESULTS_SHEETS_LIGHTING_SHEET_H
+#define PP_MODEL_RESULTS_SHEETS_LIGHTING_SHEET_H
+
+#include <stdbool.h>
+
+#include "model/results/sheets/annual_value.h"
+
+enum { PP_LIGHTING_CONTROLS_MOST = 8 };
+
+enum pp_lighting_kind {
+    PP_LIGHTING_ON_OFF,  /* photoelectric switching of all lamps */
+    PP_LIGHTING_STEPPED, /* photoelectric switching in equal steps */
+    PP_LIGHTING_DIMMED,  /* lamps supply the missing light */
+    PP_LIGHTING_MANUAL,  /* occupants switch on at arrival and off at departure */
+};
+
+struct pp_lighting_control {
+    enum pp_lighting_kind kind;
+    double target_lx;       /* illuminance to maintain; NAN for manual */
+    double differential_lx; /* on-off: off at target + differential */
+    int steps;              /* stepped: number of equal groups of lamps */
+    double residual_light;  /* dimmed: least share of the lamps' light */
+    double residual_power;  /* dimmed: share of the power at that light */
+    bool switches_off;      /* dimmed: off if the residual light is not needed */
+    double power_w;         /* installed power; NAN: not given */
+    double power_w_m2;      /* the same over the floor area; NAN: not given */
+    int point;              /* number of the control point, from 1; 0: the darkest point
+                             * of each hour */
+    bool with_blinds;       /* blinds as in LM-83; otherwise always open */
+};
+
+/* Results of a control; hours are occupied hours. */
+struct pp_lighting_figures {
+    struct pp_annual_value saved;  /* share of the energy of lamps that are always on */
+    struct pp_annual_value used_h; /* hours at full power with the same energy */
+    struct pp_annual_value on_h;   /* hours with lamps on; expected value for manual */
+    struct pp_annual_value
+        saved_by_means;               /* `saved` from hourly means; equal to `saved`
+                                            * unless records are shorter than an hour */
+    struct pp_annual_value misjudged; /* saved_by_means - saved */
+};
+
+enum {
+    PP_LIGHTING_FIGURES =
+        sizeof(struct pp_lighting_figures) / sizeof(struct pp_annual_value)
+};
+
+struct pp_lighting_sheet {
+    struct pp_lighting_control control; /* both powers given, or both NAN */
+    struct pp_lighting_figures figures;
+    struct pp_annual_value
+        *points;                 /* [receiver]: saved if that were the control point */
+    struct pp_annual_value mean; /* of points */
+    float *fraction;             /* [record]: mean share of the installed power */
+};
+
+#endif
