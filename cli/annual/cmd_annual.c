@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/annual/lighting_option.h"
 #include "cli/availability/availability_options.h"
 #include "cli/command.h"
 #include "cli/format_option.h"
@@ -20,6 +21,7 @@
 #include "reports/annual/annual_hourly.h"
 #include "reports/annual/annual_json.h"
 #include "reports/annual/annual_text.h"
+#include "reports/annual/lighting_report.h"
 #include "studies/year/annual.h"
 
 static const char about[] =
@@ -36,6 +38,7 @@ struct annual_options {
     double sun_shift_min; /* NAN: auto */
     bool without_blinds, leap_day;
     const char *hourly, *coefficients;
+    struct pp_lighting_choice lighting;
     struct part_of_rooms {
         int number, count; /* part `number`, from 1, of `count` parts; count 0: all
                             * rooms */
@@ -79,6 +82,7 @@ static void settle_annual(struct annual_run *run)
     annual->blinds = !options->without_blinds && !annual->exact_sky;
     annual->measure = true;
     annual->coefficients = options->coefficients != NULL;
+    pp_lighting_option_settle(annual, &options->lighting);
     annual->samples = (int)study->samples;
     annual->error = study->error;
     annual->seed = study->seed;
@@ -179,6 +183,13 @@ static void put_coefficients(const struct pp_annual_sheet *sheet, const char *na
     pp_annual_hourly_put_matrix(sheet, out);
 }
 
+static void put_schedule(const struct pp_annual_sheet *sheet, const char *name,
+                         FILE *out)
+{
+    (void)name;
+    pp_lighting_report_schedule(sheet, out);
+}
+
 static enum pp_exit run_annual_of_rooms(struct annual_options *options,
                                         const struct pp_rooms *rooms)
 {
@@ -193,11 +204,22 @@ static enum pp_exit run_annual_of_rooms(struct annual_options *options,
         exit_status = write_further(&run, options->hourly, put_hourly);
     if (exit_status == PP_EXIT_DONE)
         exit_status = write_further(&run, options->coefficients, put_coefficients);
+    if (exit_status == PP_EXIT_DONE)
+        exit_status = write_further(&run, options->lighting.schedule, put_schedule);
     for (int i = 0; i < run.results.count; i++)
         pp_annual_sheet_clear(&run.results.list[i].sheet);
     free(run.results.list);
     pp_weather_year_clear(&run.year);
     return exit_status;
+}
+
+/* An option whose file is for one room only; NULL: there is none. */
+static const char *of_one_room(const struct annual_options *options)
+{
+    return options->hourly              ? "--hourly"
+           : options->coefficients      ? "--coefficients"
+           : options->lighting.schedule ? "--schedule"
+                                        : NULL;
 }
 
 static enum pp_exit run_annual(void *values, char **files, int file_count)
@@ -219,10 +241,10 @@ static enum pp_exit run_annual(void *values, char **files, int file_count)
                 rooms.count == 1 ? "is" : "are", rooms.count,
                 rooms.count == 1 ? "" : "s");
         result = pp_message_error(&err);
-    } else if ((options->hourly || options->coefficients) && rooms.count != 1) {
+    } else if (of_one_room(options) && rooms.count != 1) {
         pp_fail(&err, PP_BAD_INPUT,
                 "%s is for one room, but there are %d; expected --room NAME",
-                options->hourly ? "--hourly" : "--coefficients", rooms.count);
+                of_one_room(options), rooms.count);
         result = pp_message_error(&err);
     } else {
         result = run_annual_of_rooms(options, &rooms);
@@ -336,6 +358,7 @@ static const struct pp_option_group groups[] = {
     {"Calculation", result_options, 0},
     {"Calculation", pp_room_points_option, PLACE(room)},
     {"Calculation", pp_room_sky_options, PLACE(room)},
+    {"Electric light", pp_lighting_options, PLACE(lighting)},
     {"Simulation", method_options, 0},
     {"Simulation", pp_room_stop_options, PLACE(room)},
     {"Simulation", pp_room_seed_options, PLACE(room)},
@@ -384,7 +407,15 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
         return pp_fail(err, PP_BAD_INPUT,
                        "--exact-sky cannot be combined with --coefficients");
     study->simulate = true;
-    return pp_availability_options_check(&options->light, files, file_count, err);
+    enum pp_status status =
+        pp_lighting_option_check(&options->lighting,
+                                 options->without_blinds     ? "--blinds none"
+                                 : options->annual.exact_sky ? "--exact-sky"
+                                                             : NULL,
+                                 err);
+    return status != PP_OK
+               ? status
+               : pp_availability_options_check(&options->light, files, file_count, err);
 }
 
 static void clear_annual_options(void *values)

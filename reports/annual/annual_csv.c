@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "reports/annual/lighting_report.h"
 #include "reports/parts/format.h"
 
 static void put_value(const struct pp_annual_figures *of, int index, double unit,
@@ -34,6 +35,7 @@ static void put_annual_heading(const struct pp_annual_sheet *sheet, FILE *out)
     }
     for (const struct pp_annual_figure_name *n = pp_annual_result_names; n->name; n++)
         fprintf(out, ",%s,%s_se", n->name, n->name);
+    pp_lighting_report_csv_names(sheet, out);
     fputs(",finished\r\n", out);
 }
 
@@ -53,7 +55,25 @@ static void put_annual_line(const struct pp_annual_result *result, int point, FI
         fputs(",average,,,", out);
     }
     put_figures(sheet, point >= 0 ? &sheet->points[point] : &sheet->mean, out);
+    pp_lighting_report_csv_point(sheet, point, out);
     fprintf(out, ",%s\r\n", sheet->finished ? "yes" : "no");
+}
+
+/* Writes the line of a control of the electric light, without figures of daylight. */
+static void put_lighting_line(const struct pp_annual_result *result, int k, FILE *out)
+{
+    const struct pp_annual_sheet *sheet = &result->sheet;
+    int figures = 2 * sheet->illuminance_count;
+    for (const struct pp_annual_figure_name *n = pp_annual_result_names; n->name; n++)
+        figures++;
+    pp_format_csv_field(result->file, out);
+    fputc(',', out);
+    pp_format_csv_field(sheet->world->name, out);
+    fprintf(out, ",lighting%d,,,", k + 1);
+    for (int i = 0; i < figures; i++)
+        fputs(",,", out);
+    pp_lighting_report_csv_control(sheet, k, out);
+    fputs(",yes\r\n", out);
 }
 
 enum pp_status pp_annual_csv(const struct pp_annual_results *results, FILE *out,
@@ -68,6 +88,8 @@ enum pp_status pp_annual_csv(const struct pp_annual_results *results, FILE *out,
             put_annual_line(&results->list[i], x, out);
         if (sheet->finished)
             put_annual_line(&results->list[i], -1, out);
+        for (int k = 0; k < sheet->lighting_count && sheet->finished; k++)
+            put_lighting_line(&results->list[i], k, out);
     }
     return PP_OK;
 }

@@ -4,21 +4,16 @@
 #include <math.h>
 #include <string.h>
 
+#include "reports/annual/annual_figure.h"
+#include "reports/annual/lighting_report.h"
 #include "reports/parts/json.h"
 
-/* Adds "name": {"value": 1, "se": 2}, on one line. */
+/* Adds a figure that may be missing because there are no blinds. */
 static bool add_annual_figure(struct json_object *object, const char *key,
                               const struct pp_annual_value *figure, double unit)
 {
-    struct json_object *line = json_object_new_object();
-    if (!pp_json_add(object, key, line))
-        return false;
-    pp_json_on_one_line(line);
-    if (!isfinite(figure->value))
-        return pp_json_number(line, "value", NAN)
-               && pp_json_text(line, "why", "not defined without blinds");
-    return pp_json_number(line, "value", unit * figure->value)
-           && pp_json_number(line, "se", unit * figure->std_error);
+    return pp_annual_figure_json(object, key, figure, unit,
+                                 "not defined without blinds");
 }
 
 static bool add_figures(struct json_object *object, const struct pp_annual_sheet *sheet,
@@ -71,7 +66,8 @@ static bool add_plane(struct json_object *object, const struct pp_annual_sheet *
                                        json_object_new_boolean(leed.ase_to_explain)));
     struct json_object *mean = json_object_new_object();
     return good && pp_json_add(object, "average", mean)
-           && add_figures(mean, sheet, &sheet->mean);
+           && add_figures(mean, sheet, &sheet->mean)
+           && pp_lighting_report_json_point(mean, sheet, -1);
 }
 
 static bool add_points(struct json_object *object, const struct pp_annual_sheet *sheet)
@@ -83,7 +79,8 @@ static bool add_points(struct json_object *object, const struct pp_annual_sheet 
         struct json_object *point = json_object_new_object();
         good = pp_json_append(points, point) && pp_json_number(point, "x", at.x)
                && pp_json_number(point, "y", at.y) && pp_json_number(point, "z", at.z)
-               && add_figures(point, sheet, &sheet->points[x]);
+               && add_figures(point, sheet, &sheet->points[x])
+               && pp_lighting_report_json_point(point, sheet, x);
     }
     return good;
 }
@@ -152,7 +149,8 @@ static struct json_object *annual_room(const void *all, int index)
            && pp_json_add(object, "finished", json_object_new_boolean(sheet->finished));
     if (good && sheet->finished)
         good = add_plane(object, sheet) && add_discretisation(object, sheet)
-               && add_groups(object, sheet) && add_points(object, sheet);
+               && add_groups(object, sheet) && pp_lighting_report_json(object, sheet)
+               && add_points(object, sheet);
     return pp_json_whole(object, good);
 }
 

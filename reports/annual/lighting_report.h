@@ -1,0 +1,37 @@
+/* lighting_report.h - electric light saved by daylight: sentences, JSON, CSV and the
+ * schedule of a year. Shares are in per cent. */
+#ifndef PP_REPORTS_ANNUAL_LIGHTING_REPORT_H
+#define PP_REPORTS_ANNUAL_LIGHTING_REPORT_H
+
+#include <json.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "model/results/sheets/annual_sheet.h"
+
+/* The results of control k in sentences. Returns text. */
+const char *pp_lighting_report_words(char *text, size_t room,
+                                     const struct pp_annual_sheet *sheet, int k,
+                                     bool utf8);
+
+/* Adds "lighting", an array with an object for each control. False: out of memory. */
+bool pp_lighting_report_json(struct json_object *object,
+                             const struct pp_annual_sheet *sheet);
+
+/* Adds the saving of each control to the object of a point; point -1: the average. */
+bool pp_lighting_report_json_point(struct json_object *object,
+                                   const struct pp_annual_sheet *sheet, int point);
+
+/* Writes the columns of all controls, each after a comma: names; values of a point, or
+ * -1 for the average; values of control k at its own control point. */
+void pp_lighting_report_csv_names(const struct pp_annual_sheet *sheet, FILE *out);
+void pp_lighting_report_csv_point(const struct pp_annual_sheet *sheet, int point,
+                                  FILE *out);
+void pp_lighting_report_csv_control(const struct pp_annual_sheet *sheet, int k,
+                                    FILE *out);
+
+/* Writes the share of the installed power in every hour of the year: a line of headings
+ * and one line per hour, with a column for each control. */
+void pp_lighting_report_schedule(const struct pp_annual_sheet *sheet, FILE *out);
+
+#endif
