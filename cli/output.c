@@ -114,18 +114,28 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-/* Writes directly to an open file, which may be a pipe that nobody reads, and closes
- * it. The result of closing counts, since some file systems report errors only then. */
-static int write_through(int file, const struct pp_output *output)
+/* True for standard output and for a file that is not regular, such as a pipe. */
+static bool is_written_directly(const struct pp_output *output)
 {
-    if (file < 0)
-        return -1;
+    struct stat there;
+    return !output->path
+           || (stat(output->path, &there) == 0 && !S_ISREG(there.st_mode));
+}
+
+/* Writes to a pipe, which may have no reader: then even opening it waits. The result of
+ * closing counts, since some file systems report errors only then. Returns 0, or an
+ * error number. */
+static int write_directly(const struct pp_output *output)
+{
     pp_interrupt_end_at_once();
+    int file = output->path ? open(output->path, O_WRONLY | O_CLOEXEC | O_NOCTTY)
+                            : dup(STDOUT_FILENO);
+    if (file < 0)
+        return errno;
     int failed = write_all(file, output->bytes, output->size) != 0 ? errno : 0;
     if (close(file) != 0 && !failed)
         failed = errno;
-    errno = failed;
-    return failed ? -1 : 0;
+    return failed;
 }
 
 /* Mode of the replaced file, or the default mode of a new one. */
@@ -139,43 +149,61 @@ static mode_t mode_for(const char *path)
     return 0666 & ~mask;
 }
 
-/* Writes the new file to the disk, and renames it to the target. */
-static int fill_and_rename(int file, const char *temporary,
-                           const struct pp_output *output)
+/* Writes a new file beside the target. Returns 0, or an error number. */
+static int write_temporary(struct pp_output *output)
 {
+    output->temporary = beside(output->path, ".pepperpot-XXXXXX");
+    if (!output->temporary)
+        return ENOMEM;
+    int file = mkostemp(output->temporary, O_CLOEXEC);
+    if (file < 0) {
+        int failed = errno;
+        free(output->temporary);
+        output->temporary = NULL;
+        return failed;
+    }
     int failed = 0;
     if (write_all(file, output->bytes, output->size) != 0
         || fchmod(file, mode_for(output->path)) != 0 || fsync(file) != 0)
         failed = errno;
     if (close(file) != 0 && !failed)
         failed = errno;
-    if (!failed && rename(temporary, output->path) != 0)
-        failed = errno;
     return failed;
 }
 
-/* Writes a new file beside the old one and replaces the old one by it. Returns 0, or -1
- * and errno. Signals are blocked, so that the temporary file is never left behind. */
-static int replace(const struct pp_output *output)
+/* Replaces the target by the new file. Returns 0, or an error number. */
+static int rename_temporary(struct pp_output *output)
 {
-    char *temporary = beside(output->path, ".pepperpot-XXXXXX");
-    if (!temporary)
-        return -1;
+    if (rename(output->temporary, output->path) != 0)
+        return errno;
+    free(output->temporary);
+    output->temporary = NULL;
+    return 0;
+}
+
+/* Writes all new files, then renames all. Signals are blocked, so that no temporary
+ * file is left behind. */
+static enum pp_status replace_all(struct pp_output *outputs, int count,
+                                  struct pp_error *err)
+{
+    static int (*const steps[])(struct pp_output *) = {write_temporary,
+                                                       rename_temporary};
     sigset_t all, before;
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, &before);
-
-    int failed = 0;
-    int file = mkostemp(temporary, O_CLOEXEC);
-    if (file < 0)
-        failed = errno;
-    else if ((failed = fill_and_rename(file, temporary, output)) != 0)
-        unlink(temporary);
-
+    enum pp_status status = PP_OK;
+    for (int step = 0; step < 2; step++)
+        for (int i = 0; i < count && status == PP_OK; i++) {
+            if (is_written_directly(&outputs[i]))
+                continue;
+            int failed = steps[step](&outputs[i]);
+            if (failed)
+                status = fail_file(err, outputs[i].path, failed);
+        }
+    for (int i = 0; i < count; i++)
+        pp_output_clear(&outputs[i]);
     sigprocmask(SIG_SETMASK, &before, NULL);
-    free(temporary);
-    errno = failed;
-    return failed ? -1 : 0;
+    return status;
 }
 
 enum pp_status pp_output_try(const char *path, struct pp_error *err)
@@ -187,37 +215,42 @@ enum pp_status pp_output_try(const char *path, struct pp_error *err)
     return status;
 }
 
+enum pp_status pp_output_commit_all(struct pp_output *outputs, int count,
+                                    struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < count; i++) {
+        int broken = ferror(outputs[i].stream);
+        broken |= fclose(outputs[i].stream);
+        outputs[i].stream = NULL;
+        if (broken)
+            status = pp_fail_memory(err);
+    }
+    for (int i = 0; i < count && status == PP_OK; i++) {
+        int failed = is_written_directly(&outputs[i]) ? write_directly(&outputs[i]) : 0;
+        if (failed)
+            status = fail_file(
+                err, outputs[i].path ? outputs[i].path : "standard output", failed);
+    }
+    if (status == PP_OK)
+        return replace_all(outputs, count, err);
+    for (int i = 0; i < count; i++)
+        pp_output_clear(&outputs[i]);
+    return status;
+}
+
 enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err)
 {
-    int broken = ferror(output->stream);
-    broken |= fclose(output->stream);
-    output->stream = NULL;
-    if (broken) {
-        pp_output_clear(output);
-        return pp_fail_memory(err);
-    }
-
-    struct stat there;
-    int done;
-    if (!output->path)
-        done = write_through(dup(STDOUT_FILENO), output);
-    else if (stat(output->path, &there) == 0 && !S_ISREG(there.st_mode))
-        done =
-            write_through(open(output->path, O_WRONLY | O_CLOEXEC | O_NOCTTY), output);
-    else
-        done = replace(output);
-
-    enum pp_status status = PP_OK;
-    if (done != 0)
-        status = fail_file(err, output->path ? output->path : "standard output", errno);
-    pp_output_clear(output);
-    return status;
+    return pp_output_commit_all(output, 1, err);
 }
 
 void pp_output_clear(struct pp_output *output)
 {
     if (output->stream)
         fclose(output->stream);
+    if (output->temporary)
+        unlink(output->temporary);
+    free(output->temporary);
     free(output->bytes);
     free(output->path);
     *output = (struct pp_output){0};

@@ -19,6 +19,7 @@ struct pp_output {
     char *path;   /* the file, symbolic links resolved; NULL: standard output */
     char *bytes;
     size_t size;
+    char *temporary; /* new file beside `path`, not yet renamed; NULL: none */
 };
 
 /* path NULL or "-": standard output. Fails at once if the file cannot be written later:
@@ -32,6 +33,11 @@ enum pp_status pp_output_try(const char *path, struct pp_error *err);
 
 /* Writes the collected output, and closes it even on failure. */
 enum pp_status pp_output_commit(struct pp_output *output, struct pp_error *err);
+
+/* The same for several outputs, all different. No file is replaced before the new
+ * contents of all are on the disk. */
+enum pp_status pp_output_commit_all(struct pp_output *outputs, int count,
+                                    struct pp_error *err);
 
 /* Closes the output without changing any file. May follow a commit. */
 void pp_output_clear(struct pp_output *output);

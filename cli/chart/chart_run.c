@@ -259,8 +259,10 @@ static enum pp_status draw_numbered(struct chart_task *task, int sheets,
         free(path);
         first = end;
     }
+    if (status == PP_OK)
+        status = pp_output_commit_all(outputs, opened, err);
     for (int i = 0; i < opened; i++)
-        status = pp_output_close(&outputs[i], status, err);
+        pp_output_clear(&outputs[i]);
     free(outputs);
     return status;
 }
