@@ -133,7 +133,8 @@ struct pp_chart_kind {
     enum pp_status (*check)(const char *methods, bool simulate, struct pp_error *err);
 
     /* Computes and draws the chart of the room (NULL: a blank form); may change the
-     * room's points. Sets *finished to false if the simulation was stopped. */
+     * room's points. If the simulation was stopped: sets *finished to false, or returns
+     * PP_INTERRUPTED if there is nothing to draw. */
     enum pp_status (*draw)(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
                            const struct pp_chart_choice *choice, bool *finished,

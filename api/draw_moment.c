@@ -8,7 +8,7 @@
 enum pp_status pp_draw_moment_plan(struct pp_canvas *canvas,
                                    const struct pp_study_room *room,
                                    const struct pp_study_options *study,
-                                   const struct pp_chart_choice *choice, bool *finished,
+                                   const struct pp_chart_choice *choice,
                                    struct pp_error *err)
 {
     const struct pp_annual_options options = {.samples = (int)study->samples,
@@ -25,9 +25,8 @@ enum pp_status pp_draw_moment_plan(struct pp_canvas *canvas,
                        own.message);
     status = pp_moment_plan_study_make(&plan, room, &moment, &options, err);
     plan.when = choice->moment->when;
-    if (status == PP_OK && plan.points.finished && plan.cells.finished)
+    if (status == PP_OK)
         status = pp_moment_chart_draw(canvas, &plan, &room->light, err);
-    *finished &= plan.points.finished && plan.cells.finished;
     pp_moment_plan_study_clear(&plan);
     return status;
 }

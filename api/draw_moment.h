@@ -5,11 +5,12 @@
 
 #include "api/chart_kind.h"
 
-/* Draws the plan at the moment of choice->moment, which is not NULL. */
+/* Draws the plan at the moment of choice->moment, which is not NULL.
+ * PP_INTERRUPTED: nothing is drawn. */
 enum pp_status pp_draw_moment_plan(struct pp_canvas *canvas,
                                    const struct pp_study_room *room,
                                    const struct pp_study_options *study,
-                                   const struct pp_chart_choice *choice, bool *finished,
+                                   const struct pp_chart_choice *choice,
                                    struct pp_error *err);
 
 #endif

@@ -89,7 +89,7 @@ static enum pp_status draw_plan_chart(struct pp_canvas *canvas,
         return draw_lit_area(canvas, room->world, before ? before->world : NULL,
                              choice->line, err);
     if (choice->moment)
-        return pp_draw_moment_plan(canvas, room, study, choice, finished, err);
+        return pp_draw_moment_plan(canvas, room, study, choice, err);
     struct pp_plan_study made;
     struct pp_plan_mark mark;
     bool by_clock = false, marked;

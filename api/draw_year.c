@@ -11,6 +11,7 @@ static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *
                                 const struct pp_chart_choice *choice, bool *finished,
                                 struct pp_error *err)
 {
+    (void)finished;
     const struct pp_year_options *year_options = &choice->availability;
     struct pp_weather_year year;
     struct pp_annual_sheet sheet = {.points = NULL};
@@ -37,9 +38,10 @@ static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *
     if (status != PP_OK)
         return status;
     status = pp_annual_of_study_room(&sheet, room, &year, &options, err);
-    if (status == PP_OK && sheet.finished)
+    if (status == PP_OK && !sheet.finished)
+        status = pp_fail(err, PP_INTERRUPTED, "interrupted");
+    if (status == PP_OK)
         status = pp_year_chart_draw(canvas, &sheet, err);
-    *finished &= sheet.finished;
     pp_annual_sheet_clear(&sheet);
     pp_weather_year_clear(&year);
     return status;

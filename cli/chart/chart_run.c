@@ -283,6 +283,10 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
         pp_interrupt_watch();
     enum pp_status status =
         pages ? draw_to_file(task, &err) : draw_numbered(task, sheets, &err);
+    if (status == PP_INTERRUPTED) {
+        pp_message("interrupted; no chart is written");
+        return PP_EXIT_INTERRUPTED;
+    }
     if (status != PP_OK)
         return pp_message_error(&err);
     if (task->finished)

@@ -5,6 +5,7 @@
 
 #include "cli/job.h"
 #include "cli/terminal.h"
+#include "cli/watch.h"
 #include "model/base/read_file.h"
 #include "reports/annual/moment_report.h"
 
@@ -20,10 +21,13 @@ static enum pp_status compute_moment(void *data, struct pp_error *err)
 {
     struct moment_run *run = data;
     const struct pp_study_options *study = &run->room->study;
-    const struct pp_annual_options options = {.samples = (int)study->samples,
-                                              .error = study->error,
-                                              .seed = study->seed,
-                                              .threads = study->threads};
+    struct pp_terminal_watch terminal;
+    const struct pp_annual_options options = {
+        .samples = (int)study->samples,
+        .error = study->error,
+        .seed = study->seed,
+        .threads = study->threads,
+        .watch = pp_watch_of_terminal(&terminal, run->room->quiet)};
     run->results.list =
         calloc((size_t)run->rooms->count + 1, sizeof *run->results.list);
     enum pp_status status = run->results.list ? PP_OK : pp_fail_memory(err);

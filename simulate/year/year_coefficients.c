@@ -35,12 +35,25 @@ struct pp_year_coefficients {
     const struct pp_light_columns *light;
     struct sun_list suns[PP_YEAR_BATCHES];
     enum pp_status status[PP_YEAR_BATCHES]; /* status of each batch's task */
+    bool (*goes_on)(void *data, double done);
+    void *data;
 };
+
+/* Worker 0 is the calling thread. */
+static bool batch_starts(struct pp_year_coefficients *c, int worker, int index)
+{
+    if (worker > 0 || !c->goes_on
+        || c->goes_on(c->data, (double)index / PP_YEAR_BATCHES))
+        return true;
+    c->status[index] = PP_INTERRUPTED;
+    return false;
+}
 
 static bool make_batch(void *data, int worker, int index)
 {
     struct pp_year_coefficients *c = data;
-    (void)worker;
+    if (!batch_starts(c, worker, index))
+        return false;
     c->status[index] = pp_year_batch_make(&c->batches[index], &c->task, index, NULL);
     return c->status[index] == PP_OK;
 }
@@ -50,10 +63,13 @@ static enum pp_status for_batches(struct pp_year_coefficients *c,
                                   pp_thread_pool_work *work, struct pp_error *err)
 {
     pp_thread_pool_run(c->pool, 0, PP_YEAR_BATCHES, work, c);
+    bool stopped = false;
     for (int b = 0; b < PP_YEAR_BATCHES; b++)
-        if (c->status[b] != PP_OK)
+        if (c->status[b] == PP_INTERRUPTED)
+            stopped = true;
+        else if (c->status[b] != PP_OK)
             return pp_fail_memory(err);
-    return PP_OK;
+    return stopped ? pp_fail(err, PP_INTERRUPTED, "interrupted") : PP_OK;
 }
 
 enum pp_status pp_year_coefficients_create(
@@ -68,6 +84,8 @@ enum pp_status pp_year_coefficients_create(
     if (!c)
         return pp_fail_memory(err);
     c->pool = pool;
+    c->goes_on = options->goes_on;
+    c->data = options->data;
     if (!pp_sky_patches_init(&c->patches, options->patches, scene->world->north_rad)) {
         free(c);
         return pp_fail(err, PP_BAD_INPUT,
@@ -172,8 +190,9 @@ static enum pp_status add_suns_of_hour(const struct pp_year_coefficients *c, int
 
 static bool light_batch(void *data, int worker, int b)
 {
-    (void)worker;
     struct pp_year_coefficients *c = data;
+    if (!batch_starts(c, worker, b))
+        return false;
     struct sun_list *list = &c->suns[b];
     int used = 0;
     list->first = calloc((size_t)c->light->count + 1, sizeof *list->first);

@@ -25,11 +25,17 @@ struct pp_year_coefficient_options {
     int cells;   /* approximate number of cells */
     int patches; /* 145, 577, 2305 */
     uint64_t seed;
+
+    /* Called between two batches by the thread that called the function; done: the
+     * share of the batches done. Returning false stops. NULL: never stops. */
+    bool (*goes_on)(void *data, double done);
+    void *data;
 };
 
 struct pp_year_coefficients;
 
-/* scene: of a world, with diffuse finishes only. group_of_opening: group of each
+/* PP_INTERRUPTED: goes_on has returned false; here and in pp_year_coefficients_light.
+ * scene: of a world, with diffuse finishes only. group_of_opening: group of each
  * opening, 0 to group_count - 1, at most PP_YEAR_GROUPS_MOST groups. All arguments, the
  * receivers and the pool must outlive *coefficients. */
 enum pp_status pp_year_coefficients_create(

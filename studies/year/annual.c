@@ -13,13 +13,48 @@
 /* With an error to reach, a run of PILOT paths first estimates their number. */
 enum { CELLS = 600, PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
+/* Share of the whole after the paths, for the progress bar. */
+static const double TRACED = 0.4;
+
+/* done: share of the current step. */
+static bool annual_goes_on(void *data, double done)
+{
+    struct pp_annual_work *work = data;
+    const struct pp_watch *watch = &work->options->watch;
+    double share = work->begun + done * (work->ended - work->begun);
+    if (watch->look && !watch->look(watch->data, share, NAN))
+        work->stopped = true;
+    return !work->stopped;
+}
+
+/* Begins a step of the computation that ends at this share of the whole. */
+static bool next_step(struct pp_annual_work *work, double ended)
+{
+    work->begun = work->ended;
+    work->ended = ended;
+    return annual_goes_on(work, 0.0);
+}
+
+/* Worker 0 is the calling thread, which watches. */
+static bool run_block(void *data, int worker, int block)
+{
+    struct pp_annual_work *work = data;
+    if (worker == 0 && !annual_goes_on(work, (double)block / work->blocks))
+        return false;
+    return work->function(work, worker, block);
+}
+
 /* Calls a function for every block of points. PP_BAD_INPUT: the outline of the sky seen
- * through an opening has too many corners; otherwise it fails only if out of memory. */
+ * through an opening has too many corners; PP_INTERRUPTED; otherwise it fails only if
+ * out of memory. */
 static enum pp_status for_points(struct pp_annual_work *work, int block,
                                  pp_thread_pool_work *function, struct pp_error *err)
 {
-    pp_thread_pool_run(work->pool, 0, (work->receiver_count + block - 1) / block,
-                       function, work);
+    work->blocks = (work->receiver_count + block - 1) / block;
+    work->function = function;
+    pp_thread_pool_run(work->pool, 0, work->blocks, run_block, work);
+    if (work->stopped)
+        return pp_fail(err, PP_INTERRUPTED, "interrupted");
     for (int x = 0; x < work->receiver_count; x++)
         if (work->status[x] == PP_BAD_INPUT)
             return pp_fail(
@@ -79,9 +114,13 @@ static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
                                         : SAMPLES,
         .cells = CELLS,
         .patches = options->patches,
-        .seed = options->seed};
+        .seed = options->seed,
+        .goes_on = annual_goes_on,
+        .data = work};
     for (;;) {
         work->samples = year.paths;
+        if (!next_step(work, year.paths == PILOT ? 0.05 : TRACED))
+            return pp_fail(err, PP_INTERRUPTED, "interrupted");
         enum pp_status status = pp_year_coefficients_create(
             &work->coefficients, work->scene, work->environment, work->receivers,
             work->receiver_count, work->groups.of_opening, work->groups.count, &year,
@@ -98,12 +137,6 @@ static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
         pp_year_coefficients_destroy(work->coefficients);
         work->coefficients = NULL;
     }
-}
-
-static bool goes_on(const struct pp_annual_work *work, double done)
-{
-    const struct pp_watch *watch = &work->options->watch;
-    return !watch->look || watch->look(watch->data, done, NAN);
 }
 
 static enum pp_status prepare(struct pp_annual_work *work, struct pp_error *err)
@@ -147,7 +180,7 @@ static enum pp_status simulate(struct pp_annual_work *work, struct pp_error *err
         return status;
     }
     status = trace(work, err);
-    if (status == PP_OK && goes_on(work, 0.4))
+    if (status == PP_OK && next_step(work, 0.6))
         status = pp_year_coefficients_light(work->coefficients, &work->columns, err);
     return status;
 }
@@ -224,10 +257,10 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
     pp_annual_words_method(
         work->sheet, work->options, work->samples,
         work->coefficients ? pp_year_coefficients_cells(work->coefficients) : 0);
-    if (!goes_on(work, 0.6))
-        return PP_OK;
+    if (!next_step(work, 0.7))
+        return PP_INTERRUPTED;
     status = for_points(work, 1, pp_annual_direct_see, err);
-    if (status != PP_OK || !goes_on(work, 0.7))
+    if (status != PP_OK || !next_step(work, 0.9))
         return status;
     if (work->options->blinds)
         pp_annual_direct_close_blinds(work);
@@ -236,9 +269,9 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
     if (status == PP_OK)
         status = for_points(work, work->block, pp_annual_point_block, err);
     if (status == PP_OK && work->options->measure && work->coefficients
-        && goes_on(work, 0.9))
+        && next_step(work, 1.0))
         status = pp_annual_discretisation_measure(work, err);
-    if (status == PP_OK)
+    if (status == PP_OK && !work->stopped)
         finish(work);
     return status;
 }
@@ -301,7 +334,7 @@ enum pp_status pp_annual_of_room(
     if (watched && watch->end)
         watch->end(watch->data);
     clear_work(&work);
-    return status;
+    return status == PP_INTERRUPTED ? PP_OK : status;
 }
 
 enum pp_status pp_annual_of_study_room(struct pp_annual_sheet *sheet,

@@ -37,7 +37,11 @@ struct pp_annual_work {
     unsigned char *closed; /* [group][sky]: true if the group's blinds are closed */
     float *on_panes;       /* [group][batch][step], lx outside */
     double *without;       /* [receiver][batch][figure]: figures without that batch */
-    double *group_light;   /* [receiver][group][1 + batch], lx h */
+    double begun, ended;   /* share of the whole before and after the current step */
+    pp_thread_pool_work *function; /* of each block of points */
+    int blocks;
+    bool stopped;                   /* the watch has stopped the computation */
+    double *group_light;            /* [receiver][group][1 + batch], lx h */
     struct pp_annual_space *spaces; /* by worker */
     enum pp_status *status;         /* by receiver */
 };

@@ -98,6 +98,7 @@ struct parts_work {
     const struct pp_world *world;
     struct pp_perez_sky sky; /* in the room's axes */
     enum pp_status *status;  /* by row of cells */
+    const struct pp_watch *watch;
 };
 
 static enum pp_status light_part(struct parts_work *work, int column, int row)
@@ -128,11 +129,15 @@ static enum pp_status light_part(struct parts_work *work, int column, int row)
     return PP_OK;
 }
 
+/* Worker 0 is the calling thread, which watches. */
 static bool light_row(void *data, int worker, int row)
 {
     struct parts_work *work = data;
-    (void)worker;
+    const struct pp_watch *watch = work->watch;
     enum pp_status *status = &work->status[row];
+    if (worker == 0 && watch->look
+        && !watch->look(watch->data, (double)row / work->plan->rows, NAN))
+        *status = PP_INTERRUPTED;
     for (int r = row * SUB; r < (row + 1) * SUB && *status == PP_OK; r++)
         for (int c = 0; c < work->plan->columns * SUB && *status == PP_OK; c++)
             *status = light_part(work, c, r);
@@ -160,22 +165,30 @@ static void sum_parts_up(struct pp_moment_plan *plan)
 
 static enum pp_status light_parts(struct pp_moment_plan *plan,
                                   const struct pp_world *world,
-                                  const struct pp_moment *moment, int threads,
+                                  const struct pp_moment *moment,
+                                  const struct pp_annual_options *options,
                                   struct pp_error *err)
 {
     struct pp_thread_pool *pool;
+    const struct pp_watch *watch = &options->watch;
     struct parts_work work = {
         .plan = plan,
         .world = world,
         .sky = pp_weather_year_turned(&moment->sky, world->north_rad),
-        .status = calloc((size_t)plan->rows, sizeof *work.status)};
+        .status = calloc((size_t)plan->rows, sizeof *work.status),
+        .watch = watch};
     if (!work.status)
         return pp_fail_memory(err);
-    enum pp_status status = pp_thread_pool_create(&pool, threads, err);
+    enum pp_status status = pp_thread_pool_create(&pool, options->threads, err);
     if (status == PP_OK) {
+        bool watched = watch->begin && watch->begin(watch->data, world->name);
         pp_thread_pool_run(pool, 0, plan->rows, light_row, &work);
+        if (watched && watch->end)
+            watch->end(watch->data);
         for (int r = 0; r < plan->rows && status == PP_OK; r++)
-            if (work.status[r] != PP_OK)
+            if (work.status[r] == PP_INTERRUPTED)
+                status = pp_fail(err, PP_INTERRUPTED, "interrupted");
+            else if (work.status[r] != PP_OK)
                 status = pp_fail_memory(err);
         pp_thread_pool_destroy(pool);
     }
@@ -205,8 +218,10 @@ enum pp_status pp_moment_plan_study_make(struct pp_moment_plan *plan,
         status =
             pp_moment_of_room(&plan->cells, room->world, &room->light, plan->centres,
                               plan->cells.receiver_count, moment, &of_cells, err);
-    if (status == PP_OK && plan->points.finished && plan->cells.finished)
-        status = light_parts(plan, room->world, moment, options->threads, err);
+    if (status == PP_OK && !plan->cells.finished)
+        return pp_fail(err, PP_INTERRUPTED, "interrupted");
+    if (status == PP_OK)
+        status = light_parts(plan, room->world, moment, options, err);
     return status;
 }
 

@@ -77,6 +77,20 @@ check "paths of a chart of the year" quietly chart year -w "$scratch/year.epw" -
 check "as many as a power of two" refuses 2 "power of two" chart year -w "$scratch/year.epw" \
     --samples 17 -o "$scratch/x.svg" "$room"
 
+# stops WORDS: ends by a signal that comes in the first second or later, and leaves the
+# old file.
+stops() {
+    echo old >"$scratch/old.svg"
+    "$pepperpot" "$@" -o "$scratch/old.svg" "$room" 2>"$scratch/err" &
+    sleep 1
+    kill $!
+    wait $!
+    case $? in 130 | 143) [ "$(cat "$scratch/old.svg")" = old ] ;; *) false ;; esac
+}
+check "an interrupted chart of a year leaves the old file" \
+    stops chart year -w "$scratch/year.epw" --samples 8192
+check "so does a plan of a moment" stops chart plan --sky perez,600,120,35,170 --samples 8192
+
 # LEED's verdicts have the figures of annual.
 sed '/<line/d; s|</room>|<grid spacing="1" margin="0"/></room>|' "$deep" >"$scratch/grid.xml"
 run annual -w "$scratch/year.epw" -f json "$scratch/grid.xml"

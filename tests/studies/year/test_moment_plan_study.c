@@ -93,6 +93,53 @@ static void sun_from_the_side_shears_the_area(void **state)
     clear(&plan, &room);
 }
 
+/* Counts the looks, and stops at one of them. */
+struct stop_watch {
+    int looks, last;
+};
+
+static bool look_until(void *data, double done, double error)
+{
+    struct stop_watch *stop = data;
+    (void)done, (void)error;
+    return ++stop->looks < stop->last;
+}
+
+static void a_plan_stops_in_every_part_of_its_computation(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, by_hand);
+    const struct pp_study_room room = {.world = world,
+                                       .light = light,
+                                       .receivers = world->receivers,
+                                       .receiver_count = world->receiver_count};
+    const struct pp_moment moment = moment_of(45.0, 180.0);
+    struct stop_watch stop = {0, 100000};
+    const struct pp_annual_options options = {
+        .samples = 4,
+        .seed = 1,
+        .threads = 1,
+        .watch = {.look = look_until, .data = &stop}};
+    struct pp_moment_plan plan;
+    assert_int_equal(pp_moment_plan_study_make(&plan, &room, &moment, &options, NULL),
+                     PP_OK);
+    pp_moment_plan_study_clear(&plan);
+    int looks = stop.looks;
+    /* Twice the 16 randomisations, in two phases each; and rows of cells of 0.25 m. */
+    assert_true(looks > 2 * 2 * 16 + 5 / 0.25);
+    for (int last = 1; last <= looks; last += looks / 12) {
+        stop = (struct stop_watch){0, last};
+        struct pp_error err;
+        assert_int_equal(
+            pp_moment_plan_study_make(&plan, &room, &moment, &options, &err),
+            PP_INTERRUPTED);
+        assert_int_equal(stop.looks, last);
+        pp_moment_plan_study_clear(&plan);
+    }
+    pp_world_destroy(world);
+}
+
 /* The plan's light without sun, at a point between cells, agrees with that point's own
  * simulation; a sun below the window's head in the north lights nothing. */
 static void plan_agrees_with_points(void **state)
@@ -121,6 +168,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sunlit_area_is_the_window_projected_along_the_sun),
         cmocka_unit_test(sun_from_the_side_shears_the_area),
+        cmocka_unit_test(a_plan_stops_in_every_part_of_its_computation),
         cmocka_unit_test(plan_agrees_with_points),
     };
     add_tests(tests, NULL, NULL);
