@@ -1,0 +1,82 @@
+/* test_rough_lobe.c - directions drawn from the lobe of a physically rough surface carry
+ * the light that quadrature finds. */
+#include "simulate/sampling/rough_lobe.h"
+
+#include "tests/lib/near.h"
+
+static struct pp_vec3 towards(double tilt_deg, double azimuth_deg)
+{
+    double t = tilt_deg * PP_RAD, a = azimuth_deg * PP_RAD;
+    return pp_vec(sin(t) * cos(a), sin(t) * sin(a), cos(t));
+}
+
+static const struct pp_rough_surface *surface_of(double s0, double t, double k)
+{
+    static struct pp_rough_surface surface;
+    const struct pp_rough_optics optics = {
+        {1.0, 1.0, 1.0}, {k, k, k}, {0.55, 0.55, 0.55}, s0, t, {0.0, 0.0, 0.0}};
+    assert_int_equal(pp_rough_surface_init(&surface, &optics, NULL), PP_OK);
+    return &surface;
+}
+
+/* The mean weight over a grid of numbers is the albedo that the quadrature of the
+ * tables has found, to their 0.6 % between angles; every drawn direction has its own
+ * density. */
+static void drawn_directions_carry_the_albedo(void **state)
+{
+    (void)state;
+    enum { RADII = 200, AZIMUTHS = 32, ALL = RADII * AZIMUTHS };
+    const double surfaces[][3] = {
+        {0.05, 3.0, 1e5}, {0.28, 1.77, 2.59}, {3.0, 15.0, 1e5}, {0.05, 20.0, 6.0}};
+    const double tilts[] = {0.0, 33.0, 60.0, 80.0, 87.0};
+    for (int k = 0; k < 4; k++) {
+        const double *of = surfaces[k];
+        const struct pp_rough_surface *surface = surface_of(of[0], of[1], of[2]);
+        for (int t = 0; t < 5; t++) {
+            struct pp_vec3 eye = towards(tilts[t], 40.0), to;
+            double sum = 0.0, most = 0.0;
+            for (int i = 0; i < ALL; i++) {
+                double per =
+                    pp_rough_lobe_sample(surface, eye, (i / AZIMUTHS + 0.5) / RADII,
+                                         (i % AZIMUTHS + 0.5) / AZIMUTHS, &to);
+                if (!(per > 0.0))
+                    continue;
+                assert_near(pp_vec_length(to), 1.0, 1e-12);
+                assert_relative(per * pp_rough_lobe_pdf(surface, eye, to), 1.0, 1e-9);
+                double weight = pp_rough_surface_value(surface, eye, to).g * to.z * per;
+                sum += weight / ALL;
+                most = fmax(most, weight);
+            }
+            double albedo = pp_rough_surface_lobe(surface, eye.z).g;
+            assert_near(sum, albedo, 6e-3 * fmax(albedo, 0.1));
+            assert_true(most < 4.0 * albedo); /* no direction is drawn too rarely */
+        }
+    }
+}
+
+/* The density integrates to 1, less what the lobe itself cannot reach. */
+static void the_density_is_one_of_probability(void **state)
+{
+    (void)state;
+    enum { SIDE = 800 };
+    const struct pp_rough_surface *surface = surface_of(0.28, 1.77, 1e5);
+    for (double tilt = 5.0; tilt < 90.0; tilt += 40.0) {
+        double sum = 0.0;
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            double t = (i / SIDE + 0.5) / SIDE * 90.0;
+            struct pp_vec3 to = towards(t, (i % SIDE + 0.5) / SIDE * 360.0);
+            sum += pp_rough_lobe_pdf(surface, towards(tilt, 77.0), to) * sin(t * PP_RAD)
+                   * PP_PI * PP_PI / (SIDE * SIDE);
+        }
+        assert_near(sum, 1.0, 3e-3);
+    }
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(drawn_directions_carry_the_albedo),
+        cmocka_unit_test(the_density_is_one_of_probability),
+    };
+    add_tests(tests, NULL, NULL);
+}
