@@ -2,6 +2,9 @@
 #include "reports/page/year_section.h"
 
 #include <math.h>
+#include <stdio.h>
+
+#include "studies/lighting/lighting_control.h"
 
 /* format: of the value; error_format: of its standard error. */
 static void put_value(struct pp_document *document, const char *name, double value,
@@ -69,6 +72,30 @@ static void put_groups(struct pp_document *document, const struct pp_annual_shee
                   "%.0f", "h");
 }
 
+/* Electric light under ideal controls. */
+static void put_year_lighting(struct pp_document *document,
+                              const struct pp_annual_sheet *year)
+{
+    char group[120];
+    snprintf(group, sizeof group,
+             "Electric light saved in these hours, for %g lx at the darkest point, "
+             "without blinds",
+             year->lighting[0].control.target_lx);
+    put_group(document, group);
+    for (int k = 0; k < year->lighting_count; k++) {
+        const struct pp_lighting_sheet *of = &year->lighting[k];
+        char name[80];
+        enum pp_lighting_kind kind = of->control.kind;
+        snprintf(name, sizeof name, "%s%s", pp_lighting_control_name(kind),
+                 kind == PP_LIGHTING_MANUAL ? ", on at arrival as observed by Hunt"
+                                            : "");
+        put_year_share(document, name, &of->figures.saved);
+        if (kind != PP_LIGHTING_DIMMED)
+            continue;
+        put_year_share(document, "dimmed, separate lamps at all points", &of->mean);
+    }
+}
+
 static void put_assumption(struct pp_document *document, const char *name,
                            const char *words)
 {
@@ -92,6 +119,8 @@ void pp_year_section(struct pp_document *document, const struct pp_annual_sheet 
     put_means(document, year);
     if (year->has_blinds)
         put_groups(document, year);
+    if (year->lighting_count > 0)
+        put_year_lighting(document, year);
     if (!year->is_grid)
         pp_document_paragraph(
             document, PP_TONE_SOFT,

@@ -15,6 +15,7 @@
 #include "studies/criteria/grid/plane_trace.h"
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/room_before.h"
+#include "studies/lighting/lighting_control.h"
 
 /* Marks the criteria named in a comma-separated list; NULL: all. */
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
@@ -323,6 +324,10 @@ static enum pp_status simulate_year(struct pp_assessment *assessment,
              || pp_assessment_needs_year(options->criteria, options->profile)))
         return PP_OK;
     struct pp_annual_options annual = pp_annual_options_lm83;
+    if (options->with_year) {
+        annual.lighting_count = PP_LIGHTING_CONTROL_IDEAL;
+        pp_lighting_control_ideal(annual.lighting, annual.illuminances_lx[0]);
+    }
     annual.seed = options->study->seed;
     annual.threads = options->study->threads;
     annual.watch = options->study->watch;

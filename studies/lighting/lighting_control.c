@@ -40,6 +40,19 @@ double pp_lighting_control_power(const struct pp_lighting_control *control, doub
     return NAN;
 }
 
+void pp_lighting_control_ideal(
+    struct pp_lighting_control list[PP_LIGHTING_CONTROL_IDEAL], double target_lx)
+{
+    static const enum pp_lighting_kind kinds[] = {
+        PP_LIGHTING_ON_OFF, PP_LIGHTING_DIMMED, PP_LIGHTING_MANUAL};
+    for (int k = 0; k < PP_LIGHTING_CONTROL_IDEAL; k++)
+        list[k] = (struct pp_lighting_control){.kind = kinds[k],
+                                               .target_lx = target_lx,
+                                               .steps = 1,
+                                               .power_w = NAN,
+                                               .power_w_m2 = NAN};
+}
+
 const char *pp_lighting_control_name(enum pp_lighting_kind kind)
 {
     static const char *const names[] = {"on-off", "stepped", "dimmed", "manual"};

@@ -20,6 +20,12 @@
 double pp_lighting_control_power(const struct pp_lighting_control *control, double E,
                                  bool *on);
 
+/* Ideal controls at the darkest point with open blinds, to compare rooms: on-off, dimmed
+ * and manual, with this target (lx). */
+enum { PP_LIGHTING_CONTROL_IDEAL = 3 };
+void pp_lighting_control_ideal(
+    struct pp_lighting_control list[PP_LIGHTING_CONTROL_IDEAL], double target_lx);
+
 /* "on-off", "stepped", "dimmed" or "manual". */
 const char *pp_lighting_control_name(enum pp_lighting_kind kind);
 

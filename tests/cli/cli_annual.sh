@@ -108,6 +108,7 @@ report="report -q --samples 64 -w $scratch/year.epw --for leed-v4.1 -o $scratch/
 check "a report with the year" quietly $report --year "$scratch/grid.xml"
 check "its figures" grep -q "ASE1000,250" "$scratch/report.html"
 check "its hours" grep -q "Daylight in every hour of a year" "$scratch/report.html"
+check "its electric light" grep -q "on at arrival as observed by Hunt" "$scratch/report.html"
 check "its command" grep -q -e "--year" "$scratch/report.html"
 check "a year needs weather" refuses 2 "--weather" report --year -o "$scratch/x.html" "$room"
 check "a year is not by hand" refuses 2 "--by-hand" $report --year --by-hand "$room"

@@ -21,7 +21,7 @@ enum pp_lighting_kind {
 
 struct pp_lighting_control {
     enum pp_lighting_kind kind;
-    double target_lx;       /* illuminance to maintain; NAN for manual */
+    double target_lx;       /* illuminance to maintain; not used by manual */
     double differential_lx; /* on-off: off at target + differential */
     int steps;              /* stepped: number of equal groups of lamps */
     double residual_light;  /* dimmed: least share of the lamps' light */

@@ -71,12 +71,32 @@ static void points_without_a_grid_have_no_area(void **state)
     assert_true(has(&grid_year, "ASE1000,250"));
 }
 
+static void electric_light_has_its_shares_if_it_was_studied(void **state)
+{
+    (void)state;
+    struct pp_lighting_sheet dimmed = {
+        .control = {.kind = PP_LIGHTING_DIMMED, .target_lx = 350.0},
+        .figures = {.saved = {0.617, 0.0031}},
+        .mean = {0.743, 0.0012}};
+    struct pp_annual_sheet lit = grid_year;
+    lit.lighting_count = 1;
+    lit.lighting = &dimmed;
+    assert_true(has(&lit, "61.7"));
+    assert_true(has(&lit, "0.31"));
+    assert_true(has(&lit, "74.3"));
+    assert_true(has(&lit,
+                    "Electric light saved in these hours, for 350 lx at the darkest "
+                    "point, without blinds"));
+    assert_false(has(&grid_year, "dimmed"));
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shares_are_per_cent_with_their_errors),
         cmocka_unit_test(assumptions_and_warnings_are_told),
         cmocka_unit_test(points_without_a_grid_have_no_area),
+        cmocka_unit_test(electric_light_has_its_shares_if_it_was_studied),
     };
     add_tests(tests, NULL, NULL);
 }
