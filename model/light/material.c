@@ -41,6 +41,19 @@ struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
     return material;
 }
 
+struct pp_material pp_material_rough(const struct pp_rough_surface *surface, bool grey)
+{
+    struct pp_rgb diffuse = surface->optics.diffuse;
+    struct pp_rgb gloss =
+        pp_rgb_sub(pp_rough_surface_reflectance(surface), surface->optics.diffuse);
+    struct pp_material material =
+        pp_material_diffuse(grey ? pp_rgb_grey(pp_rgb_luminance(diffuse)) : diffuse);
+    material.gloss = grey ? pp_rgb_grey(pp_rgb_luminance(gloss)) : gloss;
+    material.rough = surface;
+    material.rough_is_grey = grey;
+    return material;
+}
+
 struct pp_material pp_material_trans(struct pp_rgb colour, double specular,
                                      double roughness, double trans,
                                      double through_specular)

@@ -14,6 +14,9 @@
  * RMS slope of the facets; 0 is a mirror. A transmitted gloss is the same lobe mirrored
  * at the surface.
  *
+ * An opaque surface may instead be physically rough (rough/rough_surface.h): `gloss` is
+ * then the reflectance of its spike and lobe for diffuse illumination.
+ *
  * Emission is the radiance of the front, equal in all directions. Its kind decides how
  * a simulation samples it: concentrated emitters (Radiance's `light`) by next-event
  * estimation, extended ones (`glow`) by sampling the hemisphere.
@@ -26,6 +29,7 @@
 #include "model/base/error.h"
 #include "model/light/glass_curve.h"
 #include "model/light/rgb.h"
+#include "model/light/rough/rough_surface.h"
 #include "model/geometry/vec.h"
 
 enum pp_material_kind {
@@ -52,6 +56,11 @@ struct pp_material {
     double roughness[2];   /* along `grain` and across it; equal: isotropic */
     struct pp_vec3 grain;  /* direction of the first roughness, projected on the
                             * surface; zero if both are equal */
+
+    /* Physically rough surface; not owned; NULL: none. Its uniform diffuse part is
+     * `diffuse`, and its roughness 0. */
+    const struct pp_rough_surface *rough;
+    bool rough_is_grey; /* scatters all channels by their luminance */
 
     struct pp_rgb through_diffuse; /* translucent: transmittances */
     struct pp_rgb through_gloss;
@@ -82,6 +91,10 @@ struct pp_material pp_material_plastic(struct pp_rgb colour, double specular,
 /* Radiance's `metal`: the gloss is coloured too. */
 struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
                                      double along, double across);
+
+/* A physically rough surface, which must outlive the material. grey: each channel is
+ * their luminance. */
+struct pp_material pp_material_rough(const struct pp_rough_surface *surface, bool grey);
 
 /* Radiance's `trans`: the share `specular` is reflected without colour. Of the rest the
  * share `trans` is transmitted, and of that the share `through_specular` straight on or

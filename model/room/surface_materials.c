@@ -150,7 +150,8 @@ bool pp_surface_materials_same(const struct pp_material *a, const struct pp_mate
         return false; /* decides most cases without a key */
     struct pp_material_key keys[2] = {pp_surface_materials_key(a),
                                       pp_surface_materials_key(b)};
-    return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0;
+    return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0 && a->rough == b->rough
+           && a->rough_is_grey == b->rough_is_grey;
 }
 
 /* Number of previous materials that a new one is compared with. A world of a million

@@ -28,7 +28,8 @@ enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
                                   const struct pp_light_hit *hit,
                                   struct pp_light_ray *ray, struct pp_rgb *beta)
 {
-    double u[3], albedo[PP_LOBE_COUNT], total = 0.0, factor;
+    double u[3], albedo[PP_LOBE_COUNT], total = 0.0;
+    struct pp_rgb factor;
     pp_path_walk_draw(walk, 3, u);
     for (int i = 0; i < PP_LOBE_COUNT; i++)
         total += albedo[i] = pp_rgb_most(lobes->share[i]);
@@ -40,7 +41,9 @@ enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
     /* BSDF x cosine / pdf of the lobe is its albedo times the factor; the lobe itself
      * was drawn with the probability albedo / total. */
     *beta = pp_rgb_times(*beta, lobes->share[lobe]);
-    *beta = pp_rgb_scale(*beta, factor * total / albedo[lobe]);
+    *beta = pp_rgb_times(*beta, pp_rgb(factor.r * total / albedo[lobe],
+                                       factor.g * total / albedo[lobe],
+                                       factor.b * total / albedo[lobe]));
 
     bool through = pp_scatter_goes_through((enum pp_lobe)lobe);
     struct pp_vec3 n = lobes->frame.z;

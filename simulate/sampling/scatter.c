@@ -49,6 +49,11 @@ struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *materia
     }
 }
 
+static struct pp_rgb rough_colour(bool grey, struct pp_rgb value)
+{
+    return grey ? pp_rgb_grey(pp_rgb_luminance(value)) : value;
+}
+
 struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,
                                               double cos_incidence)
 {
@@ -59,6 +64,9 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
         return pp_rgb_scale(glass_reflectance(material, cos_incidence),
                             material->clear_share);
     default:
+        if (material->rough)
+            return rough_colour(material->rough_is_grey,
+                                pp_rough_surface_spike(material->rough, cos_incidence));
         return material->gloss;
     }
 }
@@ -81,7 +89,11 @@ static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material
 void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye)
 {
-    *lobes = (struct pp_lobes){.frame = {.z = n}, .eye = eye, .gloss = gloss};
+    *lobes = (struct pp_lobes){.frame = {.z = n},
+                               .eye = eye,
+                               .gloss = gloss,
+                               .rough = material->rough,
+                               .rough_is_grey = material->rough_is_grey};
     lay_frame(lobes, material);
     double cosine = fabs(pp_vec_dot(n, eye));
     struct pp_rgb *share = lobes->share;
@@ -91,6 +103,9 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
     share[PP_LOBE_DIFFUSE] = material->diffuse;
     share[gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR] =
         pp_scatter_specular_reflectance(material, cosine);
+    if (material->rough)
+        share[PP_LOBE_GLOSS] = rough_colour(
+            material->rough_is_grey, pp_rough_surface_lobe(material->rough, cosine));
     if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         share[PP_LOBE_THROUGH_DIFFUSE] = material->through_diffuse;
         if (gloss)
@@ -104,35 +119,64 @@ struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3
     struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
     if (pp_rgb_is_black(share))
         return share;
+    struct pp_vec3 eye = pp_frame_in(&lobes->frame, lobes->eye);
     o = pp_frame_in(&lobes->frame, o);
     o.z = fabs(o.z);
-    return pp_rgb_scale(
-        share, pp_gloss_value(lobes->gloss, pp_frame_in(&lobes->frame, lobes->eye), o));
+    if (lobes->rough)
+        return rough_colour(lobes->rough_is_grey,
+                            pp_rough_surface_value(lobes->rough, eye, o));
+    return pp_rgb_scale(share, pp_gloss_value(lobes->gloss, eye, o));
 }
 
 double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
     o = pp_frame_in(&lobes->frame, o);
+    struct pp_vec3 eye = pp_frame_in(&lobes->frame, lobes->eye);
+    if (lobes->rough)
+        return pp_rough_lobe_pdf(lobes->rough, eye, o);
     o.z = fabs(o.z);
-    return pp_gloss_pdf(lobes->gloss, pp_frame_in(&lobes->frame, lobes->eye), o);
+    return pp_gloss_pdf(lobes->gloss, eye, o);
 }
 
 static bool sample_gloss(const struct pp_lobes *lobes, bool through, double u, double v,
-                         struct pp_vec3 *o, double *factor)
+                         struct pp_vec3 *o, struct pp_rgb *factor)
 {
-    *factor =
+    double weight =
         pp_gloss_sample(lobes->gloss, pp_frame_in(&lobes->frame, lobes->eye), u, v, o);
+    *factor = pp_rgb_grey(weight);
     if (through)
         o->z = -o->z;
     *o = pp_frame_out(&lobes->frame, *o);
-    return *factor > 0.0;
+    return weight > 0.0;
+}
+
+static double over_share(double value, double share)
+{
+    return share > 0.0 ? value / share : 0.0;
+}
+
+static bool sample_rough(const struct pp_lobes *lobes, double u, double v,
+                         struct pp_vec3 *o, struct pp_rgb *factor)
+{
+    struct pp_vec3 eye = pp_frame_in(&lobes->frame, lobes->eye), own;
+    double weight = pp_rough_lobe_sample(lobes->rough, eye, u, v, &own);
+    if (!(weight > 0.0))
+        return false;
+    struct pp_rgb share = lobes->share[PP_LOBE_GLOSS];
+    struct pp_rgb f = rough_colour(lobes->rough_is_grey,
+                                   pp_rough_surface_value(lobes->rough, eye, own));
+    f = pp_rgb_scale(f, own.z * weight);
+    *factor = pp_rgb(over_share(f.r, share.r), over_share(f.g, share.g),
+                     over_share(f.b, share.b));
+    *o = pp_frame_out(&lobes->frame, own);
+    return !pp_rgb_is_black(*factor);
 }
 
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
-                       double v, struct pp_vec3 *o, double *factor)
+                       double v, struct pp_vec3 *o, struct pp_rgb *factor)
 {
     struct pp_vec3 n = lobes->frame.z;
-    *factor = 1.0;
+    *factor = pp_rgb_grey(1.0);
     switch (lobe) {
     case PP_LOBE_DIFFUSE:
         *o = pp_lobe_sample_in_frame(lobes->frame.x, lobes->frame.y, n, u, v);
@@ -143,6 +187,8 @@ bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u
         return true;
     case PP_LOBE_GLOSS:
     case PP_LOBE_THROUGH_GLOSS:
+        if (lobes->rough)
+            return sample_rough(lobes, u, v, o, factor);
         return sample_gloss(lobes, lobe == PP_LOBE_THROUGH_GLOSS, u, v, o, factor);
     case PP_LOBE_MIRROR:
         *o = pp_vec_mirrored(pp_vec_scale(lobes->eye, -1.0), n);

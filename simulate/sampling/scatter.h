@@ -1,7 +1,9 @@
 /* scatter.h - the BRDF and BTDF of a material at one point, as a sum of lobes.
  *
  * Diffuse lobes are Lambertian, glosses those of gloss.h; the lobe of a transmitted
- * gloss is the same, with its direction mirrored in the surface.
+ * gloss is the same, with its direction mirrored in the surface. The spike of a
+ * physically rough surface is a mirror lobe, the rest of its reflection takes the place
+ * of the gloss.
  */
 #ifndef PP_SIMULATE_SAMPLING_SCATTER_H
 #define PP_SIMULATE_SAMPLING_SCATTER_H
@@ -12,6 +14,7 @@
 #include "model/light/material.h"
 #include "model/light/rgb.h"
 #include "simulate/sampling/gloss.h"
+#include "simulate/sampling/rough_lobe.h"
 
 enum pp_lobe {
     PP_LOBE_DIFFUSE,
@@ -35,8 +38,15 @@ struct pp_lobes {
     struct pp_rgb share[PP_LOBE_COUNT]; /* each lobe's albedo */
     struct pp_frame frame; /* x along the grain, z the normal on the eye's side */
     struct pp_vec3 eye;
-    const struct pp_gloss *gloss; /* NULL: none, or a mirror; not owned */
+    const struct pp_gloss *gloss;         /* NULL: none, or a mirror; not owned */
+    const struct pp_rough_surface *rough; /* NULL: none; not owned */
+    bool rough_is_grey;
 };
+
+static inline bool pp_scatter_has_gloss(const struct pp_lobes *lobes)
+{
+    return lobes->gloss || lobes->rough;
+}
 
 /* gloss: gloss of the material; NULL if it has none or is a mirror. */
 void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
@@ -48,7 +58,7 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
 struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
                                                double cos_incidence);
 
-/* Reflectance of the material's mirror or gloss, at that cosine. */
+/* Reflectance of the material's mirror, spike or gloss, at that cosine. */
 struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,
                                               double cos_incidence);
 
@@ -64,6 +74,6 @@ double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o);
  * cosine over density and share. False if the direction would point into the
  * surface. */
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
-                       double v, struct pp_vec3 *o, double *factor);
+                       double v, struct pp_vec3 *o, struct pp_rgb *factor);
 
 #endif

@@ -22,6 +22,16 @@ static uint64_t stir_sky(uint64_t hash, const struct pp_sky *sky)
     return stir(stir(stir(hash, sky->d), sky->e), sky->per_horizontal);
 }
 
+static uint64_t stir_rough(uint64_t hash, const struct pp_material *material)
+{
+    const struct pp_rough_optics *optics = &material->rough->optics;
+    for (int c = 0; c < 3; c++)
+        hash =
+            stir(stir(stir(hash, optics->n[c]), optics->k[c]), optics->wavelength[c]);
+    hash = stir(stir(hash, optics->roughness), optics->correlation);
+    return stir(hash, material->rough_is_grey);
+}
+
 static uint64_t stir_material(uint64_t hash, const struct pp_material *material)
 {
     struct pp_material_key key = pp_surface_materials_key(material);
@@ -29,7 +39,7 @@ static uint64_t stir_material(uint64_t hash, const struct pp_material *material)
         hash = pp_hash(hash, (unsigned char)*c);
     for (int i = 0; i < PP_MATERIAL_KEY_NUMBERS; i++)
         hash = stir(hash, key.numbers[i]);
-    return hash;
+    return material->rough ? stir_rough(hash, material) : hash;
 }
 
 static uint64_t stir_pattern(uint64_t hash, const struct pp_pattern *p)

@@ -77,7 +77,8 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
 {
     struct pp_shading_point there = view->there;
     enum pp_lobe lobe = view->lobes.gloss ? PP_LOBE_GLOSS : PP_LOBE_MIRROR;
-    double u[2], factor;
+    double u[2];
+    struct pp_rgb factor;
     there.lobes = &view->lobes;
     pp_sobol_sequence_draw(&state->sequence, state->index,
                            pp_path_vertex_branch(there.vertex, 0), 2, u);
@@ -87,7 +88,7 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
             || !pp_sample_openings_along(state, &there, view->window, to, sample))
             return false;
         sample->weight =
-            pp_rgb_scale(pp_rgb_times(sample->weight, view->lobes.share[lobe]), factor);
+            pp_rgb_times(pp_rgb_times(sample->weight, view->lobes.share[lobe]), factor);
     } else if (!pp_sample_openings_aim(state, &there, view->window, u, sample)) {
         return false;
     }

@@ -72,10 +72,10 @@ bool pp_path_scatter_by_lobe(const struct pp_radiance_state *state,
                              enum pp_lobe lobe, const struct pp_light_hit *hit,
                              double u, double v)
 {
-    double factor;
+    struct pp_rgb factor;
     if (!pp_scatter_sample(lobes, lobe, u, v, &path->ray.to, &factor))
         return false;
-    path->throughput = pp_rgb_scale(path->throughput, factor);
+    path->throughput = pp_rgb_times(path->throughput, factor);
     bool through = pp_scatter_goes_through(lobe);
     if (!through)
         pp_path_scatter_note_met(path, hit->space);

@@ -159,7 +159,7 @@ static inline struct pp_rgb pp_path_vertex_brdf(const struct pp_shading_point *s
                                                 double gloss_share)
 {
     struct pp_rgb f = pp_rgb_scale(shading->diffuse, 1.0 / PP_PI);
-    if (!shading->lobes || !shading->lobes->gloss)
+    if (!shading->lobes || !pp_scatter_has_gloss(shading->lobes))
         return f;
     double weight =
         shading->whole_gloss

@@ -42,12 +42,12 @@ bool pp_photon_lobes_turn(const struct pp_photon_state *state,
                           const struct pp_light_hit *hit, double u, double v,
                           struct pp_light_ray *ray, struct pp_rgb *throughput)
 {
-    double factor;
+    struct pp_rgb factor;
     bool through = pp_scatter_goes_through(lobe);
     struct pp_vec3 from = pp_photon_state_drawn_back(hit, ray->to);
     if (!pp_scatter_sample(lobes, lobe, u, v, &ray->to, &factor))
         return false;
-    *throughput = pp_rgb_scale(*throughput, factor);
+    *throughput = pp_rgb_times(*throughput, factor);
     ray->from = from;
     ray->off = through ? pp_vec_scale(hit->normal, -1.0) : hit->normal;
     ray->space = pp_light_scene_parts_space(state->scene, hit, through);

@@ -19,7 +19,7 @@ static const double WIDEST = 0.4;
 /* ---- found ---- */
 
 /* Makes a reflector from the part's side; false if the side is curved, does not reflect
- * light to the room, or is too rough. */
+ * light to the room, is too rough, or has both a spike and a lobe. */
 static bool reflector_of(const struct pp_light_scene *scene, int index, int side,
                          struct pp_reflector *reflector)
 {
@@ -29,7 +29,8 @@ static bool reflector_of(const struct pp_light_scene *scene, int index, int side
     const struct pp_gloss *gloss = number < 0 ? NULL : &scene->glosses[number];
     bool reflects = scene->world ? part->window < 0 && part->space[side] == PP_INDOORS
                                  : gloss != NULL;
-    if (part->round >= 0 || !reflects || pp_rgb_is_black(material->gloss)
+    if (part->round >= 0 || !reflects || material->rough
+        || pp_rgb_is_black(material->gloss)
         || (gloss && (gloss->along > WIDEST || gloss->across > WIDEST)))
         return false;
     struct pp_lobes lobes;

@@ -43,11 +43,11 @@ static void a_gloss_lies_along_its_grain(void **state)
     assert_relative(pp_scatter_gloss_brdf(&lobes, o).r, 0.8 * value, 1e-12);
     assert_relative(pp_scatter_gloss_brdf(&lobes, o).b, 0.5 * value, 1e-12);
 
-    double factor;
+    struct pp_rgb factor;
     struct pp_vec3 drawn, in_frame;
     assert_true(pp_scatter_sample(&lobes, PP_LOBE_GLOSS, 0.3, 0.6, &drawn, &factor));
     assert_relative(
-        factor,
+        factor.g,
         pp_gloss_sample(lobes.gloss, pp_vec(eye.y, -eye.x, eye.z), 0.3, 0.6, &in_frame),
         1e-12);
     assert_near(
@@ -61,7 +61,7 @@ static void a_smooth_gloss_is_a_mirror(void **state)
     struct pp_material mirror = pp_material_mirror(pp_rgb(0.9, 0.8, 0.7));
     struct pp_lobes lobes = lobes_of(&mirror, towards(33.0, 60.0));
     struct pp_vec3 o;
-    double factor;
+    struct pp_rgb factor;
     assert_true(pp_scatter_sample(&lobes, PP_LOBE_MIRROR, 0.1, 0.2, &o, &factor));
     struct pp_vec3 expected = towards(33.0, 240.0);
     assert_near(pp_vec_length(pp_vec_sub(o, expected)), 0.0, 1e-12);
@@ -115,7 +115,7 @@ static void translucent_panels_share_light_out_as_radiance_does(void **state)
     struct pp_lobes lobes = lobes_of(&trans, towards(20.0, 0.0));
     assert_near(lobes.share[PP_LOBE_STRAIGHT].g, trans.through_gloss.g, 0.0);
     struct pp_vec3 o;
-    double factor;
+    struct pp_rgb factor;
     assert_true(
         pp_scatter_sample(&lobes, PP_LOBE_THROUGH_DIFFUSE, 0.4, 0.7, &o, &factor));
     assert_true(o.z < 0.0);
