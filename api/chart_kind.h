@@ -121,6 +121,7 @@ struct pp_chart_kind {
     bool of_site;        /* one sheet shows all rooms of a file */
     enum pp_paper paper; /* default paper */
     bool of_sun;         /* needs a latitude for sun paths */
+    bool of_weather;     /* can also show hours of a weather file */
     bool of_year;        /* needs a weather file and a room */
     bool transparent;    /* overlay: no white background */
 

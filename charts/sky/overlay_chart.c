@@ -275,6 +275,26 @@ static void draw_sun_paths(const struct overlay_plot *plot)
     name_lines(plot);
 }
 
+/* Draws a dot for each hour with sunshine: black if the sun is visible, else a ring. */
+static void draw_suns(const struct overlay_plot *plot)
+{
+    double radius = 0.45 * plot->style.scale;
+    for (int i = 0; i < plot->overlay->sun_count; i++) {
+        const struct pp_overlay_sun *sun = &plot->overlay->suns[i];
+        double xy[2];
+        place_on_overlay(plot, sun->altitude_rad, sun->bearing_rad, xy);
+        cairo_new_path(plot->cr);
+        cairo_arc(plot->cr, xy[0], xy[1], sun->visible ? radius : 0.7 * radius, 0.0,
+                  2.0 * PP_PI);
+        pp_style_line(plot->cr, plot->style.hair, PP_GREY_TEXT);
+        if (sun->visible) {
+            pp_style_grey(plot->cr, PP_INK);
+            cairo_fill(plot->cr);
+        } else
+            cairo_stroke(plot->cr);
+    }
+}
+
 /* ---- words ---- */
 
 static void say_overlay_foot(char *foot, size_t room, const struct pp_overlay *overlay)
@@ -426,6 +446,7 @@ enum pp_status pp_overlay_chart_draw(struct pp_canvas *canvas,
         draw_dots(&plot);
         label_rings(&plot);
         state_radius(&plot, body);
+        draw_suns(&plot);
         if (overlay->sun)
             draw_sun_paths(&plot);
     }

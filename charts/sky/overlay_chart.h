@@ -8,6 +8,12 @@
 #include "model/light/sky_cells.h"
 #include "model/results/sheets/sky_mask.h"
 
+/* Position of the sun in an hour with sunshine. */
+struct pp_overlay_sun {
+    double altitude_rad, bearing_rad;
+    bool visible; /* not hidden by an obstruction */
+};
+
 struct pp_overlay {
     enum pp_lens lens;
     double diameter_mm; /* diameter of the horizon circle; 0: the largest possible in
@@ -25,6 +31,8 @@ struct pp_overlay {
     const char *title, *subtitle, *foot; /* title NULL: an overlay */
     const struct pp_sky_mask *now;       /* NULL: no obstruction */
     const struct pp_sky_mask *before;    /* NULL: not known */
+    const struct pp_overlay_sun *suns;   /* hours with sunshine; NULL: none */
+    int sun_count;
 };
 
 /* North is up and east on the left, as seen looking up; on a sheet, as from above.

@@ -302,10 +302,11 @@ static enum pp_status check_light(const struct pp_year_options *light,
         return pp_availability_options_check(light, files, file_count, err);
     }
     if (!kind->outside)
-        return said && (light->weather || !kind->of_sun)
+        return said && !(light->weather ? kind->of_weather : kind->of_sun)
                    ? pp_fail(err, PP_BAD_INPUT,
                              "%s does not use weather data; --weather and --latitude "
-                             "apply to availability, --weather also to year",
+                             "apply to availability, --weather also to year and "
+                             "sun-path",
                              kind->name)
                    : PP_OK;
     if (!said && file_count == 0)

@@ -173,3 +173,16 @@ enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
         pp_hidden_cones_clear(cones);
     return status;
 }
+
+bool pp_hidden_cones_hide(const struct pp_hidden_cones *cones, struct pp_vec3 u)
+{
+    int from = 0;
+    for (int i = 0; i < cones->count; from = cones->list[i++].end) {
+        int k = from;
+        while (k < cones->list[i].end && pp_vec_dot(cones->half_spaces[k], u) >= 0.0)
+            k++;
+        if (k == cones->list[i].end)
+            return true;
+    }
+    return false;
+}

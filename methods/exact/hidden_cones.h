@@ -58,4 +58,7 @@ enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
                                     struct pp_error *err);
 void pp_hidden_cones_clear(struct pp_hidden_cones *cones);
 
+/* True if a direction of the upper hemisphere (room's axes) is hidden. */
+bool pp_hidden_cones_hide(const struct pp_hidden_cones *cones, struct pp_vec3 u);
+
 #endif

@@ -6,8 +6,6 @@
 #include "model/geometry/vec.h"
 #include "model/light/sun.h"
 
-#define SUNSHINE_W_M2 120.0
-
 /* Hour of solar time, from the hour angle h: at the equator the sun is at (-sin h, cos
  * h) in the plane of east and zenith, apart from its declination. */
 static int solar_hour(double days_since_2000, double longitude_rad)
@@ -32,7 +30,7 @@ struct pp_sunshine pp_sunshine_of_epw(const struct pp_epw *epw)
         if (isnan(record->direct_w_m2) || sun.altitude_rad <= 0.0)
             continue;
         int month = record->date.month - 1, hour = solar_hour(n, epw->longitude_rad);
-        bool shines = record->direct_w_m2 > SUNSHINE_W_M2;
+        bool shines = record->direct_w_m2 > PP_SUNSHINE_W_M2;
         up[month][hour]++;
         sunshine.share[month][hour] += shines;
         sunshine.known |= shines;

@@ -10,6 +10,8 @@
 
 #include "formats/epw/epw.h"
 
+#define PP_SUNSHINE_W_M2 120.0 /* direct normal irradiance above which the sun shines */
+
 enum { PP_SUNSHINE_MONTHS = 12, PP_SUNSHINE_HOURS = 24 };
 
 struct pp_sunshine {

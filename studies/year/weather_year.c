@@ -106,6 +106,7 @@ static void add_hour(struct pp_weather_year *year, const struct pp_epw_record *r
                                      .start_h = record->start_h,
                                      .length_h = year->epw->record_h,
                                      .sky = -1};
+    hour->direct_w_m2 = record->direct_w_m2;
     hour->known = !isnan(record->direct_w_m2) && !isnan(record->diffuse_w_m2);
     if (hour->known)
         add_sky(year, record, hour);

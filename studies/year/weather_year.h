@@ -18,6 +18,7 @@ struct pp_weather_hour {
     struct pp_month_day date;
     int weekday;              /* 0 Monday to 6 Sunday, or PP_WEEKDAY_UNKNOWN */
     double start_h, length_h; /* local standard time */
+    double direct_w_m2;       /* direct normal irradiance; NAN: not known */
     bool known;
     bool lit; /* true if it has a sky or a sun */
     int sky;  /* index in skies; -1: dark, or not known */

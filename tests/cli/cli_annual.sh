@@ -72,6 +72,23 @@ check "their size" grep -q "NCOLS=578" "$scratch/c.mtx"
 check "a chart" quietly chart year -w "$scratch/year.epw" -o "$scratch/year.svg" "$room"
 check "a chart without weather" refuses 2 "--weather" chart year -o "$scratch/x.svg" "$room"
 
+# It is sunny for 7 hours on 365 days, and a window to the south or north has all or none of
+# them.
+if command -v pdftotext >/dev/null; then
+    sunny() { # NORTH HOURS
+        sed -e '/<skyline/d' -e "s/<room /<room north=\"$1\" /" "$room" \
+            >"$scratch/turned.xml"
+        quietly chart sun-path -w "$scratch/year.epw" -o "$scratch/sun.pdf" \
+            "$scratch/turned.xml" &&
+            pdftotext "$scratch/sun.pdf" - | tr '\n' ' ' | grep -q "window in $2 of 2555 hours"
+    }
+    check "hours with sunshine that reach a window to the south" sunny 0.5 2555
+    check "and none to the north" sunny 180.5 0
+fi
+sed '/<site/d' "$room" >"$scratch/placeless.xml"
+check "sun paths without a location" refuses 1 "latitude" chart sun-path -w "$scratch/year.epw" \
+    -o "$scratch/x.svg" "$scratch/placeless.xml"
+
 check "paths of a chart of the year" quietly chart year -w "$scratch/year.epw" --samples 16 \
     -o "$scratch/year.svg" "$room"
 check "as many as a power of two" refuses 2 "power of two" chart year -w "$scratch/year.epw" \

@@ -2,6 +2,8 @@
  * a count minute by minute with the almanac's sun. */
 #include "methods/exact/sunlit_hours.h"
 
+#include <stdlib.h>
+
 #include "model/light/sun.h"
 #include "model/light/sun_path.h"
 #include "tests/lib/room_of.h"
@@ -143,6 +145,31 @@ static void a_tower_hides_the_hours_of_its_azimuths(void **state)
                                          "width=\"8\" depth=\"7\" height=\"900\"/>",
                          51.5, 0.0),
                 HALF_TURN - lost * HALF_TURN / PP_PI, 1e-9);
+}
+
+/* The same tower, direction by direction, at 10 degrees; behind the wall all is hidden. */
+static void a_tower_hides_the_directions_between_its_edges(void **state)
+{
+    (void)state;
+    struct pp_world *world =
+        room("0", WINDOW("south") "<block x=\"-0.95\" y=\"-17.23\" "
+                                  "width=\"8\" depth=\"7\" height=\"900\"/>");
+    struct pp_hidden_view view = pp_hidden_cones_outside(&world->openings[0]);
+    struct pp_hidden_cones cones;
+    assert_int_equal(pp_hidden_cones_init(&cones, world, &view, NULL), PP_OK);
+    for (int degree = -179; degree < 180; degree++) {
+        double east = degree * PP_RAD, altitude = 10.0 * PP_RAD; /* from the south */
+        bool hidden = fabs(east) > 0.5 * PP_PI
+                      || (east > -atan(3.0 / 10.0) && east < atan(5.0 / 10.0));
+        if (abs(degree) == 90)
+            continue; /* along the wall */
+        assert_int_equal(pp_hidden_cones_hide(&cones, pp_vec(sin(east) * cos(altitude),
+                                                             -cos(east) * cos(altitude),
+                                                             sin(altitude))),
+                         hidden);
+    }
+    pp_hidden_cones_clear(&cones);
+    pp_world_destroy(world);
 }
 
 /* Obstructions to the east hide in the morning as much as their mirror images in the
@@ -319,6 +346,7 @@ TEST_FILE
         cmocka_unit_test(two_sides_of_a_wall_share_the_day),
         cmocka_unit_test(an_endless_skyline_takes_all_of_the_equinox_or_nothing),
         cmocka_unit_test(a_tower_hides_the_hours_of_its_azimuths),
+        cmocka_unit_test(a_tower_hides_the_directions_between_its_edges),
         cmocka_unit_test(mornings_mirror_afternoons),
         cmocka_unit_test(a_year_is_what_counting_makes_of_it),
         cmocka_unit_test(caps_change_no_hour),
