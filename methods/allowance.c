@@ -8,6 +8,7 @@
 
 #include "methods/method.h"
 #include "model/base/text.h"
+#include "model/light/slats/blind.h"
 
 /* Factor G: diffuse transmittance divided by that of clear single glass. */
 static double glass_type(const struct pp_glass *glass)
@@ -110,6 +111,13 @@ static int correct(struct correction list[CORRECTIONS_MOST], unsigned allowances
     if (opening->curtains != 1.0)
         list[count++] = (struct correction){"K", "transmittance of the curtains",
                                             opening->curtains};
+    if (opening->device.kind == PP_DEVICE_SCREEN)
+        list[count++] = (struct correction){"S", "openness of the screen",
+                                            opening->device.openness};
+    if (opening->blind)
+        list[count++] = (struct correction){
+            "S", "mean transmittance of the blind for light from sky and ground",
+            opening->blind->mean};
     return count;
 }
 

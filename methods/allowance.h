@@ -1,15 +1,18 @@
-/* allowance.h - the corrections for glass, frame, dirt, curtains and decorations.
+/* allowance.h - the corrections for glass, frame, dirt, curtains, blinds and
+ * decorations.
  *
  * Published figures differ in the corrections that they already contain. A method
  * declares those (pp_method.allowances), and pp_allowance_of is the product of the others,
  * so that none is counted twice:
  *
- *     DF = ((SC + ERC) M G B + IRC M G D) K                                  [BRE310]
+ *     DF = ((SC + ERC) M G B + IRC M G D) K S                                [BRE310]
  *
  *   M   maintenance: transmittance of the dirty glass over that of clean glass
  *   G   glass type: diffuse transmittance over that of clear single glass
  *   B   frame: net glass area over opening area
  *   K   curtains: their transmittance (not in the source, nor in any published figure)
+ *   S   screen or blind: openness of the screen, or mean transmittance of the blind
+ *       (light/slats/blind.h); likewise not in the source
  *   D   deterioration of decorations
  *
  * Formulae with the net glass area W already include B in W (PP_ALLOWS_FRAME). D

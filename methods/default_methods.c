@@ -26,8 +26,9 @@ static bool is_refused(char *why, size_t size, const struct pp_method *method,
         snprintf(why, size, "%s: %s", method->name, reason);
         return true;
     }
-    for (int i = 0; i < world->opening_count && method->refuses; i++) {
-        reason = method->refuses(world, light, &world->openings[i], receiver);
+    for (int i = 0; i < world->opening_count; i++) {
+        reason = pp_method_refuses_opening(method, world, light, &world->openings[i],
+                                           receiver);
         if (!reason)
             continue;
         snprintf(why, size, "%s: %s %s %s", method->name,

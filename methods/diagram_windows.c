@@ -14,7 +14,8 @@ enum pp_status pp_diagram_windows_check(const struct pp_method *method,
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "%s: %s", method->name, why);
     for (int i = 0; i < world->opening_count; i++) {
-        why = method->refuses(world, light, &world->openings[i], receiver);
+        why = pp_method_refuses_opening(method, world, light, &world->openings[i],
+                                        receiver);
         if (why)
             return pp_fail(err, PP_BAD_INPUT, "%s: %s %s %s", method->name,
                            pp_world_kind(world, world->openings[i].line),

@@ -82,8 +82,9 @@ static enum pp_status check_method(const struct pp_method *method,
         method->refuses_room ? method->refuses_room(world, light, NULL) : NULL;
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "%s: %s", method->name, why);
-    for (int i = 0; i < world->opening_count && method->refuses; i++) {
-        why = method->refuses(world, light, &world->openings[i], NULL);
+    for (int i = 0; i < world->opening_count; i++) {
+        why =
+            pp_method_refuses_opening(method, world, light, &world->openings[i], NULL);
         if (why)
             return pp_fail(err, PP_BAD_INPUT, "%s: %s %s %s", method->name,
                            pp_world_kind(world, world->openings[i].line),

@@ -50,3 +50,14 @@ const struct pp_method *pp_method_find(const char *name)
             return pp_methods[i];
     return NULL;
 }
+
+const char *pp_method_refuses_opening(const struct pp_method *method,
+                                      const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const struct pp_receiver *receiver)
+{
+    if (opening->blind && !method->takes_blinds)
+        return "has a blind, but the method covers only windows without blinds";
+    return method->refuses ? method->refuses(world, light, opening, receiver) : NULL;
+}

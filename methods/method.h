@@ -84,6 +84,8 @@ struct pp_method {
                            * pp_allowance */
     double own_ground;    /* ground reflectance built into its figures, whatever the
                            * room's; 0: none */
+    bool takes_blinds;    /* multiplies its figures by the mean transmittance of a
+                           * blind; else a window with a blind is refused */
     bool by_name;         /* left out of "all": made for receivers that few rooms
                            * have */
     bool counts;      /* counts squares or dots: readings are multiples of the value of
@@ -171,6 +173,14 @@ const struct pp_method *pp_method_at(int index);
 
 /* The method of that name, or NULL. */
 const struct pp_method *pp_method_find(const char *name);
+
+/* Reason why the method does not cover an opening, as pp_method.refuses: also for
+ * openings with a blind, unless the method takes them. */
+const char *pp_method_refuses_opening(const struct pp_method *method,
+                                      const struct pp_world *world,
+                                      const struct pp_outside_light *light,
+                                      const struct pp_opening *opening,
+                                      const struct pp_receiver *receiver);
 
 /* The methods by name. Sky and externally reflected component: */
 extern const struct pp_method pp_method_exact;

@@ -146,8 +146,9 @@ static bool method_refuses(const struct pp_method_run *run,
     const struct pp_world *world = run->world;
     if (method->refuses_room)
         answer->why = method->refuses_room(world, run->light, receiver);
-    for (int i = 0; i < world->opening_count && method->refuses && !answer->why; i++) {
-        answer->why = method->refuses(world, run->light, world->openings + i, receiver);
+    for (int i = 0; i < world->opening_count && !answer->why; i++) {
+        answer->why = pp_method_refuses_opening(method, world, run->light,
+                                                world->openings + i, receiver);
         answer->opening = answer->why ? world->openings + i : NULL;
     }
     return answer->why != NULL;

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "charts/room/device_drawing.h"
+
 /* Coordinates of a place in the wall's plane, from the foot of the perpendicular from
  * the eye. */
 static void elevation_xy(const struct pp_room_elevation *elevation,
@@ -92,10 +94,12 @@ void pp_room_elevation_draw(cairo_t *cr, const struct pp_style *style,
     pp_style_line(cr, style->thick, PP_INK);
     cairo_stroke(cr);
     for (int i = 0; i < world->opening_count; i++)
-        if (world->openings[i].face == elevation->first->face)
+        if (world->openings[i].face == elevation->first->face) {
             trace_outline(cr, elevation, &world->openings[i].inner);
-    pp_style_line(cr, style->medium, PP_INK);
-    cairo_stroke(cr);
+            pp_device_drawing_front(cr, style, &world->openings[i]);
+            pp_style_line(cr, style->medium, PP_INK);
+            cairo_stroke(cr);
+        }
     draw_covers(cr, style, elevation);
     pp_style_line(cr, style->thin, PP_INK);
     cairo_set_dash(cr, dashes, 2, 0.0);

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "charts/room/device_drawing.h"
 #include "charts/room/plan_names.h"
 #include "charts/room/plan_outside.h"
 
@@ -166,6 +167,11 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
     if (!high)
         trace_jambs(cr, ends, out, depth);
     cairo_stroke(cr);
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2; k++)
+            ends[i][k] += lines[1] * out[k];
+    pp_device_drawing_cut(cr, style, opening, ends[0], ends[1],
+                          (double[]){-out[0], -out[1]}, opening->device.vertical);
 }
 
 /* Draws a door: the wall's line is interrupted up to the facade; the closed leaf is at

@@ -50,8 +50,10 @@ void pp_room_words_opening(char *text, size_t room, const struct pp_world *world
     if (opening->reveal_m > 0.0)
         pp_text_append(text, room, ", reveal %.2f\u00a0m", opening->reveal_m);
     say_glass(text, room, opening);
-    pp_text_append(text, room, "; frame %.3g, dirt %.3g.", opening->frame_factor,
+    pp_text_append(text, room, "; frame %.3g, dirt %.3g", opening->frame_factor,
                    opening->maintenance);
+    pp_window_device_say(&opening->device, text, room, "\u00b0");
+    pp_text_append(text, room, ".");
 }
 
 void pp_room_words_outside(char *text, size_t room, const struct pp_world *world)

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "charts/room/device_drawing.h"
 #include "charts/room/room_plan.h"
 #include "charts/section/section_outside.h"
 #include "charts/section/section_sight.h"
@@ -191,6 +192,27 @@ static void draw_covers_behind(const struct section_drawing *drawing)
     }
 }
 
+/* Draws the device beside the glass that is cut between two ends on paper. Slats follow
+ * each other upwards. */
+static void draw_device_cut(const struct section_drawing *drawing,
+                            const struct pp_opening *opening, double ends[2][2])
+{
+    const struct pp_section_cut *cut = drawing->section->cut;
+    int low = ends[0][1] < ends[1][1];
+    double dx = ends[!low][0] - ends[low][0], dy = ends[!low][1] - ends[low][1];
+    double length = hypot(dx, dy);
+    const struct pp_vec3 n = opening->inner.normal;
+    double inwards[2] = {dy / length, -dx / length};
+    /* s runs to the right on paper, z upwards. */
+    if ((n.x * cut->along[0] + n.y * cut->along[1]) * inwards[0] - n.z * inwards[1]
+        < 0.0) {
+        inwards[0] = -inwards[0];
+        inwards[1] = -inwards[1];
+    }
+    pp_device_drawing_cut(drawing->cr, drawing->style, opening, ends[low], ends[!low],
+                          inwards, !opening->device.vertical);
+}
+
 /* Draws glass as two thin lines, and the sides of a reveal out to it. */
 static void draw_openings_cut(const struct section_drawing *drawing)
 {
@@ -225,6 +247,8 @@ static void draw_openings_cut(const struct section_drawing *drawing)
                      (double[]){glass->z[end], inner->z[end]});
         }
         cairo_stroke(drawing->cr);
+        draw_device_cut(drawing, &world->openings[glass->of],
+                        (double[2][2]){{x0, y0}, {x1, y1}});
     }
 }
 

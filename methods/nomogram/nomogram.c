@@ -116,6 +116,7 @@ const struct pp_method pp_method_nomogram = {
     .source = "GEEBELEN",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .takes_blinds = true,
     .own_ground = 0.1, /* as in `bre` */
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,

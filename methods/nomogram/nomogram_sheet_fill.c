@@ -163,8 +163,8 @@ static enum pp_status read_window(struct pp_nomogram_reading *reading,
     if (nomogram->kind != PP_NOMOGRAM_POSITION)
         return pp_nomogram_reading_of_opening(reading, nomogram, room->world,
                                               room->light, opening, err);
-    const char *why =
-        room->method->refuses(room->world, room->light, opening, room->receiver);
+    const char *why = pp_method_refuses_opening(room->method, room->world, room->light,
+                                                opening, room->receiver);
     enum pp_status status = PP_OK;
     if (!why)
         status =

@@ -176,7 +176,8 @@ static enum pp_status keep_if_largest(struct pp_protractor_sheet *sheet,
 {
     const struct pp_world *world = sheet->world;
     struct pp_receiver receiver = {.position = sheet->point, .normal = {0, 0, 1}};
-    const char *why = pp_method_protractor.refuses(world, light, opening, &receiver);
+    const char *why = pp_method_refuses_opening(&pp_method_protractor, world, light,
+                                                opening, &receiver);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "%s %s %s",
                        pp_world_kind(world, opening->line), opening->label, why);

@@ -62,6 +62,7 @@ const struct pp_method pp_method_arndt = {
     .source = "ARN38",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .takes_blinds = true,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_luminous_room,

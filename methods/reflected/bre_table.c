@@ -157,6 +157,7 @@ const struct pp_method pp_method_bre_table = {
     .source = "BRE310",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .takes_blinds = true,
     .own_ground = PP_BRE_GROUND_REFLECTANCE,
     .speaks_for = PP_FOR_MINIMUM,
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,

@@ -135,6 +135,7 @@ const struct pp_method pp_method_dresler = {
     .source = "DRE54",
     .formulae = formulae,
     .gives = PP_GIVES_INTERNAL,
+    .takes_blinds = true,
     .speaks_for = PP_FOR_ROOM,
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_luminous_room,

@@ -18,6 +18,7 @@
 #include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 #include "model/geometry/vec.h"
+#include "model/light/slats/window_device.h"
 #include "model/mesh/mesh_triangles.h"
 #include "model/room/placement.h"
 #include "model/room/world.h"
@@ -107,6 +108,7 @@ struct pp_opening_part {
     double x, y, depth_m;                     /* rooflight, with width_m */
     struct pp_vertices vertices;              /* opening */
     struct pp_glazing_part glazing;
+    struct pp_window_device device;
     struct pp_shade_part *shades; /* windows only */
     int shade_count;
     int line;

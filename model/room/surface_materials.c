@@ -77,17 +77,35 @@ static double clean_share(const struct pp_opening *opening)
     return opening->maintenance * opening->curtains;
 }
 
+/* F: share of the opening's area that is neither frame nor the fabric of a screen. */
+static double open_share(const struct pp_opening *opening)
+{
+    return opening->device.kind == PP_DEVICE_SCREEN
+               ? opening->frame_factor * opening->device.openness
+               : opening->frame_factor;
+}
+
+/* Mean reflectance of the frame, which is that of the wall, and of the fabric. */
+static double frame_reflectance(const struct pp_opening *opening, double wall)
+{
+    double frame = 1.0 - opening->frame_factor,
+           fabric = opening->frame_factor - open_share(opening);
+    return fabric > 0.0 ? (frame * wall + fabric * opening->device.reflectance)
+                              / (frame + fabric)
+                        : wall;
+}
+
 double pp_surface_materials_pane_straight(const struct pp_opening *opening,
                                           double cosine)
 {
-    return pp_glass_transmittance(&opening->glass, cosine) * opening->frame_factor
+    return pp_glass_transmittance(&opening->glass, cosine) * open_share(opening)
            * clean_share(opening);
 }
 
 double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
                                           double cosine)
 {
-    return pp_glass_reflectance(&opening->glass, cosine) * opening->frame_factor;
+    return pp_glass_reflectance(&opening->glass, cosine) * open_share(opening);
 }
 
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int index,
@@ -95,9 +113,9 @@ struct pp_material pp_surface_materials_pane(const struct pp_world *world, int i
 {
     const struct pp_opening *opening = &world->openings[index];
     const struct pp_surface *face = &world->surfaces[opening->face];
-    struct pp_material material =
-        pp_material_glazing(&opening->glass, opening->frame_factor,
-                            clean_share(opening), inside ? face->front : face->back);
+    struct pp_material material = pp_material_glazing(
+        &opening->glass, open_share(opening), clean_share(opening),
+        frame_reflectance(opening, inside ? face->front : face->back));
     name(&material, "glazing", !inside);
     return material;
 }
@@ -191,6 +209,13 @@ enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
     *materials = (struct pp_surface_materials){
         .sides = malloc(((size_t)count + 1) * sizeof *materials->sides)};
     enum pp_status status = materials->sides ? PP_OK : pp_fail_memory(err);
+    for (int i = 0; status == PP_OK && i < world->opening_count; i++)
+        if (world->openings[i].blind)
+            status = pp_fail(err, PP_BAD_INPUT,
+                             "%s %s has a blind, which simulations and exports do not "
+                             "cover; expected none",
+                             pp_world_kind(world, world->openings[i].line),
+                             world->openings[i].label);
     for (int i = 0; status == PP_OK && i < 2 * count; i++) {
         struct pp_material side = surface_side_material(world, i / 2, i % 2 == 0, matt);
         status = find_material(materials, &side, &materials->sides[i / 2][i % 2], err);

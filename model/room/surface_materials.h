@@ -22,7 +22,8 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int s
  *
  *     straight(cosine) = tau(cosine) F M K         mirrored(cosine) = rho(cosine) F
  *
- *   F   frame factor: glass area over opening area
+ *   F   share of the area that is open: frame factor (glass area over opening area) and
+ *       openness of a screen; the rest reflects diffusely, as wall and as fabric
  *   M   maintenance factor: share of the light that passes the dirt
  *   K   share of the light that passes the curtains
  *

@@ -13,6 +13,7 @@
 #include "model/room/build/fittings.h"
 #include "model/room/build/free_surfaces.h"
 #include "model/room/build/outline.h"
+#include "model/light/slats/blind.h"
 #include "model/room/build/place_openings.h"
 #include "model/room/build/receivers.h"
 #include "model/room/build/resolve.h"
@@ -39,6 +40,7 @@ void pp_world_destroy(struct pp_world *world)
         pp_polygon_clear(&world->openings[i].inner);
         pp_polygon_clear(&world->openings[i].outer);
         free(world->openings[i].name);
+        pp_blind_release(world->openings[i].blind);
     }
     free(world->surfaces);
     for (int i = 0; i < world->block_count; i++)

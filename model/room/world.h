@@ -17,6 +17,7 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 #include "model/light/glass.h"
+#include "model/light/slats/window_device.h"
 #include "model/room/placement.h"
 #include "model/room/room_use.h"
 
@@ -93,10 +94,12 @@ struct pp_opening {
     double maintenance;       /* share of the light that passes the dirt */
     bool maintenance_is_auto; /* from the world's edition of dirt */
     double curtains;          /* share of the light that passes the curtains; 1: none */
-    double reveal_m;          /* depth; 0: glass in the plane of the face */
-    int facade;               /* facade that it looks out of; -1: none */
-    double recess_m;          /* distance of the glass behind that facade's plane */
-    char *name;               /* NULL: no name */
+    struct pp_window_device device; /* PP_DEVICE_NONE: none. A curtain is in `glass` */
+    struct pp_blind *blind;         /* its light (slats/blind.h); NULL: no blind */
+    double reveal_m;                /* depth; 0: glass in the plane of the face */
+    int facade;                     /* facade that it looks out of; -1: none */
+    double recess_m; /* distance of the glass behind that facade's plane */
+    char *name;      /* NULL: no name */
     char
         label[PP_WORLD_LABEL]; /* for people: its name, shortened to fit, or by its kind
                                  * and place in the file W1, W2 or RL1 (a rooflight) */

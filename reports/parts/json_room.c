@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "model/light/slats/blind.h"
 #include "reports/parts/json.h"
 
 static const char *const roles[] = {
@@ -55,6 +56,18 @@ bool pp_json_room_add_opening_names(struct json_object *object,
     return true;
 }
 
+/* Adds the blind, screen or curtain, if there is one. */
+static bool add_device(struct json_object *object, const struct pp_opening *opening)
+{
+    const struct pp_window_device *device = &opening->device;
+    if (device->kind == PP_DEVICE_NONE)
+        return true;
+    if (!pp_json_text(object, "device", pp_window_device_word(device->kind)))
+        return false;
+    return !opening->blind
+           || pp_json_number(object, "blind-transmittance", opening->blind->mean);
+}
+
 static struct json_object *opening_of(const struct pp_world *world, int index)
 {
     const struct pp_opening *opening = &world->openings[index];
@@ -84,7 +97,8 @@ static struct json_object *opening_of(const struct pp_world *world, int index)
         && (!opening->maintenance_is_auto
             || pp_json_text(object, "maintenance-by",
                             pp_corrections_editions[world->dirt]))
-        && pp_json_number(object, "curtains", opening->curtains);
+        && pp_json_number(object, "curtains", opening->curtains)
+        && add_device(object, opening);
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);

@@ -206,6 +206,7 @@ static void describe_opening(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, " (%s)", pp_corrections_editions[world->dirt]);
     if (opening->curtains != 1.0)
         pp_text_append(text, TEXT_BYTES, ", curtains transmit %.3g", opening->curtains);
+    pp_window_device_say(&opening->device, text, TEXT_BYTES, " deg");
 }
 
 /* Passes on the openings; those with the same description are grouped. */

@@ -7,9 +7,11 @@
 
 #include "model/base/text.h"
 #include "model/room/corrections.h"
+#include "model/room/build/devices.h"
 #include "model/room/build/opening_outline.h"
 #include "model/room/face_frame.h"
 #include "model/geometry/tolerance.h"
+#include "model/light/slats/blind.h"
 #include "model/room/build/outline.h"
 
 /* Moves vertices that extend beyond the face by at most the tolerance to the edge of
@@ -137,10 +139,15 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
     opening.slope_rad = atan2(hypot(normal.x, normal.y), -normal.z);
     if (isnan(opening.maintenance))
         find_maintenance(r, &opening);
+    enum pp_status status = pp_devices_put(r, &opening, part, err);
+    if (status != PP_OK)
+        return status;
 
     struct pp_vec3 *vertices = malloc(count * sizeof *vertices);
-    if (!vertices)
+    if (!vertices) {
+        pp_blind_release(opening.blind);
         return pp_fail_memory(err);
+    }
     struct pp_bounds2 bounds = pp_bounds2_empty();
     double low_z = INFINITY, high_z = -INFINITY;
     for (int i = 0; i < count; i++) {
@@ -154,7 +161,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
     opening.middle_z_m = 0.5 * (low_z + high_z);
     opening.rectangle = is_upright_rectangle(xy, count, bounds.low, bounds.high);
 
-    enum pp_status status = pp_polygon_of(&opening.inner, vertices, count, err);
+    status = pp_polygon_of(&opening.inner, vertices, count, err);
     if (status == PP_OK) {
         for (int i = 0; i < count; i++)
             vertices[i] = pp_vec_along(vertices[i], -opening.reveal_m, normal);
@@ -173,6 +180,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
         pp_polygon_clear(&opening.inner);
         pp_polygon_clear(&opening.outer);
         free(opening.name);
+        pp_blind_release(opening.blind);
     }
     return status;
 }

@@ -6,6 +6,7 @@
 
 #include "model/light/glazings.h"
 #include "model/room/read/element_form.h"
+#include "model/room/read/read_device.h"
 
 static struct pp_glass named_glass(struct pp_reader *r, const char *name)
 {
@@ -124,6 +125,7 @@ void pp_read_opening(struct pp_reader *r, struct pp_room *room,
     if (kind == PP_OPENING)
         good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
     good = good && glass_of(r, &part.glazing.glass, &form, e);
+    good = pp_read_device(r, &part.device, e) && good;
     if (kind == PP_WINDOW)
         read_shades(r, &part, e);
     if (!good || !PP_READER_RESERVE(r, room->openings, room->opening_count)) {

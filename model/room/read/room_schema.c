@@ -192,10 +192,37 @@ static const struct pp_attribute_rule shelf_rows[] = {
     {"reflectance", &pp_room_values_reflectance, OR(0.7), IN(shade, finish)},
 };
 LEAF(shelf, "shelf", shelf_rows);
+static const struct pp_attribute_rule blind_rows[] = {
+    {"slat-width", &pp_room_values_size, OR(0.025), IN(blind, width_m)},
+    {"spacing", &pp_room_values_size, OR(NAN), IN(blind, spacing_m)},
+    {"angle", &pp_room_values_slat_angle, OR(0), IN(blind, angle_rad)},
+    {"curvature", &pp_room_values_coordinate, OR(0), IN(blind, curvature_m)},
+    {"reflectance", &pp_room_values_reflectance, OR(0.5), IN(blind, upper)},
+    {"reflectance-below", &pp_room_values_reflectance, OR(NAN), IN(blind, lower)},
+    {"direction", &pp_room_values_slat_direction, OR(0), IN(blind, direction)},
+    {"position", &pp_room_values_device_position, OR(0), IN(blind, position)},
+};
+LEAF(blind, "blind", blind_rows);
+static const struct pp_attribute_rule screen_rows[] = {
+    {"openness", &pp_room_values_fraction, REQUIRED, IN(screen, openness)},
+    {"reflectance", &pp_room_values_reflectance, OR(0.5), IN(screen, finish)},
+};
+LEAF(screen, "screen", screen_rows);
+static const struct pp_attribute_rule curtain_rows[] = {
+    {"transmittance", &pp_room_values_transmittance, REQUIRED,
+     IN(curtain, transmittance)},
+};
+LEAF(curtain, "curtain", curtain_rows);
+#define DEVICES                                                                        \
+    {&pp_rule_blind, 0, 0}, {&pp_rule_screen, 0, 0},                                   \
+    {                                                                                  \
+        &pp_rule_curtain, 0, 0                                                         \
+    }
 static const struct pp_child_rule window_children[] = {{&pp_rule_overhang, 0, 0},
                                                        {&pp_rule_fin, 0, 0},
                                                        {&pp_rule_balcony, 0, 0},
-                                                       {&pp_rule_shelf, 0, 0}};
+                                                       {&pp_rule_shelf, 0, 0},
+                                                       DEVICES};
 RULE(window, "window", window_rows, window_children);
 static const struct pp_attribute_rule rooflight_rows[] = {
     {"x", &pp_room_values_coordinate, REQUIRED, IN(opening, x)},
@@ -204,9 +231,12 @@ static const struct pp_attribute_rule rooflight_rows[] = {
     {"depth", &pp_room_values_size, REQUIRED, IN(opening, depth_m)},
     GLAZING_ROWS,
 };
-LEAF(rooflight, "rooflight", rooflight_rows);
+static const struct pp_child_rule rooflight_children[] = {DEVICES};
+RULE(rooflight, "rooflight", rooflight_rows, rooflight_children);
 static const struct pp_attribute_rule opening_rows[] = {GLAZING_ROWS};
-RULE(opening, "opening", opening_rows, polygon);
+static const struct pp_child_rule opening_children[] = {
+    {&pp_rule_vertex, 3, PP_ROOM_VERTICES_MOST}, DEVICES};
+RULE(opening, "opening", opening_rows, opening_children);
 
 static const struct pp_attribute_rule skyline_rows[] = {
     {"wall", &wall, REQUIRED, IN(skyline, wall)},

@@ -172,6 +172,22 @@ struct pp_shade_form {
     struct pp_finish_value finish;
 };
 
+struct pp_blind_form {
+    double width_m, spacing_m, angle_rad, curvature_m; /* spacing NAN: not given */
+    struct pp_finish_value upper, lower;               /* lower NAN: as upper */
+    int direction;                                     /* 0 horizontal, 1 vertical */
+    int position;                                      /* enum pp_device_position */
+};
+
+struct pp_screen_form {
+    double openness;
+    struct pp_finish_value finish;
+};
+
+struct pp_curtain_form {
+    double transmittance;
+};
+
 struct pp_garden_form {
     const char *name;
     int state;
@@ -251,6 +267,7 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_partition, pp_rule_door, pp_rule_dado, pp_rule_facade, pp_rule_garden,
     pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_mesh,
     pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
-    pp_rule_shelf, pp_rule_point, pp_rule_line, pp_rule_grid;
+    pp_rule_shelf, pp_rule_blind, pp_rule_screen, pp_rule_curtain, pp_rule_point,
+    pp_rule_line, pp_rule_grid;
 
 #endif

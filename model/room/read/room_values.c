@@ -144,6 +144,19 @@ const struct pp_value_kind pp_room_values_side = {.reading = PP_VALUE_CHOICE,
                                                   .expected =
                                                       "\"both\", \"left\" or \"right\"",
                                                   .words = sides};
+const struct pp_value_kind pp_room_values_slat_angle = {
+    PP_VALUE_NUMBER, "a number of degrees from -90 to 90", -90.0, 90.0, .unit = PP_RAD};
+static const char *const slat_directions[] = {"horizontal", "vertical", NULL};
+const struct pp_value_kind pp_room_values_slat_direction = {
+    .reading = PP_VALUE_CHOICE,
+    .expected = "\"horizontal\" or \"vertical\"",
+    .words = slat_directions};
+/* Names in the order of enum pp_device_position. */
+static const char *const device_positions[] = {"inside", "between", "outside", NULL};
+const struct pp_value_kind pp_room_values_device_position = {
+    .reading = PP_VALUE_CHOICE,
+    .expected = "\"inside\", \"between\" or \"outside\"",
+    .words = device_positions};
 static const char *const wall_kinds[] = {"outer", "inner", "party", NULL};
 const struct pp_value_kind pp_room_values_wall_kind = {
     .reading = PP_VALUE_CHOICE,

@@ -1,0 +1,15 @@
+/* devices.h - blinds, screens and curtains of a room's openings. Inside model/room/
+ * only. */
+#ifndef PP_MODEL_ROOM_BUILD_DEVICES_H
+#define PP_MODEL_ROOM_BUILD_DEVICES_H
+
+#include "model/room/build/resolve.h"
+
+/* Puts the device of the part before the opening's glass. A curtain makes it a
+ * diffusing pane, whose transmittance is the product of both for diffuse light; a blind
+ * gets its transmittances, shared with an earlier opening that has the same. Reports a
+ * blind that is not possible. */
+enum pp_status pp_devices_put(struct pp_resolver *r, struct pp_opening *opening,
+                              const struct pp_opening_part *part, struct pp_error *err);
+
+#endif
