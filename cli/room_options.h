@@ -14,6 +14,7 @@
 
 struct pp_room_options {
     struct pp_study_options study;
+    double plane_m;           /* height of the working plane; 0: as in the file */
     const char *room;         /* only the rooms of that name; NULL: all */
     enum pp_site_state state; /* state of the site; PP_STATE_BOTH: not given */
     const char *output;       /* NULL: standard output */

@@ -56,6 +56,8 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
                                           : pp_message_error(&err);
     }
 
+    if (loading->options->plane_m > 0.0)
+        pp_room_set_working_plane(room, loading->options->plane_m);
     struct pp_world *world = NULL;
     enum pp_status status = pp_world_create(&world, room, mistakes, &err);
     if (status == PP_BAD_INPUT && mistakes->count > 0)

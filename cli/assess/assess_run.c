@@ -50,6 +50,7 @@ enum pp_status pp_assess_run_compute(void *data, struct pp_error *err)
         .study = study,
         .criteria = run->words->criteria,
         .profile = run->words->profile,
+        .rules = run->words->has_rules ? &run->words->rules : NULL,
         .withdrawn = run->words->withdrawn,
         .place = run->words->place,
         .median_lux = run->words->median_lux,

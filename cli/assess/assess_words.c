@@ -10,6 +10,7 @@
 #include "model/base/text.h"
 #include "studies/criteria/assessment.h"
 #include "studies/criteria/capitals.h"
+#include "studies/criteria/rules/rule_table.h"
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
@@ -50,15 +51,20 @@ const struct pp_option pp_assess_words_table[] = {
      "Also write the schedule of windows, existing and proposed, to FILE: .csv, "
      ".xlsx, .html or .pdf.",
      pp_options_read_output, PLACE(schedule)},
+    {"rules", 0, NULL,
+     "List the rules of countries and schemes for --for, with their numbers, sources "
+     "and "
+     "certainty; assess nothing.",
+     NULL, PLACE(list_rules)},
     {0},
 };
 
 const struct pp_option pp_assess_words_choice[] = {
     {"criteria", 'c', "LIST", "Assess only these criteria: names, separated by commas.",
      pp_options_read_text, PLACE(criteria)},
-    {"for", 0, "PROFILE",
+    {"for", 0, "NAME",
      "Assess only the criteria of this profile, which is a kind of report or a use "
-     "of the room.",
+     "of the room, or the rules of a country or scheme (--rules).",
      pp_options_read_text, PLACE(profile_name)},
     {"withdrawn", 0, NULL, "Also assess criteria whose standards were withdrawn.", NULL,
      PLACE(withdrawn)},
@@ -95,6 +101,15 @@ const struct pp_option pp_assess_words_choice[] = {
     {0},
 };
 
+static bool is_profile(const char *name)
+{
+    const struct pp_profile *profile;
+    for (int i = 0; (profile = pp_profile_at(i)) != NULL; i++)
+        if (strcmp(profile->name, name) == 0)
+            return true;
+    return false;
+}
+
 void pp_assess_words_help(FILE *out)
 {
     fputs("\nCriteria:\n", out);
@@ -112,7 +127,21 @@ void pp_assess_words_help(FILE *out)
     const struct pp_profile *profile;
     for (int i = 0; (profile = pp_profile_at(i)) != NULL; i++)
         pp_options_help_word(profile->name, profile->summary, out);
-    fputs("\nAlso:", out);
+    fputs("\nRules of countries and schemes for --for (see --rules):\n ", out);
+    const char *name;
+    int column = 1;
+    for (int i = 0; (name = pp_rule_table_name(i)) != NULL; i++) {
+        struct pp_rule_set set;
+        if (!pp_rule_set_init(&set, name) || !set.is_judged || is_profile(name))
+            continue;
+        column += (int)strlen(name) + 1;
+        if (column > 78) {
+            fputs("\n ", out);
+            column = (int)strlen(name) + 2;
+        }
+        fprintf(out, " %s", name);
+    }
+    fputs("\n\nAlso:", out);
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         if (criterion->alias)
             fprintf(out, " %s (%s)", criterion->alias, criterion->name);
@@ -144,7 +173,7 @@ static enum pp_status check_place(const struct pp_assess_words *options,
 
 bool pp_assess_words_need_year(const struct pp_assess_words *words)
 {
-    return words->with_year
+    return words->with_year || (words->has_rules && words->rules.only_year)
            || pp_assessment_needs_year(words->criteria, words->profile);
 }
 
@@ -153,7 +182,9 @@ bool pp_assess_words_need_year(const struct pp_assess_words *words)
 static enum pp_status check_year(const struct pp_assess_words *options,
                                  struct pp_error *err)
 {
-    const char *by = options->with_year ? "--year" : "LEED";
+    const char *by = options->with_year   ? "--year"
+                     : options->has_rules ? options->rules.criterion.name
+                                          : "LEED";
     if (!options->weather)
         return pp_fail(err, PP_BAD_INPUT,
                        "%s needs weather data for a year; expected --weather FILE.epw",
@@ -177,11 +208,53 @@ static enum pp_status check_schedule(const struct pp_assess_words *options,
                          "expected only one of them");
 }
 
+/* Names of all profiles, then of all rules that can be judged; the number of names. */
+static int list_names(const char **names, int most)
+{
+    int count = 0;
+    const char *name;
+    for (int i = 0; pp_profile_at(i) && count < most; i++)
+        names[count++] = pp_profile_at(i)->name;
+    for (int i = 0; (name = pp_rule_table_name(i)) != NULL && count < most; i++) {
+        struct pp_rule_set set;
+        if (pp_rule_set_init(&set, name) && set.is_judged && !is_profile(name))
+            names[count++] = name;
+    }
+    return count;
+}
+
+/* Finds the profile or the rules of --for. Rules replace the room's sky and working
+ * plane. */
+static enum pp_status find_profile(struct pp_assess_words *options,
+                                   struct pp_error *err)
+{
+    enum { NAMES_MOST = 128 };
+    const char *names[NAMES_MOST], *name = options->profile_name;
+    if (is_profile(name)) {
+        options->profile = pp_profile_find(name, err);
+        return PP_OK;
+    }
+    if (!pp_rule_set_init(&options->rules, name))
+        return pp_text_unknown(err, name, names, list_names(names, NAMES_MOST), NULL,
+                               "there is no profile and no rule \"%.60s\"", name);
+    if (!options->rules.is_judged)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "--for: the rules \"%s\" are only listed, as their numbers are "
+                       "not established or not calculated; see assess --rules",
+                       name);
+    options->has_rules = true;
+    options->room.study.sky = options->rules.sky;
+    options->room.plane_m = options->rules.plane_m > 0.0 ? options->rules.plane_m : 0.0;
+    return PP_OK;
+}
+
 enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
                                      struct pp_error *err)
 {
     struct pp_assess_words *options = values;
     bool chosen[PP_CRITERIA_MOST];
+    if (options->list_rules)
+        return PP_OK;
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
@@ -197,13 +270,11 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
         status = check_place(options, err);
     if (status == PP_OK)
         status = pp_assessment_choose(chosen, options->criteria, err);
-    if (status == PP_OK && options->profile_name) {
-        options->profile = pp_profile_find(options->profile_name, err);
-        status = options->profile ? PP_OK : PP_BAD_INPUT;
-    }
+    if (status == PP_OK && options->profile_name)
+        status = find_profile(options, err);
     if (status == PP_OK && pp_assess_words_need_year(options))
         status = check_year(options, err);
-    if (status == PP_OK && options->criteria && options->profile)
+    if (status == PP_OK && options->criteria && options->profile_name)
         status = pp_fail(
             err, PP_BAD_INPUT,
             "--criteria and --for both select criteria; expected only one of them");

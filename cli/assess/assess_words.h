@@ -14,6 +14,7 @@
 #include "studies/criteria/grid/plane_grid.h"
 #include "studies/section_line.h"
 #include "studies/criteria/profile.h"
+#include "studies/criteria/rules/rule_set.h"
 #include "studies/year/weather_year.h"
 
 /* Line at which the building is mirrored, if given. */
@@ -27,6 +28,9 @@ struct pp_assess_words {
     const char *criteria;     /* as typed; NULL: all */
     const char *profile_name; /* as typed; NULL: none */
     const struct pp_profile *profile;
+    struct pp_rule_set rules; /* of that name, if it is not a profile */
+    bool has_rules;
+    bool list_rules;      /* print the table of rules, and nothing else */
     bool withdrawn;       /* --withdrawn: include withdrawn standards */
     bool table;           /* one table of all rooms instead of one sheet for each
                            * room */

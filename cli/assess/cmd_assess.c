@@ -7,6 +7,7 @@
 #include "cli/assess/schedule_file.h"
 #include "cli/command.h"
 #include "cli/format_option.h"
+#include "cli/job.h"
 #include "cli/sweep/sweep_options.h"
 #include "cli/terminal.h"
 #include "reports/assess/assess_csv.h"
@@ -14,6 +15,7 @@
 #include "reports/assess/assess_table.h"
 #include "reports/assess/assess_table_json.h"
 #include "reports/assess/assess_text.h"
+#include "reports/assess/rules_list.h"
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
@@ -45,9 +47,31 @@ static enum pp_status print_assess(const void *data, FILE *out, struct pp_error 
                                 pp_terminal_utf8(), out, err);
 }
 
+static enum pp_status print_rules(const void *data, FILE *out, struct pp_error *err)
+{
+    const struct pp_assess_words *words = data;
+    if (words->format == PP_FORMAT_JSON)
+        return pp_rules_list_json(out, err);
+    if (words->format == PP_FORMAT_CSV)
+        pp_rules_list_csv(out);
+    else
+        pp_rules_list_text(pp_terminal_width(words->room.output), out);
+    return PP_OK;
+}
+
+/* The table of rules needs no computation. */
+static enum pp_status list_nothing_else(void *data, struct pp_error *err)
+{
+    (void)data, (void)err;
+    return PP_OK;
+}
+
 static enum pp_exit run_assess(void *words, char **files, int file_count)
 {
     struct pp_assess_words *options = words;
+    if (options->list_rules)
+        return pp_job_run(&(struct pp_job){options->room.output, list_nothing_else,
+                                           print_rules, NULL, options});
     if (options->room.sweep.axis_count > 0)
         return pp_assess_sweep_run(words, files, file_count, print_assess);
     return pp_assess_run(words, "assess", files, file_count, print_assess);

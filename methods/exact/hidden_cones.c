@@ -186,3 +186,10 @@ bool pp_hidden_cones_hide(const struct pp_hidden_cones *cones, struct pp_vec3 u)
     }
     return false;
 }
+
+enum pp_status pp_hidden_cones_add_half_space(struct pp_hidden_cones *cones,
+                                              struct pp_vec3 n, struct pp_error *err)
+{
+    enum pp_status status = add_half_space(cones, n, err);
+    return status == PP_OK ? end_cone(cones, err) : status;
+}

@@ -56,6 +56,10 @@ enum pp_status pp_hidden_cones_init(struct pp_hidden_cones *cones,
                                     const struct pp_world *world,
                                     const struct pp_hidden_view *view,
                                     struct pp_error *err);
+
+/* Also hides the directions u with n.u >= 0. */
+enum pp_status pp_hidden_cones_add_half_space(struct pp_hidden_cones *cones,
+                                              struct pp_vec3 n, struct pp_error *err);
 void pp_hidden_cones_clear(struct pp_hidden_cones *cones);
 
 /* True if a direction of the upper hemisphere (room's axes) is hidden. */

@@ -135,7 +135,7 @@ enum pp_status pp_text_unknown(struct pp_error *err, const char *typed,
                                const char *const *names, int count,
                                const char *otherwise, const char *format, ...)
 {
-    char message[sizeof err->message] = "", expected[512], question[512];
+    char message[sizeof err->message] = "", expected[960], question[512];
     va_list arguments;
     va_start(arguments, format);
     pp_text_append_v(message, sizeof message, format, arguments);

@@ -246,6 +246,11 @@ enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
     return pp_sky_words_parse(&room->sky, spec, err);
 }
 
+void pp_room_set_working_plane(struct pp_room *room, double height_m)
+{
+    room->working_plane_m = height_m;
+}
+
 void pp_room_take_sky(struct pp_room *room, const struct pp_room *other)
 {
     struct pp_sky_part sky = pp_sky_words_copy(&other->sky);

@@ -60,6 +60,9 @@ void pp_room_set_maintenance(struct pp_room *room, int index, double maintenance
 enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
                                struct pp_error *err);
 
+/* Replaces the height of the working plane (m above the floor). */
+void pp_room_set_working_plane(struct pp_room *room, double height_m);
+
 /* Replaces the room's sky by that of another room. */
 void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
 

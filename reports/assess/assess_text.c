@@ -273,7 +273,8 @@ static void print_assessed_room(const struct pp_assessment *assessment,
                 pp_room_use_words[assessment->room->world->use]);
     for (int i = 0; i < assessment->answers.count; i++)
         print_answer(&assessment->answers.list[i], layout, out);
-    if (options->simulate && assessment->has_factors)
+    if (options->simulate
+        && (assessment->has_factors || assessment->points.receiver_count > 0))
         print_simulation(assessment, options, &layout, out);
     if (!options->simulate && assessment->has_factors) {
         print_bands(assessment, &layout, out);

@@ -23,6 +23,8 @@ static const char *unit_of(enum pp_figure kind, bool utf8)
         return utf8 ? " m\xc2\xb2" : " m2";
     case PP_FIGURE_HOURS:
         return " h";
+    case PP_FIGURE_LUX:
+        return " lx";
     case PP_FIGURE_RATIO:
     case PP_FIGURE_COUNT:
         break;
@@ -56,9 +58,12 @@ static int decimals_more(const struct pp_finding *finding, int decimals)
 static int decimals_of(const struct pp_finding *finding, int *significant)
 {
     bool one = finding->kind == PP_FIGURE_ANGLE || finding->kind == PP_FIGURE_SHARE;
-    int usual = finding->kind == PP_FIGURE_COUNT ? 0 : one ? 1 : 2;
+    bool none = finding->kind == PP_FIGURE_COUNT || finding->kind == PP_FIGURE_LUX;
+    int usual = none ? 0 : one ? 1 : 2;
     int more = decimals_more(finding, usual);
-    *significant = 3 + more;
+    double bound = fabs(pp_figure_scale(finding->kind) * finding->wanted);
+    int digits = bound >= 1000.0 ? (int)log10(bound) + 1 : 3;
+    *significant = digits + more;
     return usual + more;
 }
 

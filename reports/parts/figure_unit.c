@@ -15,6 +15,7 @@ static const struct {
     [PP_FIGURE_LENGTH] = {"m", 1.0},
     [PP_FIGURE_AREA] = {"m2", 1.0},
     [PP_FIGURE_HOURS] = {"h", 1.0},
+    [PP_FIGURE_LUX] = {"lx", 1.0},
 };
 
 double pp_figure_scale(enum pp_figure kind)

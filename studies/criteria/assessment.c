@@ -13,9 +13,12 @@
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/grid/plane_trace.h"
+#include "studies/criteria/grid/plane_year.h"
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/room_before.h"
+#include "studies/criteria/rules/rule_points.h"
 #include "studies/lighting/lighting_control.h"
+#include "studies/study_report.h"
 
 /* Marks the criteria named in a comma-separated list; NULL: all. */
 enum pp_status pp_assessment_choose(bool chosen[PP_CRITERIA_MOST], const char *list,
@@ -76,6 +79,9 @@ static struct pp_inquiry inquiry_of(const struct pp_assessment *assessment,
         .median = assessment->median,
         .sunshine = options->sunshine,
         .year = assessment->has_year ? &assessment->year : NULL,
+        .year_grid = assessment->year_grid.count > 0 ? &assessment->year_grid : NULL,
+        .rules = options->rules,
+        .points = assessment->point_list ? &assessment->points : NULL,
         .french_m = options->french_m,
         .least_altitude_rad = options->least_altitude_rad,
         .country = options->profile && !own[0] ? options->profile->country : own,
@@ -129,6 +135,11 @@ static enum pp_status judge_criteria(struct pp_answer_list *answers,
         answer->criterion = criterion;
         status = criterion->evaluate(inquiry, &answer->findings, err);
     }
+    if (status == PP_OK && inquiry->rules && applies(&inquiry->rules->criterion)) {
+        struct pp_answer *answer = &answers->list[answers->count++];
+        answer->criterion = &inquiry->rules->criterion;
+        status = answer->criterion->evaluate(inquiry, &answer->findings, err);
+    }
     return status;
 }
 
@@ -171,7 +182,8 @@ enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
  * refinement of the grid. */
 static bool is_coarse(const struct pp_finding *finding)
 {
-    if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over))
+    if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over)
+        || finding->kind == PP_FIGURE_LUX) /* at the points of the year */
         return false;
     double noise = 0.0;
     if (isfinite(finding->std_error))
@@ -267,6 +279,10 @@ static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
 {
     const struct pp_world *world = assessment->room->world;
     const struct pp_profile *profile = options->criteria ? NULL : options->profile;
+    if (options->rules) {
+        memset(chosen, 0, PP_CRITERIA_MOST * sizeof *chosen);
+        return PP_OK;
+    }
     const char *list = options->criteria;
     if (profile)
         list = assessment->before && profile->of_neighbours ? profile->of_neighbours
@@ -313,27 +329,53 @@ bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *pro
     return false;
 }
 
+/* True if a criterion needs the year at points of the plane: the rules', or that of
+ * the plane's hours, unless another one needs it at the room's own points. */
+static bool needs_year_of_plane(const bool chosen[PP_CRITERIA_MOST],
+                                const struct pp_assess_options *options)
+{
+    bool of_plane = options->rules && options->rules->of_year;
+    const struct pp_criterion *criterion;
+    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++) {
+        if (chosen[i] && criterion->of_year)
+            return false;
+        of_plane |= chosen[i] && criterion->of_plane_year;
+    }
+    return of_plane;
+}
+
 /* Simulates the room's year if it is wanted, or a chosen criterion needs it, and
  * there is a weather file. */
 static enum pp_status simulate_year(struct pp_assessment *assessment,
+                                    const bool chosen[PP_CRITERIA_MOST],
                                     const struct pp_assess_options *options,
                                     struct pp_error *err)
 {
+    const struct pp_study_room *room = assessment->room;
+    bool of_plane = needs_year_of_plane(chosen, options);
     if (!options->year || !options->study->simulate
-        || !(options->with_year
+        || !(options->with_year || of_plane
              || pp_assessment_needs_year(options->criteria, options->profile)))
         return PP_OK;
-    struct pp_annual_options annual = pp_annual_options_lm83;
+    struct pp_annual_options annual = pp_plane_year_options(options->study);
     if (options->with_year) {
         annual.lighting_count = PP_LIGHTING_CONTROL_IDEAL;
         pp_lighting_control_ideal(annual.lighting, annual.illuminances_lx[0]);
     }
-    annual.seed = options->study->seed;
-    annual.threads = options->study->threads;
-    annual.watch = options->study->watch;
+    enum pp_status status =
+        of_plane
+            ? pp_plane_year_grid(&assessment->year_grid, room->world, &options->grid,
+                                 options->rules && options->rules->of_sda, err)
+            : PP_OK;
+    if (status != PP_OK || (of_plane && assessment->year_grid.count == 0))
+        return status;
     assessment->has_year = true;
-    enum pp_status status = pp_annual_of_study_room(&assessment->year, assessment->room,
-                                                    options->year, &annual, err);
+    status = of_plane ? pp_annual_of_room(&assessment->year, room->world, &room->light,
+                                          assessment->year_grid.receivers,
+                                          assessment->year_grid.count, true,
+                                          options->year, &annual, err)
+                      : pp_annual_of_study_room(&assessment->year, room, options->year,
+                                                &annual, err);
     if (status == PP_OK)
         assessment->report.finished &= assessment->year.finished;
     return status;
@@ -385,10 +427,16 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
         status = choose_criteria(chosen, assessment, options, err);
     if (status != PP_OK)
         return status;
-    assessment->has_factors = any_of_factors(chosen);
-    assessment->has_average =
-        options->of_averages || is_chosen(chosen, &pp_criterion_average);
-    return gather_factors(assessment, chosen, options, err);
+    const struct pp_rule_set *rules = options->rules;
+    assessment->has_factors =
+        any_of_factors(chosen) || (rules && rules->criterion.of_factors);
+    assessment->has_average = options->of_averages
+                              || is_chosen(chosen, &pp_criterion_average)
+                              || (rules && rules->of_average);
+    status = gather_factors(assessment, chosen, options, err);
+    return status == PP_OK && rules && rules->point ? pp_rule_points_report(
+               &assessment->points, &assessment->point_list, room, rules->point, err)
+                                                    : status;
 }
 
 enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
@@ -398,7 +446,13 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     bool chosen[PP_CRITERIA_MOST];
     enum pp_status status = choose_criteria(chosen, assessment, options, err);
     if (status == PP_OK)
-        status = simulate_year(assessment, options, err);
+        status = simulate_year(assessment, chosen, options, err);
+    if (status == PP_OK && assessment->points.receiver_count > 0
+        && options->study->simulate) {
+        status = pp_study_report_traced(&assessment->points, options->study,
+                                        &assessment->by_clock, err);
+        assessment->report.finished &= assessment->points.finished;
+    }
     if (status == PP_OK)
         status = judge_room(assessment, chosen, any_criterion, options, err);
     while (status == PP_OK && options->trace_again && assessment->report.finished
@@ -411,8 +465,8 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     }
     if (status == PP_OK && assessment->cumulative)
         status = judge_cumulative(assessment, chosen, options, err);
-    assessment->has_gains =
-        !options->criteria && !options->profile && !options->verdicts_only;
+    assessment->has_gains = !options->criteria && !options->profile && !options->rules
+                            && !options->verdicts_only;
     if (status == PP_OK && assessment->has_gains)
         status = pp_gains_find(&assessment->gains, assessment->room->room,
                                assessment->room->world, &assessment->room->light, err);
@@ -434,6 +488,9 @@ void pp_assessment_clear(struct pp_assessment *assessment)
     pp_report_clear(&assessment->report);
     pp_plane_grid_clear(&assessment->grid);
     pp_annual_sheet_clear(&assessment->year);
+    pp_plane_grid_clear(&assessment->year_grid);
+    pp_report_clear(&assessment->points);
+    free(assessment->point_list);
     free(assessment->pairs);
     free(assessment->mirrored_pairs);
     free(assessment->cumulative_pairs);

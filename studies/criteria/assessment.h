@@ -10,6 +10,7 @@
 #include "studies/criteria/room_before.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/profile.h"
+#include "studies/criteria/rules/rule_set.h"
 #include "studies/sizing/gains.h"
 #include "studies/year/annual.h"
 
@@ -19,6 +20,9 @@ struct pp_assess_options {
         *criteria; /* comma-separated names, evaluated whatever the room's use and
                     * country; NULL: the profile's */
     const struct pp_profile *profile; /* not owned; NULL: all */
+    const struct pp_rule_set *rules;  /* instead of criteria and profile; the rooms have
+                                       * the rules' sky and working plane; not owned;
+                                       * NULL: none */
     bool withdrawn;    /* without criteria and profile: also those of withdrawn
                      * standards */
     const char *place; /* a capital of the standard's table; NULL: the room's site */
@@ -77,7 +81,11 @@ struct pp_assessment {
     bool has_gains; /* true if all criteria were selected, and improvements were
                      * searched */
     struct pp_gains gains;
-    struct pp_annual_sheet year; /* if has_year; owned */
+    struct pp_receiver *point_list; /* the rules' points; owned */
+    struct pp_report points;        /* daylight factors there */
+    struct pp_plane_grid year_grid; /* points of the year, unless they are the room's;
+                                     * cell count 0 */
+    struct pp_annual_sheet year;    /* if has_year; owned */
     bool has_year;
     bool by_clock; /* the simulation was stopped by the clock */
 };

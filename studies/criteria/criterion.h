@@ -19,6 +19,8 @@
 #include "model/results/sheets/annual_sheet.h"
 #include "model/room/world.h"
 
+struct pp_rule_set; /* rules/rule_table.h */
+
 /* The room to be assessed, and the data for it. Nothing is owned. */
 struct pp_inquiry {
     const struct pp_world *world;
@@ -44,7 +46,13 @@ struct pp_inquiry {
                       * full-height window is calculated; 0: at its centre */
     double least_altitude_rad; /* altitude above which the sun counts for EN 17037; 0:
                                 * the country's, if known */
-    const struct pp_annual_sheet *year; /* the room's simulated year; NULL: none */
+    const struct pp_annual_sheet *year;    /* the room's simulated year; NULL: none */
+    const struct pp_plane_grid *year_grid; /* the year's points; NULL: not on a grid of
+                                            * the plane */
+    const struct pp_rule_set *rules; /* rules to judge, whose sky and working plane the
+                                      * world already has; NULL: none */
+    const struct pp_report *points;  /* daylight factors at the rules' points; NULL: the
+                                     * rules have none */
     const char *country; /* ISO 3166 code of the country whose rules apply; "":
                                 * unknown */
 };
@@ -64,8 +72,10 @@ struct pp_criterion {
     bool of_states;          /* judges sky and sun, which change with the state of the
                               * site */
     bool of_gardens;         /* is evaluated only with a room that has gardens */
-    bool of_year;    /* judges by the inquiry's year; it is assessed only if named */
-    bool of_factors; /* judges by the inquiry's factors; else they may be NULL */
+    bool of_year;       /* judges by the inquiry's year; it is assessed only if named */
+    bool of_plane_year; /* judges by the inquiry's year on a grid of the plane, if
+                         * there is a weather file */
+    bool of_factors;    /* judges by the inquiry's factors; else they may be NULL */
     bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
     const char *countries;                      /* codes of the countries it applies in,
                                                  * "GB IE"; NULL: any */

@@ -26,7 +26,7 @@
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/factors.h"
-#include "studies/criteria/grid/plane_share.h"
+#include "studies/criteria/grid/share_finding.h"
 
 static const double half = 0.5, nearly_all = 0.95;
 static const double level_rad = 15.0 * PP_RAD;
@@ -59,27 +59,13 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
              100.0 * target->part);
     struct pp_finding finding = pp_finding_not_judged(why ? why : "", "%s", what);
     if (!why) {
-        struct pp_plane_share share;
-        struct pp_grid_error error;
-        double wanted = target->lux / inquiry->median.lux;
-        enum pp_status status =
-            pp_plane_share(&share, column->points, inquiry->factors->receiver_count,
-                           column->common, target->part, wanted, err);
-        if (status == PP_OK)
-            status = pp_factors_grid_error(&error, inquiry, column, target->part,
-                                           wanted, err);
+        const struct pp_share_target wanted = {
+            PP_FIGURE_FACTOR, target->lux / inquiry->median.lux, target->part};
+        enum pp_status status = pp_share_finding(&finding, &wanted, column,
+                                                 inquiry->factors->receiver_count,
+                                                 inquiry->grid, what, err);
         if (status != PP_OK)
             return status;
-        finding =
-            pp_finding_of(PP_FIGURE_FACTOR, share.level, wanted, false, "%s", what);
-        finding.reached_over = share.over;
-        struct pp_band_ends band;
-        status = pp_factors_band(&band, column, inquiry->factors->receiver_count,
-                                 target->part, err);
-        if (status != PP_OK)
-            return status;
-        pp_factors_judge_share(&finding, &share, &error, 1.0);
-        pp_finding_by_hand(&finding, band);
     }
     finding.is_optional = target->is_optional;
     return pp_finding_list_add(findings, &finding, err);

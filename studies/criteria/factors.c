@@ -4,7 +4,9 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "methods/default_methods.h"
 #include "methods/evaluate.h"
@@ -32,6 +34,8 @@ enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err
 const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
 {
     const struct pp_sky *sky = &inquiry->light->sky;
+    if (inquiry->rules) /* their sky replaces the room's */
+        return NULL;
     bool overcast =
         sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);
     return overcast ? NULL
@@ -39,12 +43,16 @@ const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
                       "different sky";
 }
 
-/* Names the method on which the findings are based. */
+/* Names the method on which the findings are based, once. */
 static void set_basis(struct pp_finding_list *findings, const char *name)
 {
     bool simulated = name == traced;
-    pp_finding_list_add_basis(findings, "by %s%s", simulated ? "simulation" : name,
-                              simulated ? "" : ", not simulated");
+    char words[80];
+    snprintf(words, sizeof words, "by %s%s", simulated ? "simulation" : name,
+             simulated ? "" : ", not simulated");
+    if (!strstr(findings->basis, words))
+        pp_finding_list_add_basis(findings, "%s%s", findings->basis[0] ? "; " : "",
+                                  words);
 }
 
 /* Reason why the column lacks a value at some point; NULL if every point has one. */

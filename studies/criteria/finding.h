@@ -18,11 +18,12 @@ enum pp_figure {
     PP_FIGURE_LENGTH, /* m */
     PP_FIGURE_AREA,   /* m2 */
     PP_FIGURE_HOURS,
+    PP_FIGURE_LUX,
 };
 
 struct pp_finding {
-    char what[80]; /* "W1, south"; "300 lx over 50 % of the plane" */
-    int line;      /* line of the opening in the room file; 0: the room as a whole */
+    char what[128]; /* "W1, south"; "300 lx over 50 % of the plane" */
+    int line;       /* line of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
     double figure;                        /* NAN: not judged */
     double now, before;                   /* the values compared by the figure
@@ -51,7 +52,7 @@ struct pp_finding {
                       * not counted */
     const char *decided_by; /* criterion that decides if this one is not met, which is
                              * then not a failure; NULL: this one decides. Static */
-    char note[320];         /* sentences without the last full stop; may be empty */
+    char note[480];         /* sentences without the last full stop; may be empty */
 };
 
 /* Word for a verdict: "met", "not met", "undecided", "not judged"; NULL for a figure
@@ -70,7 +71,7 @@ const char *pp_finding_own_word(const struct pp_finding *finding);
 struct pp_finding_list {
     struct pp_finding *list;
     int count;
-    char basis[320]; /* method by which the figures were found, as a sentence without
+    char basis[640]; /* method by which the figures were found, as a sentence without
                       * a full stop; empty if they follow from the room file */
     struct pp_lit_change
         lit; /* for rights of light; for other findings, and if it is not assessed,

@@ -8,25 +8,10 @@
  * The room represents all regularly occupied area.
  */
 #include "studies/criteria/criteria.h"
-
-#include <math.h>
+#include "studies/criteria/rules/rule_year.h"
 
 static const double steps[] = {0.40, 0.55, 0.75};
 static const double ase_most = 0.10;
-
-static struct pp_finding share_of_plane(const struct pp_annual_value *value,
-                                        double wanted, bool at_most, const char *what)
-{
-    struct pp_finding finding =
-        pp_finding_of(PP_FIGURE_SHARE, value->value, wanted, at_most, "%s", what);
-    if (value->std_error > 0.0) {
-        double reaches =
-            pp_finding_probability_at_least(value->value, value->std_error, wanted);
-        pp_finding_sampled(&finding, value->std_error,
-                           at_most ? 1.0 - reaches : reaches);
-    }
-    return finding;
-}
 
 static enum pp_status add_credit_points(const struct pp_annual_sheet *year,
                                         struct pp_finding_list *findings,
@@ -37,7 +22,7 @@ static enum pp_status add_credit_points(const struct pp_annual_sheet *year,
     enum pp_status status = PP_OK;
     for (int i = 0; i < 3 && status == PP_OK; i++) {
         struct pp_finding finding =
-            share_of_plane(&year->plane.sda, steps[i], false, names[i]);
+            pp_rule_year_share(&year->plane.sda, steps[i], false, names[i]);
         finding.is_optional = i > 0;
         if (i == 0)
             pp_finding_note(&finding,
@@ -53,7 +38,7 @@ static enum pp_status add_exposure(const struct pp_annual_sheet *year,
                                    struct pp_error *err)
 {
     struct pp_finding finding =
-        share_of_plane(&year->plane.ase, ase_most, true, "ASE1000,250");
+        pp_rule_year_share(&year->plane.ase, ase_most, true, "ASE1000,250");
     finding.is_optional = true;
     if (finding.verdict != PP_MET)
         pp_finding_note(&finding, "explain how the space is protected from glare");

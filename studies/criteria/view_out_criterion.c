@@ -143,29 +143,13 @@ static enum pp_status add_views(struct pp_finding_list *findings,
     return status;
 }
 
-/* Makes a grid with spacing_m, or with wider cells if it would have more than
- * most_cells. */
-static enum pp_status make_grid(struct pp_plane_grid *grid,
-                                const struct pp_world *world, struct pp_error *err)
-{
-    struct pp_grid_choice choice = {.spacing_m = spacing_m,
-                                    .margin_m = PP_PLANE_GRID_MARGIN_M};
-    for (;;) {
-        enum pp_status status = pp_plane_grid_make(grid, world, NULL, &choice, 0, err);
-        long cells = (long)grid->columns * grid->rows;
-        if (status != PP_OK || cells <= most_cells)
-            return status;
-        pp_plane_grid_clear(grid);
-        choice.spacing_m *= sqrt((double)cells / most_cells) * 1.01;
-    }
-}
-
 static enum pp_status assess_view(const struct pp_inquiry *inquiry,
                                   struct pp_finding_list *findings,
                                   struct pp_error *err)
 {
     struct pp_plane_grid grid;
-    enum pp_status status = make_grid(&grid, inquiry->world, err);
+    enum pp_status status = pp_plane_grid_at_most(
+        &grid, inquiry->world, spacing_m, PP_PLANE_GRID_MARGIN_M, most_cells, err);
     if (status == PP_OK && grid.count == 0) {
         struct pp_finding none = pp_finding_not_judged(
             "no part of the working plane is 0.5 m or more from the walls", "view out");

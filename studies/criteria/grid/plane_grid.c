@@ -113,6 +113,22 @@ enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,
     return add_points(grid, world, low, err);
 }
 
+enum pp_status pp_plane_grid_at_most(struct pp_plane_grid *grid,
+                                     const struct pp_world *world, double spacing_m,
+                                     double margin_m, int most_cells,
+                                     struct pp_error *err)
+{
+    struct pp_grid_choice choice = {.spacing_m = spacing_m, .margin_m = margin_m};
+    for (;;) {
+        enum pp_status status = pp_plane_grid_make(grid, world, NULL, &choice, 0, err);
+        long cells = (long)grid->columns * grid->rows;
+        if (status != PP_OK || cells <= most_cells)
+            return status;
+        pp_plane_grid_clear(grid);
+        choice.spacing_m *= sqrt((double)cells / most_cells) * 1.01;
+    }
+}
+
 void pp_plane_grid_clear(struct pp_plane_grid *grid)
 {
     free(grid->receivers);

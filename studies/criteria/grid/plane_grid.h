@@ -54,6 +54,13 @@ enum pp_status pp_plane_grid_make(struct pp_plane_grid *grid,
                                   const struct pp_room *room,
                                   const struct pp_grid_choice *choice, int halvings,
                                   struct pp_error *err);
+
+/* The same grid by this spacing and margin (m), or by a wider spacing if it would have
+ * more than most_cells. */
+enum pp_status pp_plane_grid_at_most(struct pp_plane_grid *grid,
+                                     const struct pp_world *world, double spacing_m,
+                                     double margin_m, int most_cells,
+                                     struct pp_error *err);
 void pp_plane_grid_clear(struct pp_plane_grid *grid);
 
 /* Makes the points of the grid with the largest cells that [EN17037] permits; the

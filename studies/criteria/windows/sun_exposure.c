@@ -18,6 +18,7 @@
 #include "methods/exact/sunlit_hours.h"
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
+#include "studies/criteria/windows/exposure_point.h"
 
 #define ABOVE_FLOOR_M 1.2
 #define ABOVE_SILL_M 0.3
@@ -38,30 +39,6 @@ static double known_altitude_rad(const char *country)
     return 0.0;
 }
 
-/* The reference point of an opening. */
-static struct pp_vec3 exposure_point(const struct pp_opening *opening)
-{
-    const struct pp_polygon *outline = &opening->inner;
-    double low = INFINITY, high = -INFINITY;
-    double left = INFINITY, right = -INFINITY;
-    struct pp_vec3 origin = outline->vertices[0];
-    for (int i = 0; i < outline->count; i++) {
-        struct pp_vec3 off = pp_vec_sub(outline->vertices[i], origin);
-        double x = pp_vec_dot(off, opening->along), y = pp_vec_dot(off, opening->up);
-        left = fmin(left, x);
-        right = fmax(right, x);
-        low = fmin(low, y);
-        high = fmax(high, y);
-    }
-    double y = 0.5 * (low + high);
-    if (fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD) {
-        double floor = ABOVE_FLOOR_M - origin.z;
-        y = fmin(high, fmax(low + ABOVE_SILL_M, floor));
-    }
-    struct pp_vec3 middle = pp_vec_along(origin, 0.5 * (left + right), opening->along);
-    return pp_vec_along(middle, y, opening->up);
-}
-
 /* The hours of sun above an altitude through any of the openings. */
 static enum pp_status find_hours(double *hours, const struct pp_world *world,
                                  double above_rad, struct pp_error *err)
@@ -72,9 +49,9 @@ static enum pp_status find_hours(double *hours, const struct pp_world *world,
     enum pp_status status = PP_OK;
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        struct pp_hidden_view view = {exposure_point(opening),
-                                      pp_vec_scale(opening->inner.normal, -1.0),
-                                      opening->face, opening};
+        struct pp_hidden_view view = {
+            pp_exposure_point(opening, ABOVE_FLOOR_M, ABOVE_SILL_M),
+            pp_vec_scale(opening->inner.normal, -1.0), opening->face, opening};
         struct pp_hidden_cones cones;
         status = pp_hidden_cones_init(&cones, world, &view, err);
         if (status != PP_OK)
