@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "reports/annual/lighting_report.h"
+#include "reports/annual/lighting_text.h"
 #include "reports/parts/print.h"
 #include "reports/parts/table.h"
 
@@ -148,27 +149,6 @@ static bool put_place(struct pp_table *table, const struct pp_annual_sheet *shee
     return column != NULL;
 }
 
-/* Prints the columns of the electric light saved with each point as control point. */
-static bool put_lighting_columns(struct pp_table *table,
-                                 const struct pp_annual_sheet *sheet)
-{
-    for (int k = 0; k < sheet->lighting_count; k++) {
-        const struct pp_lighting_sheet *of = &sheet->lighting[k];
-        char heading[32];
-        snprintf(heading, sizeof heading, "lighting %d", k + 1);
-        struct pp_table_column *column =
-            pp_table_add(table, "light saved %", "%", heading);
-        if (!column)
-            return false;
-        for (int x = 0; x <= sheet->receiver_count; x++)
-            snprintf(column->cells[x], PP_CELL_BYTES, "%.1f",
-                     100.0
-                         * (x < sheet->receiver_count ? of->points[x].value
-                                                      : of->mean.value));
-    }
-    return true;
-}
-
 static bool print_points(const struct text_page *page)
 {
     static const char autonomy[] = "autonomy %", useful[] = "useful lx %",
@@ -200,7 +180,7 @@ static bool print_points(const struct text_page *page)
                                                           : light,
                           n->title, n->index, n->unit, n->digits);
     }
-    good = good && put_lighting_columns(&table, sheet);
+    good = good && pp_lighting_text_points(&table, sheet);
     if (good)
         pp_table_print(&table, page->width, page->out);
     pp_table_clear(&table);
@@ -265,14 +245,14 @@ static void print_groups(const struct text_page *page)
     }
 }
 
-static void print_lighting(const struct text_page *page)
+/* Prints the settings of the controls. */
+static void print_controls(const struct text_page *page)
 {
     for (int k = 0; k < page->sheet->lighting_count; k++) {
-        char label[32], text[1000];
-        snprintf(label, sizeof label, "lighting %d", k + 1);
-        print_annual_fact(
-            page, label,
-            pp_lighting_report_words(text, sizeof text, page->sheet, k, page->utf8));
+        char label[32], text[400];
+        snprintf(label, sizeof label, "control %d", k + 1);
+        print_annual_fact(page, label,
+                          pp_lighting_report_words(text, sizeof text, page->sheet, k));
     }
 }
 
@@ -304,8 +284,13 @@ static bool print_annual_room(const struct pp_annual_result *result, int width,
     print_errors(&page);
     print_discretisation(&page);
     print_groups(&page);
-    print_lighting(&page);
+    print_controls(&page);
     fputc('\n', out);
+    if (sheet->lighting_count > 0) {
+        if (!pp_lighting_text_table(sheet, width, out))
+            return false;
+        fputc('\n', out);
+    }
     return print_points(&page);
 }
 

@@ -11,54 +11,31 @@
 #include "studies/lighting/lighting_control.h"
 #include "studies/lighting/lighting_year.h"
 
-/* Energy of lamps at full power in all occupied hours. */
-static double installed_kwh(const struct pp_annual_sheet *sheet, int k)
+double pp_lighting_report_kwh(const struct pp_annual_sheet *sheet, int k)
 {
     return sheet->lighting[k].control.power_w * sheet->occupied_h / 1000.0;
+}
+
+bool pp_lighting_report_short_records(const struct pp_annual_sheet *sheet)
+{
+    return sheet->hour_count > 0 && sheet->hours[0].length_h < 1.0;
+}
+
+const char *pp_lighting_report_words(char *text, size_t room,
+                                     const struct pp_annual_sheet *sheet, int k)
+{
+    const struct pp_lighting_control *control = &sheet->lighting[k].control;
+    pp_lighting_control_words(text, room, control);
+    if (isfinite(control->power_w))
+        pp_text_append(text, room, "; %.4g W/m2, %.4g W", control->power_w_m2,
+                       control->power_w);
+    return text;
 }
 
 /* Share used, from the share saved. */
 static struct pp_annual_value used_share(const struct pp_annual_value *saved)
 {
     return (struct pp_annual_value){1.0 - saved->value, saved->std_error};
-}
-
-static bool has_short_records(const struct pp_annual_sheet *sheet)
-{
-    return sheet->hour_count > 0 && sheet->hours[0].length_h < 1.0;
-}
-
-const char *pp_lighting_report_words(char *text, size_t room,
-                                     const struct pp_annual_sheet *sheet, int k,
-                                     bool utf8)
-{
-    const struct pp_lighting_sheet *of = &sheet->lighting[k];
-    const struct pp_lighting_figures *figures = &of->figures;
-    const char *sign = utf8 ? "\xC2\xB1" : "+-";
-    double kwh = installed_kwh(sheet, k), saved = figures->saved.value;
-    pp_lighting_control_words(text, room, &of->control);
-    pp_text_append(text, room,
-                   ". Saved: %.1f %% %s %.1f; lamps on in %.0f of %.0f h, with the "
-                   "energy of %.0f h at full power",
-                   100.0 * saved, sign, 100.0 * figures->saved.std_error,
-                   figures->on_h.value, sheet->occupied_h, figures->used_h.value);
-    if (isfinite(kwh))
-        pp_text_append(text, room,
-                       ". %.4g W/m2, %.4g W: %.0f kWh used, %.0f %s %.0f kWh saved",
-                       of->control.power_w_m2, of->control.power_w, kwh * (1.0 - saved),
-                       kwh * saved, sign, kwh * figures->saved.std_error);
-    if (sheet->receiver_count > 1)
-        pp_text_append(text, room,
-                       ". Mean of all points, each with its own control: %.1f %%",
-                       100.0 * of->mean.value);
-    if (has_short_records(sheet))
-        pp_text_append(text, room,
-                       ". From hourly means instead of records of %g h: %.1f %%, "
-                       "difference %+.2f %s %.2f percentage points",
-                       sheet->hours[0].length_h, 100.0 * figures->saved_by_means.value,
-                       100.0 * figures->misjudged.value, sign,
-                       100.0 * figures->misjudged.std_error);
-    return text;
 }
 
 /* ---- JSON ---- */
@@ -94,7 +71,7 @@ static bool add_control(struct json_object *object, const struct pp_annual_sheet
     const struct pp_lighting_sheet *of = &sheet->lighting[k];
     const struct pp_lighting_figures *figures = &of->figures;
     struct pp_annual_value used = used_share(&figures->saved);
-    double kwh = installed_kwh(sheet, k);
+    double kwh = pp_lighting_report_kwh(sheet, k);
     bool good =
         add_settings(object, &of->control)
         && pp_annual_figure_json(object, "saved", &figures->saved, 100.0, NULL)
@@ -103,7 +80,7 @@ static bool add_control(struct json_object *object, const struct pp_annual_sheet
         && pp_annual_figure_json(object, "on-h", &figures->on_h, 1.0, NULL)
         && pp_annual_figure_json(object, "used-kwh", &used, kwh, no_power)
         && pp_annual_figure_json(object, "saved-kwh", &figures->saved, kwh, no_power);
-    if (good && has_short_records(sheet))
+    if (good && pp_lighting_report_short_records(sheet))
         good = pp_annual_figure_json(object, "saved-by-hourly-means",
                                      &figures->saved_by_means, 100.0, NULL)
                && pp_annual_figure_json(object, "misjudged-by-hourly-means",
@@ -154,7 +131,7 @@ static void put_saved(const struct pp_annual_sheet *sheet, int k,
                       const struct pp_annual_value *saved, FILE *out)
 {
     struct pp_annual_value used = used_share(saved);
-    double kwh = installed_kwh(sheet, k);
+    double kwh = pp_lighting_report_kwh(sheet, k);
     pp_format_csv_number(100.0 * saved->value, out);
     pp_format_csv_number(100.0 * saved->std_error, out);
     pp_format_csv_number(sheet->occupied_h * used.value, out);

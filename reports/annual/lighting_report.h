@@ -1,4 +1,4 @@
-/* lighting_report.h - electric light saved by daylight: sentences, JSON, CSV and the
+/* lighting_report.h - electric light saved by daylight: settings, JSON, CSV and the
  * schedule of a year. Shares are in per cent. */
 #ifndef PP_REPORTS_ANNUAL_LIGHTING_REPORT_H
 #define PP_REPORTS_ANNUAL_LIGHTING_REPORT_H
@@ -9,10 +9,15 @@
 
 #include "model/results/sheets/annual_sheet.h"
 
-/* The results of control k in sentences. Returns text. */
+/* Energy of lamps at full power in all occupied hours; NAN if the power is not given. */
+double pp_lighting_report_kwh(const struct pp_annual_sheet *sheet, int k);
+
+/* True if records are shorter than an hour, so that hourly means differ from them. */
+bool pp_lighting_report_short_records(const struct pp_annual_sheet *sheet);
+
+/* The settings of control k and its power. Returns text. */
 const char *pp_lighting_report_words(char *text, size_t room,
-                                     const struct pp_annual_sheet *sheet, int k,
-                                     bool utf8);
+                                     const struct pp_annual_sheet *sheet, int k);
 
 /* Adds "lighting", an array with an object for each control. False: out of memory. */
 bool pp_lighting_report_json(struct json_object *object,

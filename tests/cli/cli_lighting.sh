@@ -119,8 +119,10 @@ EOF
 check "any number of threads gives the same bytes" same_by_threads "1 3" $weather -f json $dimmed \
     $manual "$room"
 
-check "text" shows "kWh saved" $weather $dimmed "$room"
+check "text" shows "energy, kWh" $weather $dimmed "$room"
 check "its settings" shows "down to 10 % of the light at 20 % of the power" $weather -f json $dimmed "$room"
+check "text of short records" shows "saved, from hourly means" $annual -w "$scratch/quarters.epw" \
+    $dimmed --points 1,1 "$room"
 check "no power has no energy" shows "no installed power given" $weather -f json --lighting dimmed \
     "$room"
 check "an unknown control" refuses 2 "on-off, stepped, dimmed or manual" $weather --lighting off "$room"
