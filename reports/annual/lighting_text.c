@@ -69,7 +69,7 @@ static double hourly_error(const struct pp_annual_sheet *sheet, int k)
 }
 
 static const char electric[] = "electric light saved", used[] = "used",
-                  energy[] = "energy, kWh", means[] = "saved, from hourly means";
+                  energy[] = "energy, kWh", means[] = "saved by hourly means";
 
 static const struct lighting_column columns[] = {
     {NULL, NULL, "control", "%.0f", control_number},
@@ -80,9 +80,9 @@ static const struct lighting_column columns[] = {
     {used, "used", "hours of full power", "%.0f", full_power_h},
     {energy, "kWh", "used", "%.1f", used_kwh},
     {energy, "kWh", "saved", "%.1f", saved_kwh},
-    {means, "means", "%", "%.1f", hourly_percent},
-    {means, "means", "differ- ence", "%+.2f", hourly_difference},
-    {means, "means", "standard error", "%.2f", hourly_error},
+    {means, "hourly means", "%", "%.1f", hourly_percent},
+    {means, "hourly means", "differ- ence", "%+.2f", hourly_difference},
+    {means, "hourly means", "standard error", "%.2f", hourly_error},
 };
 
 /* True if a column has a meaning for this sheet. */

@@ -121,7 +121,7 @@ check "any number of threads gives the same bytes" same_by_threads "1 3" $weathe
 
 check "text" shows "energy, kWh" $weather $dimmed "$room"
 check "its settings" shows "down to 10 % of the light at 20 % of the power" $weather -f json $dimmed "$room"
-check "text of short records" shows "saved, from hourly means" $annual -w "$scratch/quarters.epw" \
+check "text of short records" shows "saved by hourly means" $annual -w "$scratch/quarters.epw" \
     $dimmed --points 1,1 "$room"
 check "no power has no energy" shows "no installed power given" $weather -f json --lighting dimmed \
     "$room"
