@@ -20,48 +20,9 @@
 #include "studies/criteria/criteria.h"
 #include "methods/reflected/interior.h"
 #include "model/geometry/frame.h"
-#include "model/geometry/tolerance.h"
+#include "studies/side_lit_box.h"
 
 static const char title_of_ratio[] = "d/w + d/h";
-
-static bool is_level(const struct pp_polygon *polygon)
-{
-    return fabs(polygon->normal.z) > cos(PP_LEVEL_RAD);
-}
-
-/* The window wall of a box-shaped room with windows in one wall; NULL for any other
- * room, with the reason in *why. A box has one level floor, one horizontal ceiling and
- * four more faces, all with four corners and right angles, to 1e-3. */
-static const struct pp_surface *window_wall(const struct pp_world *world,
-                                            const char **why)
-{
-    int floors = 0, ceilings = 0, rectangles = 0;
-    for (int i = 0; i < world->face_count; i++) {
-        const struct pp_surface *face = &world->surfaces[i];
-        floors += face->role == PP_FLOOR && is_level(&face->outline);
-        ceilings += face->role == PP_CEILING && is_level(&face->outline);
-        rectangles += face->outline.count == 4;
-        for (int k = 0; k < face->outline.count; k++) {
-            const struct pp_vec3 *v = face->outline.vertices;
-            int n = face->outline.count;
-            struct pp_vec3 a = pp_vec_sub(v[(k + 1) % n], v[k]);
-            struct pp_vec3 b = pp_vec_sub(v[(k + 2) % n], v[(k + 1) % n]);
-            rectangles -=
-                fabs(pp_vec_dot(a, b)) > 1e-3 * pp_vec_length(a) * pp_vec_length(b);
-        }
-    }
-    *why = world->face_count != 6 || floors != 1 || ceilings != 1 || rectangles != 6
-               ? "the room is not a box"
-           : world->opening_count == 0 ? "the room has no openings"
-                                       : NULL;
-    for (int i = 0; i < world->opening_count && !*why; i++) {
-        if (world->surfaces[world->openings[i].face].role != PP_WALL)
-            *why = "the room also has rooflights";
-        else if (world->openings[i].face != world->openings[0].face)
-            *why = "the room has windows in more than one wall";
-    }
-    return *why ? NULL : &world->surfaces[world->openings[0].face];
-}
 
 /* Adds a polygon's part farther than `from` along `into` to the sums of area and of
  * area times reflectance. */
@@ -112,42 +73,20 @@ static enum pp_status rear_reflectance(double *mean, const struct pp_world *worl
     return PP_OK;
 }
 
-/* Extent of the room along a direction; *low is its lower end. */
-static double room_extent_along(const struct pp_world *world, struct pp_vec3 along,
-                                double *low)
-{
-    double high = -INFINITY;
-    *low = INFINITY;
-    for (int i = 0; i < world->face_count; i++)
-        for (int k = 0; k < world->surfaces[i].outline.count; k++) {
-            double at = pp_vec_dot(world->surfaces[i].outline.vertices[k], along);
-            *low = fmin(*low, at);
-            high = fmax(high, at);
-        }
-    return high - *low;
-}
-
 static enum pp_status assess_limiting_depth(const struct pp_inquiry *inquiry,
                                             struct pp_finding_list *findings,
                                             struct pp_error *err)
 {
     const struct pp_world *world = inquiry->world;
     const char *why;
-    const struct pp_surface *wall = window_wall(world, &why);
-    if (!wall) {
+    struct pp_side_lit_box box;
+    if (!pp_side_lit_box_of(&box, world, &why)) {
         struct pp_finding finding = pp_finding_not_judged(why, title_of_ratio);
         return pp_finding_list_add(findings, &finding, err);
     }
-    struct pp_vec3 into = wall->outline.normal, up = {0.0, 0.0, 1.0};
-    double front, side, floor_z, head_z = -INFINITY;
-    double d = room_extent_along(world, into, &front);
-    double w = room_extent_along(world, pp_vec_cross(up, into), &side);
-    room_extent_along(world, up, &floor_z);
-    for (int i = 0; i < world->opening_count; i++)
-        for (int k = 0; k < world->openings[i].inner.count; k++)
-            head_z = fmax(head_z, world->openings[i].inner.vertices[k].z);
-    double h = head_z - floor_z, R_b;
-    enum pp_status status = rear_reflectance(&R_b, world, into, front + d / 2.0, err);
+    double d = box.depth_m, w = box.width_m, h = box.head_z - box.floor_z, R_b;
+    enum pp_status status =
+        rear_reflectance(&R_b, world, box.into, box.front + d / 2.0, err);
     if (status != PP_OK)
         return status;
 

@@ -248,8 +248,10 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
         status = pp_annual_words_fill(work->sheet, work->world, work->year,
                                       work->options, &work->clock, &work->groups, err);
     if (status == PP_OK)
-        status = pp_annual_lighting_create(&work->lighting, work->sheet, work->options,
-                                           pp_thread_pool_size(work->pool), err);
+        status = pp_annual_lighting_create(
+            &work->lighting, work->sheet,
+            work->year->epw ? work->year->epw->latitude_rad : NAN, work->options,
+            pp_thread_pool_size(work->pool), err);
     if (status == PP_OK)
         status = simulate(work, err);
     if (status != PP_OK)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "simulate/year/year_coefficients.h"
+#include "studies/lighting/en15193.h"
 #include "studies/lighting/lighting_year.h"
 #include "studies/year/year_metrics.h"
 
@@ -87,6 +88,7 @@ static enum pp_status copy_controls(struct pp_annual_sheet *sheet,
 
 enum pp_status pp_annual_lighting_create(struct pp_annual_lighting **lighting,
                                          struct pp_annual_sheet *sheet,
+                                         double latitude_rad,
                                          const struct pp_annual_options *options,
                                          int workers, struct pp_error *err)
 {
@@ -107,6 +109,9 @@ enum pp_status pp_annual_lighting_create(struct pp_annual_lighting **lighting,
         pp_annual_lighting_destroy(made);
         return pp_fail_memory(err);
     }
+    for (int k = 0; k < sheet->lighting_count; k++)
+        pp_en15193_of_room(&sheet->lighting[k].standard, sheet->world, latitude_rad,
+                           &sheet->lighting[k].control);
     *lighting = made;
     return PP_OK;
 }

@@ -11,10 +11,12 @@
 
 struct pp_annual_lighting;
 
-/* Allocates the results in the sheet, whose hours must be filled. PP_BAD_INPUT if a
- * control point does not exist. *lighting is NULL if the options have no control. */
+/* Allocates the results in the sheet, whose hours must be filled. latitude_rad: for EN
+ * 15193; NAN: not known. PP_BAD_INPUT if a control point does not exist. *lighting is
+ * NULL if the options have no control. */
 enum pp_status pp_annual_lighting_create(struct pp_annual_lighting **lighting,
                                          struct pp_annual_sheet *sheet,
+                                         double latitude_rad,
                                          const struct pp_annual_options *options,
                                          int workers, struct pp_error *err);
 void pp_annual_lighting_destroy(

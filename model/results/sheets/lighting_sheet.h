@@ -50,13 +50,24 @@ enum {
         sizeof(struct pp_lighting_figures) / sizeof(struct pp_annual_value)
 };
 
+/* The saving by the tables of EN 15193:2007 (studies/lighting/en15193.h). */
+struct pp_lighting_standard {
+    const char *why;         /* reason why there is no figure; NULL: there is one */
+    double depth_m, width_m; /* zone with daylight */
+    double factor;           /* D_C, of openings without glass */
+    int class;               /* 0 none, 1 weak, 2 medium, 3 strong */
+    double supply, control;  /* F_D,S and F_D,C */
+    double saved;            /* F_D,S F_D,C, times the zone's share of the floor */
+};
+
 struct pp_lighting_sheet {
     struct pp_lighting_control control; /* both powers given, or both NAN */
     struct pp_lighting_figures figures;
     struct pp_annual_value
         *points;                 /* [receiver]: saved if that were the control point */
     struct pp_annual_value mean; /* of points */
-    float *fraction;             /* [record]: mean share of the installed power */
+    struct pp_lighting_standard standard;
+    float *fraction; /* [record]: mean share of the installed power */
 };
 
 #endif
