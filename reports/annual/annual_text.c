@@ -254,6 +254,11 @@ static void print_controls(const struct text_page *page)
         print_annual_fact(page, label,
                           pp_lighting_report_words(text, sizeof text, page->sheet, k));
     }
+    char standard[1200];
+    if (page->sheet->lighting_count > 0)
+        print_annual_fact(
+            page, "EN 15193",
+            pp_lighting_report_standard(standard, sizeof standard, page->sheet));
 }
 
 static bool print_annual_room(const struct pp_annual_result *result, int width,

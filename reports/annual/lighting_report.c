@@ -32,6 +32,33 @@ const char *pp_lighting_report_words(char *text, size_t room,
     return text;
 }
 
+static const char *const standard_classes[] = {"none", "weak", "medium", "strong"};
+
+const char *pp_lighting_report_standard(char *text, size_t room,
+                                        const struct pp_annual_sheet *sheet)
+{
+    const struct pp_lighting_standard *zone = &sheet->lighting[0].standard;
+    if (!(zone->depth_m > 0.0)) { /* the reason is that of all controls */
+        snprintf(text, room, "no figure, because %s", zone->why);
+        return text;
+    }
+    snprintf(text, room,
+             "edition of 2007: zone %.2f m deep and %.2f m wide, D_C %.1f %%, daylight "
+             "%s",
+             zone->depth_m, zone->width_m, 100.0 * zone->factor,
+             standard_classes[zone->class]);
+    for (int k = 0; k < sheet->lighting_count; k++) {
+        const struct pp_lighting_standard *standard = &sheet->lighting[k].standard;
+        if (standard->why)
+            pp_text_append(text, room, "; control %d: no figure, because %s", k + 1,
+                           standard->why);
+        else if (standard->class > 0)
+            pp_text_append(text, room, "; control %d: F_D,S %.3f, F_D,C %.2f", k + 1,
+                           standard->supply, standard->control);
+    }
+    return text;
+}
+
 /* Share used, from the share saved. */
 static struct pp_annual_value used_share(const struct pp_annual_value *saved)
 {
@@ -88,6 +115,25 @@ static bool add_control(struct json_object *object, const struct pp_annual_sheet
     return good;
 }
 
+static bool add_standard(struct json_object *object,
+                         const struct pp_lighting_standard *standard)
+{
+    struct json_object *to = json_object_new_object();
+    if (!pp_json_add(object, "en15193-2007", to))
+        return false;
+    pp_json_on_one_line(to);
+    if (standard->why)
+        return pp_json_number(to, "saved", NAN)
+               && pp_json_text(to, "why", standard->why);
+    return pp_json_number(to, "saved", 100.0 * standard->saved)
+           && pp_json_number(to, "dc", 100.0 * standard->factor)
+           && pp_json_text(to, "class", standard_classes[standard->class])
+           && pp_json_number(to, "fds", standard->supply)
+           && pp_json_number(to, "fdc", standard->control)
+           && pp_json_number(to, "zone_depth_m", standard->depth_m)
+           && pp_json_number(to, "zone_width_m", standard->width_m);
+}
+
 bool pp_lighting_report_json(struct json_object *object,
                              const struct pp_annual_sheet *sheet)
 {
@@ -97,7 +143,8 @@ bool pp_lighting_report_json(struct json_object *object,
     bool good = pp_json_add(object, "lighting", list);
     for (int k = 0; k < sheet->lighting_count && good; k++) {
         struct json_object *to = json_object_new_object();
-        good = pp_json_append(list, to) && add_control(to, sheet, k);
+        good = pp_json_append(list, to) && add_control(to, sheet, k)
+               && add_standard(to, &sheet->lighting[k].standard);
     }
     return good;
 }

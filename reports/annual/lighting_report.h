@@ -19,6 +19,11 @@ bool pp_lighting_report_short_records(const struct pp_annual_sheet *sheet);
 const char *pp_lighting_report_words(char *text, size_t room,
                                      const struct pp_annual_sheet *sheet, int k);
 
+/* The zone, class and factors of EN 15193 for all controls, or the reason why there are
+ * none. Returns text. */
+const char *pp_lighting_report_standard(char *text, size_t room,
+                                        const struct pp_annual_sheet *sheet);
+
 /* Adds "lighting", an array with an object for each control. False: out of memory. */
 bool pp_lighting_report_json(struct json_object *object,
                              const struct pp_annual_sheet *sheet);

@@ -32,6 +32,11 @@ static double saved_mean(const struct pp_annual_sheet *sheet, int k)
     return 100.0 * sheet->lighting[k].mean.value;
 }
 
+static double standard_percent(const struct pp_annual_sheet *sheet, int k)
+{
+    return 100.0 * sheet->lighting[k].standard.saved;
+}
+
 static double lamps_on_h(const struct pp_annual_sheet *sheet, int k)
 {
     return sheet->lighting[k].figures.on_h.value;
@@ -76,6 +81,7 @@ static const struct lighting_column columns[] = {
     {electric, "saved", "%", "%.1f", saved_percent},
     {electric, "saved", "standard error", "%.1f", saved_error},
     {electric, "saved", "% mean of points", "%.1f", saved_mean},
+    {electric, "saved", "% EN 15193", "%.1f", standard_percent},
     {used, "used", "hours lamps on", "%.0f", lamps_on_h},
     {used, "used", "hours of full power", "%.0f", full_power_h},
     {energy, "kWh", "used", "%.1f", used_kwh},

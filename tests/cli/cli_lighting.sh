@@ -121,6 +121,10 @@ check "any number of threads gives the same bytes" same_by_threads "1 3" $weathe
 
 check "text" shows "energy, kWh" $weather $dimmed "$room"
 check "its settings" shows "down to 10 % of the light at 20 % of the power" $weather -f json $dimmed "$room"
+check "EN 15193 has its place" shows "F_D,C 0.77" $annual -w "$scratch/year.epw" -i 500 \
+    --lighting dimmed --points 1,1 "$examples/office.xml"
+check "and its limits" shows "38 to 60 degrees north" $annual -w "$scratch/year.epw" -f json \
+    --lighting dimmed,target=400 --points 1,1 "$examples/office.xml"
 check "text of short records" shows "saved by hourly means" $annual -w "$scratch/quarters.epw" \
     $dimmed --points 1,1 "$room"
 check "no power has no energy" shows "no installed power given" $weather -f json --lighting dimmed \
