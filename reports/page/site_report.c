@@ -13,6 +13,7 @@
 #include "reports/page/project_table.h"
 #include "reports/page/room_chapter.h"
 #include "reports/page/rooms_table.h"
+#include "reports/page/year_section.h"
 #include "reports/parts/figure_unit.h"
 #include "studies/criteria/br209_count.h"
 #include "studies/criteria/site_table.h"
@@ -365,6 +366,24 @@ static enum pp_status put_tables(struct pp_document *document,
     return status;
 }
 
+/* Adds a table of the rooms' simulated years, if there are any. */
+static enum pp_status put_years(struct pp_document *document,
+                                const struct pp_assessments *all, struct pp_error *err)
+{
+    const struct pp_annual_sheet **years =
+        calloc((size_t)all->count + 1, sizeof(struct pp_annual_sheet *));
+    if (!years)
+        return pp_fail_memory(err);
+    int count = 0;
+    for (int i = 0; i < all->count; i++)
+        if (all->list[i].has_year)
+            years[count++] = &all->list[i].year;
+    if (count > 0)
+        pp_year_section_rooms(document, years, count);
+    free(years);
+    return PP_OK;
+}
+
 /* ---- the whole ---- */
 
 static void put_title(struct pp_document *document, const struct pp_site_report *report)
@@ -391,6 +410,8 @@ enum pp_status pp_site_report(struct pp_document *document,
     put_verdicts(document, all);
     pp_room_chapter_pictures(document, report, PP_SITE_WHOLE);
     enum pp_status status = put_tables(document, all, err);
+    if (status == PP_OK && !report->full)
+        status = put_years(document, all, err);
     if (!report->full)
         pp_document_heading(document, 2, "Rooms");
     if (!report->full)

@@ -6,6 +6,8 @@
 
 #include "studies/lighting/lighting_control.h"
 
+#include "model/room/world.h"
+
 /* format: of the value; error_format: of its standard error. */
 static void put_value(struct pp_document *document, const char *name, double value,
                       double std_error, const char *format, const char *error_format,
@@ -106,6 +108,13 @@ static void put_assumption(struct pp_document *document, const char *name,
     pp_document_cell(document, PP_TONE_PLAIN, "%s", words);
 }
 
+static void begin_assumptions(struct pp_document *document)
+{
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
+    pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
+}
+
 void pp_year_section(struct pp_document *document, const struct pp_annual_sheet *year)
 {
     pp_document_heading(document, 3, "Daylight in every hour of a year, simulated");
@@ -126,9 +135,7 @@ void pp_year_section(struct pp_document *document, const struct pp_annual_sheet 
             document, PP_TONE_SOFT,
             "The points do not form a grid, so there are no shares of "
             "the plane.");
-    pp_document_table(document);
-    pp_document_column(document, PP_COLUMN_LABELS, "%s", "");
-    pp_document_column(document, PP_COLUMN_WORDS, "%s", "");
+    begin_assumptions(document);
     put_assumption(document, "weather", year->weather);
     put_assumption(document, "hours", year->period);
     put_assumption(document, "records", year->notes);
@@ -136,4 +143,69 @@ void pp_year_section(struct pp_document *document, const struct pp_annual_sheet 
     put_assumption(document, "blinds", year->blinds);
     for (int i = 0; i < year->warning_count; i++)
         put_assumption(document, "warning", year->warnings[i]);
+}
+
+/* ---- all rooms of a short report ---- */
+
+/* "83.3 ± 0.42"; a dash for NAN. */
+static void put_figure(struct pp_document *document,
+                       const struct pp_annual_value *figure, double factor,
+                       int decimals)
+{
+    if (isnan(figure->value))
+        pp_document_cell(document, PP_TONE_PLAIN, "–");
+    else
+        pp_document_cell(document, PP_TONE_PLAIN, "%.*f ± %.*f", decimals,
+                         factor * figure->value, decimals + 1,
+                         factor * figure->std_error);
+}
+
+static void put_year_row(struct pp_document *document,
+                         const struct pp_annual_sheet *year)
+{
+    static const struct pp_annual_value none = {NAN, NAN};
+    const struct pp_annual_value *shares[] = {year->is_grid ? &year->plane.sda : &none,
+                                              year->is_grid ? &year->plane.ase : &none,
+                                              &year->mean.autonomy_300,
+                                              &year->mean.udi_good};
+    const char *name = year->world ? year->world->name : NULL;
+    pp_document_row(document, PP_ROW_CELLS);
+    pp_document_cell(document, PP_TONE_PLAIN, "%s", name ? name : "Room");
+    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++)
+        put_figure(document, year->finished ? shares[i] : &none, 100.0, 1);
+    put_figure(document, year->finished ? &year->mean.sun_h : &none, 1.0, 0);
+    put_figure(document, year->finished ? &year->mean.mean_lx : &none, 1.0, 0);
+}
+
+void pp_year_section_rooms(struct pp_document *document,
+                           const struct pp_annual_sheet *const *years, int count)
+{
+    static const char *const heads[] = {"sDA300/50, %", "ASE1000,250, %", "DA300, %",
+                                        "UDI, %",       "sun, h",         "mean, lx"};
+    pp_document_heading(document, 2, "Daylight in every hour of a year, simulated");
+    pp_document_table(document);
+    pp_document_column(document, PP_COLUMN_WORDS, "room");
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)
+        pp_document_column(document, PP_COLUMN_NUMBERS, "%s", heads[i]);
+    for (int i = 0; i < count; i++)
+        put_year_row(document, years[i]);
+    pp_document_paragraph(document, PP_TONE_SOFT,
+                          "sDA, ASE: shares of the points, sDA with blinds. The other "
+                          "figures are means of "
+                          "the points without blinds: DA300: share of the hours with "
+                          "300 lx; UDI: with 300 "
+                          "to 3000 lx; sun: hours with more than 1000 lx of direct "
+                          "sun. ±: standard error.");
+    begin_assumptions(document);
+    put_assumption(document, "weather", years[0]->weather);
+    put_assumption(document, "hours", years[0]->period);
+    put_assumption(document, "records", years[0]->notes);
+    put_assumption(document, "blinds", years[0]->blinds);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < years[i]->warning_count; k++)
+            put_assumption(document,
+                           years[i]->world && years[i]->world->name
+                               ? years[i]->world->name
+                               : "warning",
+                           years[i]->warnings[k]);
 }

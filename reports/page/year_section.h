@@ -9,4 +9,9 @@
 /* Adds the section; year: finished. */
 void pp_year_section(struct pp_document *document, const struct pp_annual_sheet *year);
 
+/* Adds one table of the rooms for a short report; count: 1 or more. The assumptions are
+ * those of the first year. */
+void pp_year_section_rooms(struct pp_document *document,
+                           const struct pp_annual_sheet *const *years, int count);
+
 #endif

@@ -2,6 +2,7 @@
  * no shares of a plane without a grid. */
 #include <string.h>
 
+#include "model/room/world.h"
 #include "reports/page/year_section.h"
 #include "tests/lib/near.h"
 
@@ -90,11 +91,37 @@ static void electric_light_has_its_shares_if_it_was_studied(void **state)
     assert_false(has(&grid_year, "dimmed"));
 }
 
+/* A year without a grid, or one that was interrupted, has dashes. */
+static void a_short_report_has_a_row_for_each_room(void **state)
+{
+    (void)state;
+    char names[2][8] = {"Bedroom", "Hall"};
+    struct pp_world worlds[2] = {{.name = names[0]}, {.name = names[1]}};
+    struct pp_annual_sheet bedroom = grid_year, hall = grid_year;
+    bedroom.world = &worlds[0];
+    bedroom.finished = true;
+    hall.world = &worlds[1];
+    const struct pp_annual_sheet *years[] = {&bedroom, &hall};
+    static const char *const words[] = {"Bedroom",     "Hall",    "83.3 ± 0.42",
+                                        "50.0 ± 0.13", "–",       "3797 ± 1.3",
+                                        "Somewhere",   "far away"};
+    struct pp_document document = {0};
+    pp_year_section_rooms(&document, years, 2);
+    assert_int_equal(pp_document_status(&document, NULL), PP_OK);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        struct sought sought = {words[i], false};
+        pp_document_texts(&document, look, &sought);
+        assert_true(sought.found);
+    }
+    pp_document_clear(&document);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shares_are_per_cent_with_their_errors),
         cmocka_unit_test(assumptions_and_warnings_are_told),
+        cmocka_unit_test(a_short_report_has_a_row_for_each_room),
         cmocka_unit_test(points_without_a_grid_have_no_area),
         cmocka_unit_test(electric_light_has_its_shares_if_it_was_studied),
     };
