@@ -116,6 +116,34 @@ static enum pp_status check_files_apart(const struct pp_command_line *line,
     return PP_OK;
 }
 
+/* PP_BAD_INPUT if standard input is named for two of the options and operands
+ * (`files`). */
+static enum pp_status check_input_once(const struct pp_command_line *line, char **files,
+                                       int file_count, struct pp_error *err)
+{
+    struct named_file list[FILES_MOST];
+    int count = list_files(list, line), operands = 0;
+    const char *first = NULL;
+    for (int i = 0; i < file_count; i++)
+        operands += strcmp(files[i], "-") == 0;
+    if (operands > 1)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "standard input can be read only once, but %d files are -; "
+                       "expected the names of files",
+                       operands);
+    for (int i = 0; i < count; i++) {
+        if (list[i].written || strcmp(list[i].path, "-") != 0)
+            continue;
+        if (first || operands > 0)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "standard input can be read only once, but --%s and %s%s "
+                           "are both -; expected the name of a file",
+                           list[i].option, first ? "--" : "", first ? first : "FILE");
+        first = list[i].option;
+    }
+    return PP_OK;
+}
+
 /* ---- a command ---- */
 
 static enum pp_exit run_with(const struct pp_command *command, void *options, int argc,
@@ -133,6 +161,8 @@ static enum pp_exit run_with(const struct pp_command *command, void *options, in
     }
     int words =
         count < command->words_before_files ? count : command->words_before_files;
+    if (status == PP_OK)
+        status = check_input_once(&line, argv + words, count - words, &err);
     if (status == PP_OK)
         status = command->check(options, argv, count, &err);
     if (status == PP_OK)

@@ -382,6 +382,7 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
 {
     struct annual_options *options = values;
     struct pp_study_options *study = &options->room.study;
+    (void)files;
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
@@ -413,9 +414,8 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
                                  : options->annual.exact_sky ? "--exact-sky"
                                                              : NULL,
                                  err);
-    return status != PP_OK
-               ? status
-               : pp_availability_options_check(&options->light, files, file_count, err);
+    return status != PP_OK ? status
+                           : pp_availability_options_check(&options->light, err);
 }
 
 static void clear_annual_options(void *values)

@@ -251,6 +251,7 @@ static enum pp_status find_profile(struct pp_assess_words *options,
 enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
                                      struct pp_error *err)
 {
+    (void)files;
     struct pp_assess_words *options = values;
     bool chosen[PP_CRITERIA_MOST];
     if (options->list_rules)
@@ -258,11 +259,6 @@ enum pp_status pp_assess_words_check(void *values, char **files, int file_count,
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
-    for (int i = 0; i < file_count && options->before; i++)
-        if (strcmp(options->before, "-") == 0 && strcmp(files[i], "-") == 0)
-            return pp_fail(
-                err, PP_BAD_INPUT,
-                "standard input cannot be both FILE and the file of --before");
     enum pp_status status = pp_room_options_settle_by_hand(&options->room, err);
     if (status == PP_OK)
         status = pp_room_options_settle(&options->room, err);

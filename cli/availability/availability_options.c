@@ -222,15 +222,8 @@ const struct pp_option pp_illuminance_options[] = {
 };
 
 enum pp_status pp_availability_options_check(const struct pp_year_options *options,
-                                             char *const *files, int file_count,
                                              struct pp_error *err)
 {
-    bool from_input = options->weather && strcmp(options->weather, "-") == 0;
-    for (int i = 0; i < file_count && from_input; i++)
-        if (strcmp(files[i], "-") == 0)
-            return pp_fail(err, PP_BAD_INPUT,
-                           "standard input cannot be both the room and the weather "
-                           "file; expected a file name for one of them");
     const char *of_sky = !isnan(options->latitude_deg)    ? "--latitude"
                          : !isnan(options->longitude_deg) ? "--longitude"
                          : !isnan(options->time_zone_h)   ? "--time-zone"

@@ -17,7 +17,6 @@ extern const struct pp_option pp_illuminance_options[];
 
 /* Checks that the options are consistent with each other and with the room files. */
 enum pp_status pp_availability_options_check(const struct pp_year_options *options,
-                                             char *const *files, int file_count,
                                              struct pp_error *err);
 
 /* Reads the weather file, if there is one, and reports its errors on standard error. */

@@ -170,13 +170,14 @@ static enum pp_status check_availability_options(void *values, char **files,
                                                  int file_count, struct pp_error *err)
 {
     struct availability_options *options = values;
+    (void)files;
     struct pp_study_options *study = &options->room.study;
     if (file_count == 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "expected a room file, or - for standard input");
     enum pp_status status = pp_room_options_settle(&options->room, err);
     if (status == PP_OK)
-        status = pp_availability_options_check(&options->light, files, file_count, err);
+        status = pp_availability_options_check(&options->light, err);
     if (!study->methods)
         study->methods = "exact+bre";
     return status == PP_OK ? pp_selection_check(study->methods, err) : status;

@@ -185,6 +185,11 @@ static enum pp_status draw_charts(struct chart_task *task, int first, int end,
     char description[256];
     if (task->kind->outside && !world)
         snprintf(description, sizeof description, "%s", task->kind->summary);
+    else if (options->choice.moment)
+        snprintf(description, sizeof description,
+                 "illuminances and direct sunlight on the plan, %s",
+                 options->choice.moment->when ? options->choice.moment->when
+                                              : "at one moment");
     else
         snprintf(description, sizeof description, "%s; sky: %s", task->kind->summary,
                  pp_sky_name(room ? &room->light.sky : &options->choice.board.sky));

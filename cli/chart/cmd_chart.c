@@ -289,8 +289,8 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
  * are complete if there is no room. */
 static enum pp_status check_light(const struct pp_year_options *light,
                                   struct pp_room_options *options,
-                                  const struct pp_chart_kind *kind, char **files,
-                                  int file_count, struct pp_error *err)
+                                  const struct pp_chart_kind *kind, int file_count,
+                                  struct pp_error *err)
 {
     bool said = light->weather || !isnan(light->latitude_deg);
     if (kind->of_year) {
@@ -299,7 +299,7 @@ static enum pp_status check_light(const struct pp_year_options *light,
                            "a chart of the %s needs a weather file and a room file; "
                            "expected --weather FILE.epw",
                            kind->name);
-        return pp_availability_options_check(light, files, file_count, err);
+        return pp_availability_options_check(light, err);
     }
     if (!kind->outside)
         return said && !(light->weather ? kind->of_weather : kind->of_sun)
@@ -316,7 +316,7 @@ static enum pp_status check_light(const struct pp_year_options *light,
             "a site");
     if (!options->study.methods)
         options->study.methods = "exact+bre";
-    return pp_availability_options_check(light, files, file_count, err);
+    return pp_availability_options_check(light, err);
 }
 
 /* ---- the command line ---- */
@@ -413,8 +413,8 @@ static enum pp_status check_chart_options(void *values, char **words, int word_c
     if (status == PP_OK)
         status = pp_room_options_settle(options, err);
     if (status == PP_OK)
-        status = check_light(&chart->choice.availability, options, kind, words + 1,
-                             word_count - 1, err);
+        status = check_light(&chart->choice.availability, options, kind, word_count - 1,
+                             err);
     if (status == PP_OK && options->study.methods)
         status = pp_selection_check(options->study.methods, err);
     if (status == PP_OK && kind->check)

@@ -342,15 +342,6 @@ static enum pp_status check_import_options(void *values, char **files, int file_
                        "expected a scene file, or - for standard input");
     if (is_building(files, file_count))
         return check_building(options, file_count, err);
-    bool from_input = options->points_file && strcmp(options->points_file, "-") == 0;
-    for (int i = 0; i < file_count; i++)
-        if (strcmp(files[i], "-") == 0) {
-            if (from_input)
-                return pp_fail(err, PP_BAD_INPUT,
-                               "standard input can be read only once; expected - for "
-                               "only one file");
-            from_input = true;
-        }
     if (room_options->study.samples > MOST_SAMPLES)
         return pp_fail(err, PP_BAD_INPUT, "--samples is %ld; expected at most %ld",
                        room_options->study.samples, MOST_SAMPLES);

@@ -12,6 +12,18 @@ check "standard input that never ends" sh -c "
     '$pepperpot' import - </dev/zero 2>'$scratch/err'
     [ \$? -eq 1 ] && grep -qF 'larger than 512 MiB' '$scratch/err'"
 check "an empty file" refuses 1 "standard input" df -
+twice="standard input can be read only once"
+check "standard input is not two rooms" refuses 2 "$twice" df - -
+check "nor room and weather of a plan" refuses 2 "--weather and FILE are both -" \
+    chart plan --when "2023-03-21 12:00" -w - -o "$scratch/x.svg" -
+check "nor those of a year" refuses 2 "$twice" annual -w - -
+check "nor those of an hour" refuses 2 "$twice" df --when "2023-03-21 12:00" -w - -
+check "nor of LEED" refuses 2 "$twice" assess --for leed-v4.1 -w - -
+check "nor a room before and after" refuses 2 "--before and FILE" assess --before - -
+check "nor its weather and its former state" refuses 2 "--weather and --before" \
+    assess --before - -w - "$deep"
+check "nor a scene and its points" refuses 2 "$twice" import --points-file - -
+check "a kind of chart is no file" refuses 2 "there is no chart" chart - -o "$scratch/x.svg" -
 
 cat >"$scratch/wrong.xml" <<'XML'
 <room version="1">
