@@ -81,8 +81,8 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                    : "the site has no country from which to determine the capital";
     if (isnan(latitude_rad)) {
         snprintf(median.how, sizeof median.how,
-                 "the room file has no latitude; expected a site with a latitude, "
-                 "--place NAME or --median-diffuse LUX");
+                 "the room file has no latitude; expected a site with a latitude "
+                 "(for assess and report also --place NAME or --median-diffuse LUX)");
         return median;
     }
     bool known = !isnan(longitude_rad);
@@ -102,7 +102,7 @@ struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                  least);
         snprintf(median.how, sizeof median.how,
                  "the nearest capital in the standard's table, %s, is %s away; "
-                 "expected --median-diffuse LUX",
+                 "expected --median-diffuse LUX (of assess and report)",
                  nearest->name, off);
         return median;
     }

@@ -38,6 +38,11 @@ enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err
         return pp_fail(err, PP_BAD_INPUT,
                        "\"%.100s\" contains a comma; expected one criterion", words);
     requirement_name(name, words);
+    if (pp_assessment_needs_year(name, NULL))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s needs a simulated year, which size does not calculate; "
+                       "expected another criterion",
+                       name);
     return pp_assessment_choose(chosen, name, err);
 }
 
@@ -69,9 +74,13 @@ static double finding_share(const struct pp_finding *finding)
 static void say_none(char *why, size_t why_bytes,
                      const struct pp_finding_list *findings, const char *beginning)
 {
-    snprintf(why, why_bytes, "no requirement%s%.40s%s; available:",
-             beginning[0] ? " begins with \"" : " has a limit", beginning,
-             beginning[0] ? "\"" : "");
+    if (!beginning[0]) {
+        snprintf(why, why_bytes,
+                 "this criterion has no requirement with a limit for this room");
+        return;
+    }
+    snprintf(why, why_bytes,
+             "no requirement begins with \"%.40s\"; available:", beginning);
     for (int i = 0; i < findings->count; i++)
         if (isfinite(findings->list[i].wanted))
             pp_text_append(why, why_bytes, "%s \"%s\"", i > 0 ? "," : "",
@@ -139,7 +148,7 @@ enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                    beginning_of(words));
     else if (status == PP_OK && !traced)
         snprintf(why, why_bytes,
-                 "this criterion needs an existing state (--before) or gardens");
+                 "this criterion needs an existing state (assess --before) or gardens");
     pp_assessment_clear(&assessment);
     return status;
 }

@@ -127,6 +127,12 @@ check "its figures" grep -q "ASE1000,250" "$scratch/report.html"
 check "its hours" grep -q "Daylight in every hour of a year" "$scratch/report.html"
 check "its electric light" grep -q "on at arrival as observed by Hunt" "$scratch/report.html"
 check "its command" grep -q -e "--year" "$scratch/report.html"
+for name in One Two Three; do
+    sed "s/Deep office/$name/" "$scratch/grid.xml" >"$scratch/$name.xml"
+done
+run report -q --samples 16 -w "$scratch/year.epw" --year -o "$scratch/short.html" \
+    "$scratch/One.xml" "$scratch/Two.xml" "$scratch/Three.xml"
+check "a short report has a table of the year" test "$(grep -c "sDA300/50, %" "$scratch/short.html")" -eq 1
 check "a year needs weather" refuses 2 "--weather" report --year -o "$scratch/x.html" "$room"
 check "a year is not by hand" refuses 2 "--by-hand" $report --year --by-hand "$room"
 
@@ -140,6 +146,10 @@ noon=$(awk -F, 'NR == 3 { printf "%.0f", $13 }' "$scratch/out")
 check_words "its values are those of df" "$scratch/moment.pdf" "$noon"
 check "a plan of an hour" quietly $plan -w "$scratch/year.epw" --when "2023-03-21 12:00" "$room"
 check_words "it names the hour" "$scratch/moment.pdf" "2023-03-21 12:00"
+run chart plan --samples 16 -w "$scratch/year.epw" --when "2023-03-21 12:00" \
+    -o "$scratch/moment.svg" "$room"
+check "its description has no daylight factor" grep -q \
+    "<desc>illuminances and direct sunlight on the plan, 2023-03-21 12:00" "$scratch/moment.svg"
 check "a dark hour has no plan" refuses 1 "no daylight" $plan -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 check "weather of a plan has a time" refuses 2 "--when" $plan -w "$scratch/year.epw" "$room"

@@ -117,6 +117,8 @@ static void a_criterion_that_there_is_not_is_refused(void **state)
     assert_int_equal(pp_criterion_margin_check("uk-anex", &err), PP_BAD_INPUT);
     assert_non_null(strstr(err.message, "uk-annex"));
     assert_int_equal(pp_criterion_margin_check("average,uk-annex", &err), PP_BAD_INPUT);
+    assert_int_equal(pp_criterion_margin_check("leed-v4.1", &err), PP_BAD_INPUT);
+    assert_non_null(strstr(err.message, "simulated year"));
 }
 
 TEST_FILE
