@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "model/room/section.h"
+
 /* Maximum number of names whose boxes are noted, so that no other name covers them. */
 enum { NAMES_MOST = 200 };
 
@@ -147,6 +149,35 @@ static struct pp_box overhead_box(cairo_t *cr, const struct pp_style *style,
     return pp_lettering_measure(cr, style, &set, x + gap, y + gap, opening->label);
 }
 
+/* Registers a fitting that the plane cuts, its outline and its inside, by ever smaller
+ * outlines 2 mm apart: lower than any value. */
+static void note_fitting(struct pp_labels *labels, const struct pp_room_plan *plan,
+                         const struct pp_fitting *fitting)
+{
+    static const double APART_MM = 2.0;
+    int corners = fitting->corner_count;
+    double centre[2] = {0.0, 0.0}, xy[PP_FITTING_CORNERS][2], reach = 0.0;
+    for (int k = 0; k < corners; k++) {
+        xy[k][0] = pp_plan_frame_x(plan, fitting->xy[k][0]);
+        xy[k][1] = pp_plan_frame_y(plan, fitting->xy[k][1]);
+        centre[0] += xy[k][0] / corners;
+        centre[1] += xy[k][1] / corners;
+    }
+    for (int k = 0; k < corners; k++)
+        reach = fmax(reach, hypot(xy[k][0] - centre[0], xy[k][1] - centre[1]));
+    for (double off = 0.0; off < reach; off += APART_MM) {
+        double share = 1.0 - off / reach;
+        for (int k = 0; k < corners; k++) {
+            const double *a = xy[k], *b = xy[(k + 1) % corners];
+            pp_labels_note(labels, PP_LABEL_MARKS,
+                           centre[0] + share * (a[0] - centre[0]),
+                           centre[1] + share * (a[1] - centre[1]),
+                           centre[0] + share * (b[0] - centre[0]),
+                           centre[1] + share * (b[1] - centre[1]));
+        }
+    }
+}
+
 void pp_plan_names_note(struct pp_labels *labels, cairo_t *cr,
                         const struct pp_style *style, const struct pp_room_plan *plan)
 {
@@ -155,6 +186,9 @@ void pp_plan_names_note(struct pp_labels *labels, cairo_t *cr,
         if (!pp_plan_frame_is_in_wall(world, &world->openings[i]))
             pp_labels_note_box(labels,
                                overhead_box(cr, style, plan, &world->openings[i]));
+    for (int i = 0; i < world->fitting_count; i++)
+        if (pp_section_meets(world, &world->fittings[i]))
+            note_fitting(labels, plan, &world->fittings[i]);
 }
 
 static void name_overhead(struct name_drawing *drawing)

@@ -25,7 +25,8 @@ void pp_plan_names_draw(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_plan_mark *mark);
 
-/* Registers the places of names inside the plan, for labels drawn before them. */
+/* Registers the places of names inside the plan, and the fittings that the working plane
+ * cuts, for labels drawn before them. */
 void pp_plan_names_note(struct pp_labels *labels, cairo_t *cr,
                         const struct pp_style *style, const struct pp_room_plan *plan);
 

@@ -80,10 +80,12 @@ static void draw_parts(const struct moment_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
     cairo_save(cr);
+    /* Before the clip: cairo 1.16 aborts if it fills such a path within several
+     * rectangles that do not end at pixels. */
+    cairo_set_antialias(cr, CAIRO_ANTIALIAS_NONE);
     pp_room_plan_path(cr, &drawing->frame);
     cairo_clip(cr);
     cairo_set_fill_rule(cr, CAIRO_FILL_RULE_WINDING);
-    cairo_set_antialias(cr, CAIRO_ANTIALIAS_NONE);
     for (int i = 0; i < PP_COLOUR_CLASSES; i++) {
         pp_colour_scale_set(cr, &lux_classes, i > 0 ? lux_classes.limits[i] : -1.0);
         add_class(drawing, colour_of_part, i);
@@ -106,22 +108,25 @@ static bool is_on_plane(const struct pp_annual_sheet *sheet, int x)
            && fabs(receiver->position.z - sheet->world->working_plane_m) < 0.01;
 }
 
-/* Writes a point's value on its right or left, if there is space. */
+/* Writes a point's value on its right or left, above or below, if there is space. */
 static void draw_value(const struct moment_drawing *drawing, double x, double y,
                        double lx)
 {
+    static const int sides[][2] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}};
     char words[32];
     double beside = 1.4 * drawing->style.scale;
     snprintf(words, sizeof words, "%.0f", lx);
-    for (int side = 0; side < 2; side++) {
-        const struct pp_lettering set = {
-            .size = PP_TEXT_SMALL, .across = side, .down = 0.5};
-        double at = side ? x - beside : x + beside;
-        struct pp_box box =
-            pp_lettering_measure(drawing->cr, &drawing->style, &set, at, y, words);
+    for (int i = 0; i < 4; i++) {
+        const struct pp_lettering set = {.size = PP_TEXT_SMALL,
+                                         .across = 0.5 - 0.5 * sides[i][0],
+                                         .down = 0.5 - 0.5 * sides[i][1]};
+        double at[2] = {x + sides[i][0] * beside, y + sides[i][1] * beside};
+        struct pp_box box = pp_lettering_measure(drawing->cr, &drawing->style, &set,
+                                                 at[0], at[1], words);
         if (!pp_labels_is_free(drawing->labels, box))
             continue;
-        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, at, y, words);
+        pp_lettering_draw_on_white(drawing->cr, &drawing->style, &set, at[0], at[1],
+                                   words);
         pp_labels_note_box(drawing->labels, box);
         return;
     }

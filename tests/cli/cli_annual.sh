@@ -150,6 +150,17 @@ run chart plan --samples 16 -w "$scratch/year.epw" --when "2023-03-21 12:00" \
     -o "$scratch/moment.svg" "$room"
 check "its description has no daylight factor" grep -q \
     "<desc>illuminances and direct sunlight on the plan, 2023-03-21 12:00" "$scratch/moment.svg"
+# Coloured parts are filled within an outline of several rectangles.
+cat >"$scratch/l.xml" <<'XML'
+<room version="1"><plan height="2.7"><vertex x="0" y="0"/><vertex x="6" y="0"/>
+<vertex x="6" y="2.6"/><vertex x="2.4" y="2.6"/><vertex x="2.4" y="6.1"/><vertex x="0" y="6.1"/>
+</plan><window wall="1" left="0.5" sill="0.8" width="2" height="1.4"/>
+<window wall="1" left="3.5" sill="0.8" width="2" height="1.4"/>
+<rooflight x="0.7" y="3.2" width="1" depth="0.8"/>
+<rooflight x="4.1" y="1.1" width="0.3" depth="0.3"/><point x="1" y="1"/></room>
+XML
+check "an L-shaped plan as a PNG" quietly chart plan --samples 1 -q --dpi 160 \
+    --sky perez,600,120,35,170 -o "$scratch/moment.png" "$scratch/l.xml"
 check "a dark hour has no plan" refuses 1 "no daylight" $plan -w "$scratch/year.epw" \
     --when "2023-03-21 02:00" "$room"
 check "weather of a plan has a time" refuses 2 "--when" $plan -w "$scratch/year.epw" "$room"
