@@ -101,6 +101,44 @@ struct parts_work {
     const struct pp_watch *watch;
 };
 
+/* True if a straight line in the plane meets neither its border nor a fitting. */
+static bool is_clear(const struct parts_work *work, const double from[2],
+                     const double to[2])
+{
+    const double *cell = work->plan->cell_m;
+    double length = hypot(to[0] - from[0], to[1] - from[1]);
+    int steps = (int)ceil(length / (fmin(cell[0], cell[1]) / SUB));
+    for (int i = 1; i < steps; i++) {
+        double x = from[0] + (to[0] - from[0]) * i / steps;
+        double y = from[1] + (to[1] - from[1]) * i / steps;
+        if (!pp_region_contains(&work->world->plane, x, y)
+            || pp_position_in_fitting(work->world,
+                                      pp_vec(x, y, work->world->working_plane_m)))
+            return false;
+    }
+    return true;
+}
+
+/* Value of the nearest cell that a part without neighbours sees, as in an acute corner;
+ * NAN: it sees none. */
+static double nearest(const struct parts_work *work, const double at[2])
+{
+    const struct pp_moment_plan *plan = work->plan;
+    double value = NAN, least = INFINITY;
+    for (int row = 0; row < plan->rows; row++)
+        for (int column = 0; column < plan->columns; column++) {
+            const double centre[2] = {plan->low[0] + (column + 0.5) * plan->cell_m[0],
+                                      plan->low[1] + (row + 0.5) * plan->cell_m[1]};
+            double own = diffuse_of(plan, column, row);
+            double distance = hypot(centre[0] - at[0], centre[1] - at[1]);
+            if (isnan(own) || distance >= least || !is_clear(work, at, centre))
+                continue;
+            least = distance;
+            value = own;
+        }
+    return value;
+}
+
 static enum pp_status light_part(struct parts_work *work, int column, int row)
 {
     struct pp_moment_plan *plan = work->plan;
@@ -115,7 +153,11 @@ static enum pp_status light_part(struct parts_work *work, int column, int row)
                             receiver.position.y)
         || pp_position_in_fitting(work->world, receiver.position))
         return PP_OK;
-    plan->diffuse[part] = (float)interpolate(plan, column, row);
+    double diffuse = interpolate(plan, column, row);
+    if (isnan(diffuse))
+        diffuse =
+            nearest(work, (const double[2]){receiver.position.x, receiver.position.y});
+    plan->diffuse[part] = (float)diffuse;
     if (!(work->sky.direct_lx > 0.0) || !(work->sky.sun.z > 0.0))
         return PP_OK;
     struct pp_sky_view view;

@@ -2,6 +2,7 @@
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
+#include "model/room/position.h"
 #include "studies/year/moment_plan_study.h"
 
 /* A window 2 m wide from 1.05 to 2.25 m, working plane at 0.85 m, sun due south at
@@ -163,12 +164,46 @@ static void plan_agrees_with_points(void **state)
     clear(&plan, &room);
 }
 
+/* Corners of 27 and 63 degrees: the nearest cell centre is a cell away. A shelf 0.3 m
+ * from the wall: the strip behind it has no cell centre beside the open one at its end. */
+static void corners_and_gaps_have_values(void **state)
+{
+    (void)state;
+    static const char acute[] =
+        "<room version='1'><plan height='2.6'><vertex x='0' y='0'/>"
+        "<vertex x='4.1' y='0'/><vertex x='0' y='2.1'/></plan>"
+        "<window wall='1' left='1' sill='0.9' width='1.5' height='1.2'/>"
+        "<furniture x='0.1' y='0.3' width='0.3' depth='0.9' height='2'/></room>";
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, acute);
+    const struct pp_study_room room = {.world = world, .light = light};
+    const struct pp_moment moment = moment_of(45.0, 0.0);
+    const struct pp_annual_options options = {.samples = 1, .seed = 1, .threads = 2};
+    struct pp_moment_plan plan;
+    assert_int_equal(pp_moment_plan_study_make(&plan, &room, &moment, &options, NULL),
+                     PP_OK);
+    int columns = plan.columns * PP_MOMENT_PLAN_SUB, missing = 0;
+    for (int row = 0; row < plan.rows * PP_MOMENT_PLAN_SUB; row++)
+        for (int column = 0; column < columns; column++) {
+            struct pp_vec3 at =
+                pp_vec((column + 0.5) * plan.cell_m[0] / PP_MOMENT_PLAN_SUB,
+                       (row + 0.5) * plan.cell_m[1] / PP_MOMENT_PLAN_SUB, 0.85);
+            missing += pp_region_contains(&world->plane, at.x, at.y)
+                       && !pp_position_in_fitting(world, at)
+                       && isnan(plan.diffuse[row * columns + column]);
+        }
+    assert_int_equal(missing, 0);
+    pp_moment_plan_study_clear(&plan);
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sunlit_area_is_the_window_projected_along_the_sun),
         cmocka_unit_test(sun_from_the_side_shears_the_area),
         cmocka_unit_test(a_plan_stops_in_every_part_of_its_computation),
+        cmocka_unit_test(corners_and_gaps_have_values),
         cmocka_unit_test(plan_agrees_with_points),
     };
     add_tests(tests, NULL, NULL);
