@@ -149,7 +149,7 @@ check_words "it names the hour" "$scratch/moment.pdf" "2023-03-21 12:00"
 run chart plan --samples 16 -w "$scratch/year.epw" --when "2023-03-21 12:00" \
     -o "$scratch/moment.svg" "$room"
 check "its description has no daylight factor" grep -q \
-    "<desc>illuminances and direct sunlight on the plan, 2023-03-21 12:00" "$scratch/moment.svg"
+    "illuminances and direct sunlight on the plan, 2023-03-21 12:00" "$scratch/moment.svg"
 # Coloured parts are filled within an outline of several rectangles.
 cat >"$scratch/l.xml" <<'XML'
 <room version="1"><plan height="2.7"><vertex x="0" y="0"/><vertex x="6" y="0"/>
