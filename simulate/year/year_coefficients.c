@@ -229,10 +229,11 @@ struct block_sums {
     float_lanes of[HALVES];
 };
 
+/* halves: 1 for a block of up to LANES receivers, else HALVES. */
 PP_LANES_BODY void add_entry(struct block_sums *sums,
-                             const struct block_weights *weights, float lx)
+                             const struct block_weights *weights, float lx, int halves)
 {
-    for (int i = 0; i < HALVES; i++) {
+    for (int i = 0; i < halves; i++) {
         float_lanes w;
         __builtin_memcpy(&w, weights->of + i * LANES, sizeof w);
         sums->of[i] += w * lx;
@@ -245,11 +246,12 @@ struct block_of_suns {
     const struct block_weights *inside;  /* [cell] */
     const struct block_weights *outdoor; /* [group][outdoor cell] */
     int hours, groups;
+    int receivers;
 };
 
 /* Sums of each hour: out[hour][group]. */
 PP_LANES_BODY void sum_suns(struct block_weights *out,
-                            const struct block_of_suns *block)
+                            const struct block_of_suns *block, int halves)
 {
     for (int t = 0; t < block->hours; t++) {
         struct block_sums sums[PP_YEAR_GROUPS_MOST] = {{{{0.0f}}}};
@@ -259,7 +261,7 @@ PP_LANES_BODY void sum_suns(struct block_weights *out,
             struct block_sums own = sums[group];
             for (; k < end && block->list->entries[k].group == group; k++)
                 add_entry(&own, &block->inside[block->list->entries[k].cell],
-                          block->list->entries[k].lx);
+                          block->list->entries[k].lx, halves);
             sums[group] = own;
         }
         for (int g = 0; g < block->groups; g++) {
@@ -268,21 +270,30 @@ PP_LANES_BODY void sum_suns(struct block_weights *out,
                 add_entry(&own,
                           &block->outdoor[g * PP_YEAR_OUTDOOR_CELLS
                                           + block->list->entries[i].cell],
-                          block->list->entries[i].lx);
+                          block->list->entries[i].lx, halves);
             __builtin_memcpy(out[t * block->groups + g].of, &own, sizeof own);
         }
     }
 }
 
+PP_LANES_BODY void sum_block(struct block_weights *out,
+                             const struct block_of_suns *block)
+{
+    if (block->receivers <= LANES)
+        sum_suns(out, block, 1);
+    else
+        sum_suns(out, block, HALVES);
+}
+
 static void narrow_suns(struct block_weights *out, const struct block_of_suns *block)
 {
-    sum_suns(out, block);
+    sum_block(out, block);
 }
 
 PP_LANES_WIDE static void wide_suns(struct block_weights *out,
                                     const struct block_of_suns *block)
 {
-    sum_suns(out, block);
+    sum_block(out, block);
 }
 
 /* Space for the weights and sums of one batch. */
@@ -305,8 +316,8 @@ static void add_suns(const struct pp_year_coefficients *c, int first, int count,
         for (int i = 0; i < outdoor; i++)
             space->outdoor[i].of[p] = out[i];
     }
-    const struct block_of_suns block = {&c->suns[b], space->inside, space->outdoor,
-                                        c->light->count, groups};
+    const struct block_of_suns block = {&c->suns[b],     space->inside, space->outdoor,
+                                        c->light->count, groups,        count};
     if (pp_lanes_are_wide())
         wide_suns(space->sums, &block);
     else

@@ -71,7 +71,8 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     size_t skies = (size_t)work->year->sky_count;
     struct pp_annual_sheet *sheet = work->sheet;
     int share = (work->receiver_count - 1) / pp_thread_pool_size(work->pool) + 1;
-    work->block = share < PP_YEAR_BLOCK ? share : PP_YEAR_BLOCK;
+    work->block = pp_annual_point_block_size(work->groups.count);
+    work->block = share < work->block ? share : work->block;
     work->step = (size_t)work->columns.tiles * PP_LIGHT_LANES;
     work->direct =
         calloc(points * groups * (size_t)work->columns.column_count + 1, sizeof(float));

@@ -35,6 +35,15 @@ void pp_annual_point_clear_spaces(struct pp_annual_work *work)
     work->spaces = NULL;
 }
 
+int pp_annual_point_block_size(int groups)
+{
+    enum { ROWS_MOST = 64 }; /* each with 16 batches of about 4700 hours */
+    int size = PP_YEAR_BLOCK;
+    while (size > 1 && size * groups > ROWS_MOST)
+        size /= 2;
+    return size;
+}
+
 enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
                                            struct pp_error *err)
 {

@@ -54,8 +54,10 @@ bool pp_annual_direct_see(void *work, int worker, int x);
  * on the panes. */
 void pp_annual_direct_close_blinds(struct pp_annual_work *work);
 
-/* Allocates space for the hours of a block of points, for each worker; computes hours
- * and figures of the points of a block. (annual_point.c) */
+/* Number of points in a block: the reflected sunlight of a block takes 20 MB at most,
+ * with any number of groups of openings. Allocates space for the hours of a block, for
+ * each worker; computes hours and figures of the points of a block. (annual_point.c) */
+int pp_annual_point_block_size(int groups);
 enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
                                            struct pp_error *err);
 void pp_annual_point_clear_spaces(struct pp_annual_work *work);

@@ -11,6 +11,7 @@
 #include "simulate/fast/tracer.h"
 #include "simulate/year/sun_on_surface.h"
 #include "studies/year/annual.h"
+#include "studies/year/annual_work.h"
 
 static const char street[] =
     "<room version='1'><site ground-reflectance='0.2' ground-level='-2.7'/>"
@@ -411,6 +412,15 @@ static void it_is_the_same_with_any_number_of_threads(void **state)
     pp_world_destroy(world);
 }
 
+/* At 16 batches of 4700 hours a row has 300 kB. */
+static void a_block_of_points_has_at_most_64_rows(void **state)
+{
+    (void)state;
+    assert_int_equal(pp_annual_point_block_size(1), PP_YEAR_BLOCK);
+    for (int groups = 1; groups <= PP_YEAR_GROUPS_MOST; groups++)
+        assert_in_range(pp_annual_point_block_size(groups) * groups, groups, 64);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -422,6 +432,7 @@ TEST_FILE
         cmocka_unit_test(pieces_of_sky_are_the_whole_of_it),
         cmocka_unit_test(the_sun_is_seen_where_a_ray_reaches_it),
         cmocka_unit_test(dark_hours_count),
+        cmocka_unit_test(a_block_of_points_has_at_most_64_rows),
         cmocka_unit_test(it_is_the_same_with_any_number_of_threads),
     };
     add_tests(tests, NULL, NULL);
