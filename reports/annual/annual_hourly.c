@@ -44,7 +44,7 @@ static void put_csv(const struct pp_annual_sheet *sheet, FILE *out)
             if (isnan(lx))
                 fputc(',', out);
             else
-                fprintf(out, ",%.1f", lx);
+                fprintf(out, ",%.2f", lx);
         }
         fputs("\r\n", out);
     }

@@ -42,7 +42,7 @@ figure() {
 }
 
 # recount: energy in kWh used by each of the four controls, from an hourly CSV file. Its
-# illuminances are rounded to 0.1 lx.
+# illuminances are rounded to 0.01 lx.
 recount() {
     awk -F, 'NR == 1 { on = 1; next }
         {
@@ -71,11 +71,10 @@ agree() {
         END { exit good != 4 }'
 }
 
-# An hour with light that is rounded across a level of its control counts 0.1 kWh.
 for records in year quarters; do
     run $annual -w "$scratch/$records.epw" -f json --hourly "$scratch/hours.csv" $on_off $stepped \
         $dimmed $manual "$room"
-    check "hour by hour, the energy is that of the hourly file: $records" agree 0.15 \
+    check "hour by hour, the energy is that of the hourly file: $records" agree 0.05 \
         "$(figure used-kwh)" "$(recount "$scratch/hours.csv")"
 done
 check "hourly means misjudge on-off switching under clouds" \
