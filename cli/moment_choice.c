@@ -28,7 +28,8 @@ static bool read_zone(const char *text, double *zone_h)
     return true;
 }
 
-static enum pp_status read_when(const char *text, void *place, struct pp_error *err)
+enum pp_status pp_moment_choice_read_when(const char *text, void *place,
+                                          struct pp_error *err)
 {
     struct pp_moment_choice *choice = place;
     struct pp_moment_irradiances *of = &choice->of;
@@ -58,7 +59,7 @@ const struct pp_option pp_moment_when_option[] = {
      "ahead of universal time. Without --when, the same is shown for --sky "
      "perez,DNI,DHI,ALTITUDE,BEARING, for iso-N,ALTITUDE,BEARING,DIRECT,DIFFUSE and "
      "for overcast,DIFFUSE, with illuminances in lux.",
-     read_when, 0},
+     pp_moment_choice_read_when, 0},
     {0},
 };
 

@@ -25,6 +25,10 @@ struct pp_moment_choice {
 extern const struct pp_option pp_moment_when_option[];
 extern const struct pp_option pp_moment_weather_option[];
 
+/* Reader of --when; the value is a struct pp_moment_choice, of which it sets `when` and
+ * the time in `of`. */
+pp_option_reader pp_moment_choice_read_when;
+
 /* Moves a sky with irradiances or illuminances from the room's options to the choice. PP_BAD_INPUT if
  * options are missing, or apply to daylight factors only. */
 enum pp_status pp_moment_choice_settle(struct pp_moment_choice *choice,

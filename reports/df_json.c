@@ -9,6 +9,7 @@
 #include "reports/atlas/advice_report.h"
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
+#include "reports/parts/json_steps.h"
 #include "reports/parts/print_band.h"
 #include "reports/parts/print_reliability.h"
 #include "methods/variant.h"
@@ -16,45 +17,6 @@
 #include "methods/method.h"
 #include "model/light/sky.h"
 #include "studies/engines/engine.h"
-
-/* Adds a step, with per cent and degrees as units. */
-static bool add_step(struct json_object *object, const struct pp_world *world,
-                     const struct pp_calculation_step *step)
-{
-    static const char *const units[] = {
-        [PP_UNIT_DAYLIGHT_FACTOR] = "%",
-        [PP_UNIT_NUMBER] = "",
-        [PP_UNIT_COUNT] = "count",
-        [PP_UNIT_ANGLE] = "degrees",
-        [PP_UNIT_METRE] = "m",
-        [PP_UNIT_SQUARE_METRE] = "m2",
-        [PP_UNIT_LUX] = "lx",
-    };
-    return pp_json_text(object, "step", step->what)
-           && (!step->symbol[0] || pp_json_text(object, "symbol", step->symbol))
-           && (!step->formula[0] || pp_json_text(object, "formula", step->formula))
-           && pp_json_number(object, "value",
-                             pp_steps_printed_unit(step->unit) * step->value)
-           && pp_json_text(object, "unit", units[step->unit])
-           && (!step->line
-               || (pp_json_add(object, "opening", json_object_new_int(step->line))
-                   && pp_json_room_add_opening_names(object, world, step->line)));
-}
-
-/* Adds "steps": [{ "step": "...", "symbol": "W", "formula": "...", "value": 1.25,
- * "unit": "%", "opening": 8, "label": "W1" }]. symbol and formula are left out if the
- * step has none; opening and label are present in steps of one opening. */
-static bool add_steps(struct json_object *object, const struct pp_world *world,
-                      const struct pp_steps *steps)
-{
-    struct json_object *list = json_object_new_array();
-    bool good = pp_json_add(object, "steps", list);
-    for (int i = 0; i < steps->count && good; i++) {
-        struct json_object *step = json_object_new_object();
-        good = pp_json_append(list, step) && add_step(step, world, &steps->list[i]);
-    }
-    return good;
-}
 
 /* Adds the corrections that a method's figures include; nothing for a pair, which
  * consists of two methods. */
@@ -90,7 +52,8 @@ static struct json_object *entry(const struct pp_world *world,
         good =
             pp_json_text(object, "why", reading->why ? reading->why : "not computed");
     if (good && reading->steps)
-        good = add_contents(object, name) && add_steps(object, world, reading->steps);
+        good = add_contents(object, name)
+               && pp_json_steps_add(object, "steps", world, reading->steps);
     return pp_json_whole(object, good);
 }
 

@@ -75,9 +75,11 @@ static void print_step(const struct pp_calculation_step *step, int width, bool u
     }
 }
 
-static void print_list(const struct pp_steps *steps, const struct pp_world *world,
-                       int width, bool utf8, FILE *out)
+void pp_df_steps_list(const struct pp_steps *steps, const struct pp_world *world,
+                      int width, bool utf8, FILE *out)
 {
+    if (width > LINE_MOST)
+        width = LINE_MOST;
     int line = 0;
     for (int i = 0; i < steps->count; i++) {
         const struct pp_calculation_step *step = &steps->list[i];
@@ -112,8 +114,6 @@ void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out
         [PP_IRC] = "internally reflected component",
         [PP_DF] = "daylight factor",
     };
-    if (width > LINE_MOST)
-        width = LINE_MOST;
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
         const struct pp_reading *reading = column->points && report->receiver_count > 0
@@ -122,7 +122,7 @@ void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out
         if (!reading->steps)
             continue;
         fprintf(out, "\n  %s by %s\n", names[column->component], column->name);
-        print_contents(column->name, width, out);
-        print_list(reading->steps, report->world, width, utf8, out);
+        print_contents(column->name, width < LINE_MOST ? width : LINE_MOST, out);
+        pp_df_steps_list(reading->steps, report->world, width, utf8, out);
     }
 }

@@ -11,4 +11,8 @@
  * nothing if no steps were requested. */
 void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
+/* Prints a list of steps; those of an opening follow its name. */
+void pp_df_steps_list(const struct pp_steps *steps, const struct pp_world *world,
+                      int width, bool utf8, FILE *out);
+
 #endif

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/annual/annual_methods.h"
 #include "cli/annual/lighting_option.h"
 #include "cli/availability/availability_options.h"
 #include "cli/command.h"
@@ -35,6 +36,7 @@ struct annual_options {
     struct pp_room_options room;
     struct pp_year_options light;
     struct pp_annual_options annual;
+    struct pp_annual_methods methods;
     double sun_shift_min; /* NAN: auto */
     bool without_blinds, leap_day;
     const char *hourly, *coefficients;
@@ -96,8 +98,15 @@ static enum pp_status compute_room(struct annual_run *run,
                                    struct pp_error *err)
 {
     result->file = room->file;
-    return pp_annual_of_study_room(&result->sheet, room, &run->year,
-                                   &run->options->annual, err);
+    const struct annual_options *options = run->options;
+    enum pp_status status = pp_annual_of_study_room(&result->sheet, room, &run->year,
+                                                    &options->annual, err);
+    if (status != PP_OK || !result->sheet.finished || !options->methods.methods)
+        return status;
+    status = pp_hand_year_of_room(&result->hand, room, &run->year, &options->annual,
+                                  &options->methods.options, err);
+    result->sheet.finished = status == PP_OK && result->hand.finished;
+    return status;
 }
 
 /* True if the room belongs to part K of N: rooms K, K + N, K + 2 N, ... */
@@ -206,8 +215,10 @@ static enum pp_exit run_annual_of_rooms(struct annual_options *options,
         exit_status = write_further(&run, options->coefficients, put_coefficients);
     if (exit_status == PP_EXIT_DONE)
         exit_status = write_further(&run, options->lighting.schedule, put_schedule);
-    for (int i = 0; i < run.results.count; i++)
+    for (int i = 0; i < run.results.count; i++) {
         pp_annual_sheet_clear(&run.results.list[i].sheet);
+        pp_hand_year_sheet_clear(&run.results.list[i].hand);
+    }
     free(run.results.list);
     pp_weather_year_clear(&run.year);
     return exit_status;
@@ -246,6 +257,9 @@ static enum pp_exit run_annual(void *values, char **files, int file_count)
                 "%s is for one room, but there are %d; expected --room NAME",
                 of_one_room(options), rooms.count);
         result = pp_message_error(&err);
+    } else if (pp_annual_methods_check_rooms(&options->methods, &rooms, &err)
+               != PP_OK) {
+        result = pp_message_usage("annual", &err);
     } else {
         result = run_annual_of_rooms(options, &rooms);
     }
@@ -358,6 +372,7 @@ static const struct pp_option_group groups[] = {
     {"Calculation", result_options, 0},
     {"Calculation", pp_room_points_option, PLACE(room)},
     {"Calculation", pp_room_sky_options, PLACE(room)},
+    {"Hand methods", pp_annual_methods_options, PLACE(methods)},
     {"Electric light", pp_lighting_options, PLACE(lighting)},
     {"Simulation", method_options, 0},
     {"Simulation", pp_room_stop_options, PLACE(room)},
@@ -414,6 +429,9 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
                                  : options->annual.exact_sky ? "--exact-sky"
                                                              : NULL,
                                  err);
+    if (status == PP_OK)
+        status = pp_annual_methods_settle(&options->methods,
+                                          options->format == PP_FORMAT_CSV, err);
     return status != PP_OK ? status
                            : pp_availability_options_check(&options->light, err);
 }
@@ -434,6 +452,7 @@ const struct pp_command pp_command_annual = {
     .size = sizeof(struct annual_options),
     .init = init_annual_options,
     .check = check_annual_options,
+    .more_help = pp_annual_methods_help,
     .run = run_annual,
     .clear = clear_annual_options,
 };

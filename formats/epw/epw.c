@@ -240,6 +240,19 @@ static void read_values(struct record_reader *r, struct pp_epw_record *record)
         read_value(r, 18, "diffuse horizontal illuminance", 0.0, 250000.0, 999900.0);
 }
 
+/* Reads the total sky cover, in tenths; NAN if it is missing or invalid, as in files
+ * without this field. */
+static double read_cloud_cover(const struct record_reader *r, int count)
+{
+    enum { TOTAL_SKY_COVER = 22 };
+    double tenths;
+    if (count <= TOTAL_SKY_COVER
+        || !pp_text_parse_number(r->fields[TOTAL_SKY_COVER], &tenths)
+        || !(tenths >= 0.0 && tenths <= 10.0))
+        return NAN;
+    return tenths / 10.0;
+}
+
 /* Adds the record of a line. False: out of memory. */
 static bool read_record(struct record_reader *r, char *text)
 {
@@ -264,6 +277,7 @@ static bool read_record(struct record_reader *r, char *text)
     if (!read_time(r, record))
         return true;
     read_values(r, record);
+    record->cloud_cover = read_cloud_cover(r, count);
     epw->record_count++;
     step_on(r);
     return true;

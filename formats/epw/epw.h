@@ -3,8 +3,8 @@
  * A file has header lines (LOCATION, ..., DATA PERIODS), followed by one record per
  * line in order of time, one or more per hour [EPW]. A record covers the time before
  * the end of its hour: hour 1 is 0:00 to 1:00, in local standard time without summer
- * time. A record has 35 fields. The reader uses time, dew point, irradiance and diffuse
- * illuminance; fields after the 19th may be missing.
+ * time. A record has 35 fields. The reader uses time, dew point, irradiance, diffuse
+ * illuminance and total sky cover; fields after the 19th may be missing.
  *
  * Lines may end with LF, CR LF or CR. A byte order mark, blank lines, and white space
  * and quotes around fields are ignored.
@@ -33,6 +33,7 @@ struct pp_epw_record {
     double direct_w_m2;  /* irradiance on a plane normal to the sun, sun only */
     double diffuse_w_m2; /* irradiance on a horizontal plane, sky only */
     double diffuse_lx;   /* illuminance on a horizontal plane, sky only */
+    double cloud_cover;  /* share of the sky covered by clouds */
 };
 
 struct pp_epw {

@@ -57,10 +57,24 @@ static void set_shape(struct pp_perez_sky *sky, const double *row, double Z)
     }
 }
 
-/* (1) divided by N, for cosines z to the zenith and to_sun to the sun. */
+/* Z1 Z2 of (3). */
+static double intermediate(const struct pp_perez_sky *sky, double z, double gamma)
+{
+    double phi = asin(fmin(z, 1.0)), sun = asin(pp_clamp(sky->sun.z, 0.0, 1.0));
+    double Z1 =
+        (1.35 * (sin(3.59 * phi - 0.009) + 2.31) * sin(2.6 * sun + 0.316) + phi + 4.799)
+        / 2.326;
+    double Z2 = exp(-0.563 * gamma * ((sun - 0.008) * (phi + 1.059) + 0.812));
+    return Z1 * Z2;
+}
+
+/* (1), or the other formula of the sky, divided by N, for cosines z to the zenith and
+ * to_sun to the sun. */
 static double relative(const struct pp_perez_sky *sky, double z, double to_sun,
                        double gamma)
 {
+    if (sky->intermediate)
+        return intermediate(sky, z, gamma);
     double gradation = (1.0 + sky->gradation * z) * (1.0 + sky->a * exp(sky->b / z));
     double indicatrix = 1.0 + sky->c * exp(sky->d * gamma) + sky->e * to_sun * to_sun;
     return fmax(gradation * indicatrix, 0.0);

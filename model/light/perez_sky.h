@@ -17,7 +17,12 @@
  *     Z       zenith angle of the sun, in radians except in m
  *
  * Other skies have the same form: ISO 15469, and the graded skies (graded_sky.h), with
- * the factor 1 + g cos zeta in (1); g is 0 for Perez's.
+ * the factor 1 + g cos zeta in (1); g is 0 for Perez's. The intermediate sky of EnergyPlus
+ * [EPLUS] has, with the altitudes phi of the direction and h of the sun (radians),
+ *
+ *     L = N Z1 Z2                                                                (3)
+ *     Z1 = (1.35 (sin(3.59 phi - 0.009) + 2.31) sin(2.6 h + 0.316) + phi + 4.799) / 2.326
+ *     Z2 = exp(-0.563 gamma ((h - 0.008) (phi + 1.059) + 0.812))
  *
  * N makes the sky's horizontal illuminance equal to Ed times its luminous efficacy
  * [PISMS90], to 1e-6:
@@ -58,7 +63,8 @@ enum pp_perez_limit {
 
 struct pp_perez_sky {
     double a, b, c, d, e;
-    double gradation; /* g: 2 for the CIE overcast sky, else 0 */
+    double gradation;  /* g: 2 for the CIE overcast sky, else 0 */
+    bool intermediate; /* the luminance is (3), not (1) */
     struct pp_vec3 sun;
     double N;                     /* cd/m2 */
     double diffuse_lx, direct_lx; /* horizontal; normal to the sun */

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "reports/annual/hand_year_report.h"
 #include "reports/annual/lighting_report.h"
 #include "reports/parts/format.h"
 
@@ -26,8 +27,9 @@ static void put_figures(const struct pp_annual_sheet *sheet,
         put_value(figures, n->index, n->unit, out);
 }
 
-static void put_annual_heading(const struct pp_annual_sheet *sheet, FILE *out)
+static void put_annual_heading(const struct pp_annual_result *result, FILE *out)
 {
+    const struct pp_annual_sheet *sheet = &result->sheet;
     fputs("file,room,place,x,y,z", out);
     for (int i = 0; i < sheet->illuminance_count; i++) {
         double lx = sheet->illuminances_lx[i];
@@ -36,7 +38,9 @@ static void put_annual_heading(const struct pp_annual_sheet *sheet, FILE *out)
     for (const struct pp_annual_figure_name *n = pp_annual_result_names; n->name; n++)
         fprintf(out, ",%s,%s_se", n->name, n->name);
     pp_lighting_report_csv_names(sheet, out);
-    fputs(",finished\r\n", out);
+    fputs(",finished", out);
+    pp_hand_year_report_csv_heading(&result->hand, sheet, out);
+    fputs("\r\n", out);
 }
 
 static void put_annual_line(const struct pp_annual_result *result, int point, FILE *out)
@@ -56,7 +60,9 @@ static void put_annual_line(const struct pp_annual_result *result, int point, FI
     }
     put_figures(sheet, point >= 0 ? &sheet->points[point] : &sheet->mean, out);
     pp_lighting_report_csv_point(sheet, point, out);
-    fprintf(out, ",%s\r\n", sheet->finished ? "yes" : "no");
+    fprintf(out, ",%s", sheet->finished ? "yes" : "no");
+    pp_hand_year_report_csv(&result->hand, sheet, point, out);
+    fputs("\r\n", out);
 }
 
 /* Writes the line of a control of the electric light, without figures of daylight. */
@@ -81,7 +87,7 @@ enum pp_status pp_annual_csv(const struct pp_annual_results *results, FILE *out,
 {
     (void)err;
     if (results->count > 0)
-        put_annual_heading(&results->list[0].sheet, out);
+        put_annual_heading(&results->list[0], out);
     for (int i = 0; i < results->count; i++) {
         const struct pp_annual_sheet *sheet = &results->list[i].sheet;
         for (int x = 0; x < sheet->receiver_count && sheet->finished; x++)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "reports/annual/annual_figure.h"
+#include "reports/annual/hand_year_report.h"
 #include "reports/annual/lighting_report.h"
 #include "reports/parts/json.h"
 
@@ -42,8 +43,9 @@ static bool add_figures(struct json_object *object, const struct pp_annual_sheet
     return good;
 }
 
-static bool add_plane(struct json_object *object, const struct pp_annual_sheet *sheet)
+static bool add_plane(struct json_object *object, const struct pp_annual_result *result)
 {
+    const struct pp_annual_sheet *sheet = &result->sheet;
     const struct pp_annual_plane *plane = &sheet->plane;
     struct json_object *to = json_object_new_object();
     bool good = pp_json_add(object, "plane", to)
@@ -67,11 +69,14 @@ static bool add_plane(struct json_object *object, const struct pp_annual_sheet *
     struct json_object *mean = json_object_new_object();
     return good && pp_json_add(object, "average", mean)
            && add_figures(mean, sheet, &sheet->mean)
-           && pp_lighting_report_json_point(mean, sheet, -1);
+           && pp_lighting_report_json_point(mean, sheet, -1)
+           && pp_hand_year_report_json_point(mean, &result->hand, sheet, -1);
 }
 
-static bool add_points(struct json_object *object, const struct pp_annual_sheet *sheet)
+static bool add_points(struct json_object *object,
+                       const struct pp_annual_result *result)
 {
+    const struct pp_annual_sheet *sheet = &result->sheet;
     struct json_object *points = json_object_new_array();
     bool good = pp_json_add(object, "points", points);
     for (int x = 0; x < sheet->receiver_count && good; x++) {
@@ -80,7 +85,8 @@ static bool add_points(struct json_object *object, const struct pp_annual_sheet 
         good = pp_json_append(points, point) && pp_json_number(point, "x", at.x)
                && pp_json_number(point, "y", at.y) && pp_json_number(point, "z", at.z)
                && add_figures(point, sheet, &sheet->points[x])
-               && pp_lighting_report_json_point(point, sheet, x);
+               && pp_lighting_report_json_point(point, sheet, x)
+               && pp_hand_year_report_json_point(point, &result->hand, sheet, x);
     }
     return good;
 }
@@ -148,9 +154,10 @@ static struct json_object *annual_room(const void *all, int index)
            && pp_json_add(object, "grid", json_object_new_boolean(sheet->is_grid))
            && pp_json_add(object, "finished", json_object_new_boolean(sheet->finished));
     if (good && sheet->finished)
-        good = add_plane(object, sheet) && add_discretisation(object, sheet)
+        good = add_plane(object, result) && add_discretisation(object, sheet)
                && add_groups(object, sheet) && pp_lighting_report_json(object, sheet)
-               && add_points(object, sheet);
+               && pp_hand_year_report_json(object, &result->hand, sheet)
+               && add_points(object, result);
     return pp_json_whole(object, good);
 }
 

@@ -5,10 +5,12 @@
 #include <stdbool.h>
 
 #include "model/results/sheets/annual_sheet.h"
+#include "model/results/sheets/hand_year_sheet.h"
 
 struct pp_annual_result {
     struct pp_annual_sheet sheet;
-    const char *file; /* as typed; not owned */
+    struct pp_hand_year_sheet hand; /* without columns: no hand methods */
+    const char *file;               /* as typed; not owned */
 };
 
 struct pp_annual_results {

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "reports/annual/hand_year_report.h"
 #include "reports/annual/lighting_report.h"
 #include "reports/annual/lighting_text.h"
 #include "reports/parts/print.h"
@@ -296,7 +297,8 @@ static bool print_annual_room(const struct pp_annual_result *result, int width,
             return false;
         fputc('\n', out);
     }
-    return print_points(&page);
+    return print_points(&page)
+           && pp_hand_year_report_text(&result->hand, sheet, width, utf8, out);
 }
 
 enum pp_status pp_annual_text(const struct pp_annual_results *results, int width,

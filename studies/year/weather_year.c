@@ -105,8 +105,9 @@ static void add_hour(struct pp_weather_year *year, const struct pp_epw_record *r
                                      .weekday = record->weekday,
                                      .start_h = record->start_h,
                                      .length_h = year->epw->record_h,
-                                     .sky = -1};
-    hour->direct_w_m2 = record->direct_w_m2;
+                                     .sky = -1,
+                                     .direct_w_m2 = record->direct_w_m2,
+                                     .cloud_cover = record->cloud_cover};
     hour->known = !isnan(record->direct_w_m2) && !isnan(record->diffuse_w_m2);
     if (hour->known)
         add_sky(year, record, hour);

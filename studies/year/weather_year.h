@@ -20,8 +20,9 @@ struct pp_weather_hour {
     double start_h, length_h; /* local standard time */
     double direct_w_m2;       /* direct normal irradiance; NAN: not known */
     bool known;
-    bool lit; /* true if it has a sky or a sun */
-    int sky;  /* index in skies; -1: dark, or not known */
+    bool lit;           /* true if it has a sky or a sun */
+    int sky;            /* index in skies; -1: dark, or not known */
+    double cloud_cover; /* share of the sky covered by clouds; NAN: not known */
 };
 
 struct pp_weather_options {

@@ -1,0 +1,28 @@
+/* monthly_suns.h - for each month and hour of the day of a weather file: the mean position
+ * of the sun, the share of sunny hours, and the mean illuminances of sunny and other
+ * hours. */
+#ifndef PP_STUDIES_YEAR_HAND_MONTHLY_SUNS_H
+#define PP_STUDIES_YEAR_HAND_MONTHLY_SUNS_H
+
+#include "studies/year/hand/hand_case.h"
+
+enum { PP_MONTHLY_SUNS_HOURS = 24, PP_MONTHLY_SUNS = 12 * PP_MONTHLY_SUNS_HOURS };
+
+struct pp_monthly_sun {
+    double hours, sunny_h; /* with daylight; of those with sunshine */
+    bool is_up;            /* the sun is above the horizon in some of the hours */
+    struct pp_vec3 sun;    /* unit: mean direction over the hours with the sun up */
+    double sunny_diffuse_lx, sunny_direct_lx; /* means over sunny hours; 0: none */
+    double dull_diffuse_lx;                   /* mean over the others; 0: none */
+};
+
+struct pp_monthly_suns {
+    struct pp_monthly_sun list[PP_MONTHLY_SUNS]; /* by pp_monthly_suns_index */
+};
+
+void pp_monthly_suns_fill(struct pp_monthly_suns *suns, const struct pp_hand_case *of);
+
+/* Index of an hour: month times PP_MONTHLY_SUNS_HOURS plus hour of the day. */
+int pp_monthly_suns_index(const struct pp_hand_hour *hour);
+
+#endif
