@@ -42,7 +42,7 @@ static const struct {
      " json text csv "},
     {"annual",
      " weather sun-shift leap-day blinds patches exact-sky hours days summer-time "
-     "illuminance points room state error samples time seed ",
+     "illuminance lighting points room state error samples time seed ",
      " json text csv "},
     {"report",
      " criteria for place median-diffuse room state vsc-point-french by-hand simulate "
@@ -102,6 +102,12 @@ static bool is_listed(const char *list, const char *word)
     return false;
 }
 
+/* Text of an entry of a list; JSON's null is a null pointer in json-c. */
+static const char *text_of_entry(struct json_object *entry)
+{
+    return entry ? json_object_get_string(entry) : "null";
+}
+
 /* Writes a list of points or numbers as on the command line: "1.5,2 1.5,3". */
 static void write_list(FILE *out, struct json_object *list, const char *between)
 {
@@ -111,8 +117,17 @@ static void write_list(FILE *out, struct json_object *list, const char *between)
         if (json_object_is_type(entry, json_type_array))
             write_list(out, entry, ",");
         else
-            fputs(json_object_get_string(entry), out);
+            fputs(text_of_entry(entry), out);
     }
+}
+
+/* Adds an option once for each entry of a list. */
+static void add_repeated(struct pp_program_words *words, const char *name,
+                         struct json_object *list)
+{
+    for (size_t i = 0; i < json_object_array_length(list); i++)
+        pp_program_words_add_option(words, name,
+                                    text_of_entry(json_object_array_get_idx(list, i)));
 }
 
 /* Adds an option as an argument. If false, the error answer is set. */
@@ -150,6 +165,11 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
         return true;
     }
     case json_type_array: {
+        /* An option that is repeated; its values have commas of their own. */
+        if (strcmp(name, "lighting") == 0) {
+            add_repeated(words, name, value);
+            return true;
+        }
         char *text = NULL;
         size_t length;
         FILE *out = open_memstream(&text, &length);

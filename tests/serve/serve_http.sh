@@ -147,6 +147,17 @@ keeps_weather() {
 check "a weather file is named by its hash" keeps_weather
 asks "$deep" '{}'
 check "annual says that it needs a weather file" answers 400 annual
+hash=$(sha256sum "$weather" | cut -d ' ' -f 1)
+asks "$deep" "{\"weather\":\"$hash\",\"lighting\":[\"dimmed,power=8\",\"manual\"]}"
+check "annual accepts controls of light, and needs a whole year" answers 422 annual
+check "the year is what is missing" holds 8760
+asks "$deep" "{\"weather\":\"$hash\",\"lighting\":\"dimmed,steps=2\"}"
+check "a wrong control is refused" answers 400 annual
+check "with the keys that it has" holds residual-light
+asks "$deep" "{\"weather\":\"$hash\",\"lighting\":[null]}"
+check "nor is null a control" answers 400 annual
+asks "$deep" '{"points":[null]}'
+check "nor null a point" answers 400 df
 asks "$deep" "{\"weather\":\"$(printf '%064d' 0)\"}"
 check "an unknown hash is refused" answers 404 availability
 finishes_job() {
