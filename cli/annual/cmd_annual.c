@@ -29,7 +29,8 @@ static const char about[] =
     "Simulates the daylight of a room in every hour of a weather file. Shows daylight "
     "autonomy, useful daylight illuminance, sDA and ASE to LM-83-12 with the blinds of "
     "that standard, and the levels of EN 17037 by its method 2. Results are for the "
-    "reference points and for the whole grid, with standard errors. FILE is a room "
+    "reference points and for the whole grid, with standard errors. --lighting adds "
+    "the electric light saved by daylight. FILE is a room "
     "file; - is standard input.";
 
 struct annual_options {
