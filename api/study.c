@@ -231,7 +231,7 @@ enum pp_status pp_study_simulate(struct pp_study *study,
     struct pp_simulation *simulation;
     enum pp_status status = PP_OK;
     if (!study->scene)
-        status = pp_light_scene_of_world_matt(&study->scene, study->room.world, err);
+        status = pp_light_scene_of_world_grey(&study->scene, study->room.world, err);
     if (status == PP_OK)
         status = pp_simulation_create_in(&simulation, engine, study->scene,
                                          &study->report, &options, err);

@@ -40,7 +40,9 @@ enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
     if (!made)
         return pp_fail_memory(err);
     made->engine = engine;
-    made->solver = options->plain && engine->plain ? engine->plain : engine;
+    /* The fast implementation is for diffuse surfaces only. */
+    bool plain = options->plain || !pp_light_scene_is_matt(scene);
+    made->solver = plain && engine->plain ? engine->plain : engine;
     made->error = options->error;
     enum pp_status status =
         pp_light_scene_under(&made->environment, scene, &report->light, err);
@@ -62,7 +64,7 @@ enum pp_status pp_simulation_create(struct pp_simulation **simulation,
 {
     struct pp_light_scene *own;
     *simulation = NULL;
-    enum pp_status status = pp_light_scene_of_world_matt(&own, report->world, err);
+    enum pp_status status = pp_light_scene_of_world_grey(&own, report->world, err);
     if (status != PP_OK)
         return status;
     status = pp_simulation_create_in(simulation, engine, own, report, options, err);

@@ -26,7 +26,7 @@ enum pp_status pp_simulation_create(struct pp_simulation **simulation,
                                     const struct pp_engine_options *options,
                                     struct pp_error *err);
 
-/* Does the same in the diffuse scene of the report's world; the scene must also outlive
+/* Does the same in the grey scene of the report's world; the scene must also outlive
  * *simulation. */
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
                                        const struct pp_engine *engine,

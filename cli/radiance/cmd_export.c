@@ -10,6 +10,7 @@
 #include "cli/rooms.h"
 #include "reports/parts/format.h"
 #include "model/base/read_file.h"
+#include "model/light/rough/rough_finishes.h"
 #include "formats/radiance/write/rad_room.h"
 
 /* Default illuminance on the open horizontal ground. */
@@ -187,6 +188,11 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
                        "deterioration of decorations in the internally reflected "
                        "component, so its daylight factors are higher",
                        file, world->decorations);
+        if (gloss && pp_rough_finishes_count(world->materials) > 0)
+            pp_message("%.200s: each <material> becomes a metal or plastic with the "
+                       "same reflectance for diffuse light; its spike, and the change "
+                       "of its lobe with angle and wavelength, are lost",
+                       file);
         if (!gloss && pp_rad_room_has_gloss(world))
             pp_message("%.200s: finishes in the scene are matt and grey, as for "
                        "daylight factors; use --gloss to export colour and gloss",

@@ -41,17 +41,22 @@ struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
     return material;
 }
 
-struct pp_material pp_material_rough(const struct pp_rough_surface *surface, bool grey)
+struct pp_material pp_material_rough(const struct pp_rough_surface *surface)
 {
-    struct pp_rgb diffuse = surface->optics.diffuse;
-    struct pp_rgb gloss =
+    struct pp_material material = pp_material_diffuse(surface->optics.diffuse);
+    material.gloss =
         pp_rgb_sub(pp_rough_surface_reflectance(surface), surface->optics.diffuse);
-    struct pp_material material =
-        pp_material_diffuse(grey ? pp_rgb_grey(pp_rgb_luminance(diffuse)) : diffuse);
-    material.gloss = grey ? pp_rgb_grey(pp_rgb_luminance(gloss)) : gloss;
     material.rough = surface;
-    material.rough_is_grey = grey;
     return material;
+}
+
+struct pp_material pp_material_greyed(const struct pp_material *material)
+{
+    struct pp_material grey = *material;
+    grey.diffuse = pp_rgb_grey(pp_rgb_luminance(material->diffuse));
+    grey.gloss = pp_rgb_grey(pp_rgb_luminance(material->gloss));
+    grey.rough_is_grey = material->rough != NULL;
+    return grey;
 }
 
 struct pp_material pp_material_trans(struct pp_rgb colour, double specular,

@@ -92,9 +92,11 @@ struct pp_material pp_material_plastic(struct pp_rgb colour, double specular,
 struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
                                      double along, double across);
 
-/* A physically rough surface, which must outlive the material. grey: each channel is
- * their luminance. */
-struct pp_material pp_material_rough(const struct pp_rough_surface *surface, bool grey);
+/* A physically rough surface, which must outlive the material. */
+struct pp_material pp_material_rough(const struct pp_rough_surface *surface);
+
+/* The same with each channel of diffuse part and gloss replaced by their luminance. */
+struct pp_material pp_material_greyed(const struct pp_material *material);
 
 /* Radiance's `trans`: the share `specular` is reflected without colour. Of the rest the
  * share `trans` is transmitted, and of that the share `through_specular` straight on or

@@ -61,6 +61,7 @@ static void copy_parts(struct pp_room *room, bool *good)
     copy_text(&room->ref, good);
     copy_text(&room->address, good);
     room->sky = pp_sky_words_copy(&room->sky);
+    room->materials = pp_rough_finishes_hold(room->materials);
     copy_plan(&room->plan, good);
     COPY_LIST(room->finishes, room->finish_count, good);
     for (int i = 0; i < room->finish_count; i++)

@@ -102,6 +102,7 @@ void pp_room_parts_clear(struct pp_room *room)
         pp_room_parts_clear_mesh(&room->meshes[i]);
     for (int i = 0; i < room->wall_kind_count; i++)
         free(room->wall_kinds[i].name);
+    pp_rough_finishes_release(room->materials);
     free(room->wall_kinds);
     free(room->finishes);
     free(room->openings);

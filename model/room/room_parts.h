@@ -18,6 +18,7 @@
 #include "model/room/room_use.h"
 #include "model/room/sky_words.h"
 #include "model/geometry/vec.h"
+#include "model/light/rough/rough_finishes.h"
 #include "model/light/slats/window_device.h"
 #include "model/mesh/mesh_triangles.h"
 #include "model/room/placement.h"
@@ -239,7 +240,8 @@ struct pp_room {
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
     const struct pp_finish *floor_finish, *walls_finish, *ceiling_finish;
-    double decorations; /* NAN: from surroundings and work ("auto") */
+    struct pp_rough_finishes *materials; /* of the file; held; NULL: none */
+    double decorations;                  /* NAN: from surroundings and work ("auto") */
     double working_plane_m;
     int working_plane_line; /* 0: not given */
     struct pp_finish_part *finishes;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "model/base/array.h"
+#include "model/light/rough/rough_finishes.h"
 
 static const char *surface_name(const struct pp_surface *surface)
 {
@@ -46,9 +47,15 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int ind
     const struct pp_surface *surface = &world->surfaces[index];
     double reflectance = front ? surface->front : surface->back;
     struct pp_material material = pp_material_diffuse(pp_rgb_grey(reflectance));
-    if (surface->finish
-        && (front || !surface->inside || surface->role == PP_FREE_SURFACE
-            || surface->role == PP_COVER))
+    const struct pp_rough_surface *rough =
+        pp_rough_finishes_surface(world->materials, surface->finish);
+    bool finished = surface->finish
+                    && (front || !surface->inside || surface->role == PP_FREE_SURFACE
+                        || surface->role == PP_COVER);
+    /* A rough surface whose reflectance was changed is no longer that surface. */
+    if (finished && rough && reflectance == surface->finish->reflectance)
+        material = pp_material_rough(rough);
+    else if (finished && !rough)
         material = pp_material_finish(surface->finish, reflectance);
     if (surface->exitance > 0.0) {
         material.emits = PP_EMITS_EXTENDED;
@@ -68,6 +75,7 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int i
     material.gloss = pp_rgb_grey(0.0);
     material.roughness[0] = material.roughness[1] = 0.0;
     material.grain = pp_vec(0.0, 0.0, 0.0);
+    material.rough = NULL;
     return material;
 }
 
@@ -193,16 +201,23 @@ static enum pp_status find_material(struct pp_surface_materials *materials,
 }
 
 static struct pp_material surface_side_material(const struct pp_world *world, int index,
-                                                bool front, bool matt)
+                                                bool front, enum pp_surface_look look)
 {
     if (index >= world->surface_count)
         return pp_surface_materials_pane(world, index - world->surface_count, front);
-    return matt ? pp_surface_materials_matt(world, index, front)
-                : pp_surface_materials_of(world, index, front);
+    if (look == PP_LOOK_COLOURED)
+        return pp_surface_materials_of(world, index, front);
+    if (look == PP_LOOK_GREY && world->materials) {
+        struct pp_material full = pp_surface_materials_of(world, index, front);
+        if (full.rough)
+            return pp_material_greyed(&full);
+    }
+    return pp_surface_materials_matt(world, index, front);
 }
 
 enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
-                                         const struct pp_world *world, bool matt,
+                                         const struct pp_world *world,
+                                         enum pp_surface_look look,
                                          struct pp_error *err)
 {
     int count = world->surface_count + world->opening_count;
@@ -217,7 +232,7 @@ enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
                              pp_world_kind(world, world->openings[i].line),
                              world->openings[i].label);
     for (int i = 0; status == PP_OK && i < 2 * count; i++) {
-        struct pp_material side = surface_side_material(world, i / 2, i % 2 == 0, matt);
+        struct pp_material side = surface_side_material(world, i / 2, i % 2 == 0, look);
         status = find_material(materials, &side, &materials->sides[i / 2][i % 2], err);
     }
     if (status != PP_OK)

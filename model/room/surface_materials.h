@@ -14,6 +14,14 @@
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);
 
+/* The look of surfaces in a scene. */
+enum pp_surface_look {
+    PP_LOOK_COLOURED, /* with the colour and gloss of finishes */
+    PP_LOOK_GREY, /* grey and matt; physically rough surfaces scatter as they are, in
+                       * grey */
+    PP_LOOK_MATT  /* all grey and matt */
+};
+
 /* Material without gloss and colour, as used for daylight factors. */
 struct pp_material pp_surface_materials_matt(const struct pp_world *world, int surface,
                                              bool front);
@@ -59,10 +67,10 @@ struct pp_surface_materials {
     int (*sides)[2]; /* indices of front and back; surfaces, then panes */
 };
 
-/* Makes the materials; equal ones usually share an entry. matt: surfaces without gloss
- * and colour. */
+/* Makes the materials; equal ones usually share an entry. */
 enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
-                                         const struct pp_world *world, bool matt,
+                                         const struct pp_world *world,
+                                         enum pp_surface_look look,
                                          struct pp_error *err);
 void pp_surface_materials_clear(struct pp_surface_materials *materials);
 

@@ -31,6 +31,7 @@ void pp_world_destroy(struct pp_world *world)
 {
     if (!world)
         return;
+    pp_rough_finishes_release(world->materials);
     for (int i = 0; i < world->surface_count; i++) {
         pp_polygon_clear(&world->surfaces[i].outline);
         free(world->surfaces[i].triangles);
@@ -363,6 +364,7 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
     struct pp_world *made = calloc(1, sizeof *made);
     if (!made)
         return pp_fail_memory(err);
+    made->materials = pp_rough_finishes_hold(room->materials);
     struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
     struct pp_error fault = {0};
     enum pp_status status = resolve_world(&r, &fault);

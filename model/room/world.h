@@ -204,9 +204,12 @@ enum pp_work { PP_CLEAN, PP_DIRTY }; /* type of work in the room */
 /* Edition of the data for dirt on glass: for smoky towns, or for cleaner air. */
 enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 
+struct pp_rough_finishes;
+
 struct pp_world {
-    char *name, *ref; /* NULL: no name */
-    char *address;    /* the house that the room is in; NULL: not given */
+    struct pp_rough_finishes *materials; /* of the file; held; NULL: none */
+    char *name, *ref;                    /* NULL: no name */
+    char *address; /* the house that the room is in; NULL: not given */
     enum pp_room_use use;
     struct pp_placement placement;      /* in its building */
     double north_rad;                   /* bearing of +y, clockwise from true north */

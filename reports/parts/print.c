@@ -9,6 +9,7 @@
 
 #include "reports/parts/format.h"
 #include "model/light/photographs/sky_picture.h"
+#include "model/light/rough/rough_finishes.h"
 #include "model/room/corrections.h"
 #include "model/base/text.h"
 
@@ -143,6 +144,19 @@ static void append_reflectance(const struct pp_world *world, enum pp_role role,
     pp_text_append(text, TEXT_BYTES, "%s%s %.3g", *text ? ", " : "", name, low);
     if (high > low)
         pp_text_append(text, TEXT_BYTES, " to %.3g", high);
+}
+
+/* Each physically rough material, and the light that its roughness loses. */
+static void tell_rough_materials(const struct pp_world *world,
+                                 const struct listener *listener)
+{
+    for (int i = 0; i < pp_rough_finishes_count(world->materials); i++) {
+        const struct pp_rough_finish *material =
+            pp_rough_finishes_at(world->materials, i);
+        tell(listener, i == 0 ? "materials" : "",
+             "%s reflects %.3g, and loses %.1f %% by roughness", material->finish.name,
+             material->finish.reflectance, 100.0 * material->surface.lost);
+    }
 }
 
 static void tell_reflectances(const struct pp_world *world,
@@ -281,6 +295,7 @@ void pp_print_facts(const struct pp_world *world, const struct pp_outside_light 
     tell_sky(world, light, &listener);
     tell_size(world, &listener);
     tell_reflectances(world, &listener);
+    tell_rough_materials(world, &listener);
     tell_openings(world, &listener);
     tell_outside(world, light, &listener);
     tell(&listener, "working plane", "at %.2f m; averages cover the whole plane",

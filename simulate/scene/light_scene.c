@@ -65,6 +65,15 @@ const struct pp_material *pp_light_scene_material(const struct pp_light_scene *s
     return &scene->materials[material];
 }
 
+bool pp_light_scene_is_matt(const struct pp_light_scene *scene)
+{
+    for (int i = 0; i < scene->material_count; i++)
+        if (!pp_rgb_is_black(scene->materials[i].gloss)
+            || !pp_rgb_is_black(scene->materials[i].through_gloss))
+            return false;
+    return true;
+}
+
 uint64_t pp_light_scene_hash(const struct pp_light_scene *scene)
 {
     return scene->hash;

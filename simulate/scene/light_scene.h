@@ -71,6 +71,9 @@ int pp_light_scene_material_count(const struct pp_light_scene *scene);
 const struct pp_material *pp_light_scene_material(const struct pp_light_scene *scene,
                                                   int material);
 
+/* True if every surface except glass is diffuse. */
+bool pp_light_scene_is_matt(const struct pp_light_scene *scene);
+
 /* Bounding box of everything not infinitely far away; with `room`, in a world, of the
  * room alone. All zero if there is nothing. */
 struct pp_bounds3 pp_light_scene_bounds(const struct pp_light_scene *scene, bool room);

@@ -133,7 +133,8 @@ static enum pp_status add_sun_disc(struct pp_light_scene *scene,
     return pp_emitters_add_distant(scene, &disc, err);
 }
 
-static enum pp_status build_world_scene(struct pp_light_scene *scene, bool matt,
+static enum pp_status build_world_scene(struct pp_light_scene *scene,
+                                        enum pp_surface_look look,
                                         const struct pp_outside_sun *sun,
                                         struct pp_error *err)
 {
@@ -148,7 +149,7 @@ static enum pp_status build_world_scene(struct pp_light_scene *scene, bool matt,
                sizeof *scene->parts);
     if (!scene->parts)
         return pp_fail_memory(err);
-    enum pp_status status = pp_surface_materials_init(&materials, world, matt, err);
+    enum pp_status status = pp_surface_materials_init(&materials, world, look, err);
     if (status == PP_OK) {
         make_parts(scene, (const int(*)[2])materials.sides);
         scene->materials = materials.list;
@@ -166,14 +167,15 @@ static enum pp_status build_world_scene(struct pp_light_scene *scene, bool matt,
                                              pp_ground_level(world) - scene->centre.z};
     if (status == PP_OK)
         status = add_world_triangles(scene, &list, err);
-    if (status == PP_OK && matt)
+    if (status == PP_OK && look != PP_LOOK_COLOURED)
         status = pp_glass_images_find(scene, err);
     pp_triangles_clear(&list);
     return status;
 }
 
 static enum pp_status make_light_scene(struct pp_light_scene **result,
-                                       const struct pp_world *world, bool matt,
+                                       const struct pp_world *world,
+                                       enum pp_surface_look look,
                                        const struct pp_outside_sun *sun,
                                        struct pp_error *err)
 {
@@ -182,7 +184,7 @@ static enum pp_status make_light_scene(struct pp_light_scene **result,
     if (!scene)
         return pp_fail_memory(err);
     scene->world = world;
-    enum pp_status status = build_world_scene(scene, matt, sun, err);
+    enum pp_status status = build_world_scene(scene, look, sun, err);
     if (status != PP_OK) {
         pp_light_scene_destroy(scene);
         return status;
@@ -195,7 +197,7 @@ enum pp_status pp_light_scene_of_world(struct pp_light_scene **scene,
                                        const struct pp_world *world,
                                        struct pp_error *err)
 {
-    return make_light_scene(scene, world, false, NULL, err);
+    return make_light_scene(scene, world, PP_LOOK_COLOURED, NULL, err);
 }
 
 enum pp_status pp_light_scene_of_world_sunlit(struct pp_light_scene **scene,
@@ -203,14 +205,21 @@ enum pp_status pp_light_scene_of_world_sunlit(struct pp_light_scene **scene,
                                               const struct pp_outside_sun *sun,
                                               struct pp_error *err)
 {
-    return make_light_scene(scene, world, false, sun, err);
+    return make_light_scene(scene, world, PP_LOOK_COLOURED, sun, err);
 }
 
 enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err)
 {
-    return make_light_scene(scene, world, true, NULL, err);
+    return make_light_scene(scene, world, PP_LOOK_MATT, NULL, err);
+}
+
+enum pp_status pp_light_scene_of_world_grey(struct pp_light_scene **scene,
+                                            const struct pp_world *world,
+                                            struct pp_error *err)
+{
+    return make_light_scene(scene, world, PP_LOOK_GREY, NULL, err);
 }
 
 struct pp_vec3 pp_light_scene_of_world_plane_point(const struct pp_light_scene *scene,

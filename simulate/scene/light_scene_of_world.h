@@ -24,6 +24,11 @@ enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err);
 
+/* Does the same, but physically rough surfaces scatter light as they are. */
+enum pp_status pp_light_scene_of_world_grey(struct pp_light_scene **scene,
+                                            const struct pp_world *world,
+                                            struct pp_error *err);
+
 /* A point of the world's working plane, uniform by area for two numbers in (0, 1),
  * measured from the scene's centre. */
 struct pp_vec3 pp_light_scene_of_world_plane_point(const struct pp_light_scene *scene,

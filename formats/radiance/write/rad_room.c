@@ -394,7 +394,8 @@ enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world 
                                  .light = light,
                                  .horizontal = horizontal,
                                  .err = err};
-    enum pp_status status = pp_surface_materials_init(&b.materials, world, !gloss, err);
+    enum pp_status status = pp_surface_materials_init(
+        &b.materials, world, gloss ? PP_LOOK_COLOURED : PP_LOOK_MATT, err);
     if (status != PP_OK)
         goto done;
     b.described = malloc(((size_t)b.materials.count + 1) * sizeof *b.described);

@@ -84,8 +84,15 @@ static double ratio_of(struct pp_rgb part, struct pp_rgb whole)
 static bool is_mirror(const struct pp_material *m)
 {
     return m->kind == PP_MATERIAL_OPAQUE && m->emits == PP_EMITS_NOTHING
-           && pp_rgb_is_black(m->diffuse) && !pp_rgb_is_black(m->gloss)
+           && pp_rgb_is_black(m->diffuse) && !pp_rgb_is_black(m->gloss) && !m->rough
            && m->roughness[0] == 0.0 && m->roughness[1] == 0.0;
+}
+
+/* Roughness of the gloss that resembles a physically rough surface: of facets with its
+ * slopes, to which its lobe tends if it is very rough (he_torrance.h). */
+static double roughness_of(const struct pp_rough_surface *rough)
+{
+    return fmin(2.0 * rough->optics.roughness / rough->optics.correlation, 1.0);
 }
 
 /* Describes an opaque material; false if no Radiance type can. Radiance's `mirror` is
@@ -100,6 +107,7 @@ static bool say_opaque(struct rad_primitive_text *said, const struct pp_material
         return true;
     }
     double specular = m->gloss.r;
+    double roughness = m->rough ? roughness_of(m->rough) : m->roughness[0];
     if (is_grey(m->gloss) && specular < 1.0) {
         said->type = twofold ? "plastic2" : "plastic";
         add_worked_rgb(said, pp_rgb_scale(m->diffuse, 1.0 / (1.0 - specular)));
@@ -110,7 +118,7 @@ static bool say_opaque(struct rad_primitive_text *said, const struct pp_material
         add_worked_rgb(said, colour);
     }
     add_worked(said, specular);
-    add_material_number(said, m->roughness[0]);
+    add_material_number(said, roughness);
     if (twofold) {
         add_material_number(said, m->roughness[1]);
         say_grain(said, m->grain);
@@ -352,6 +360,11 @@ void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out)
         if ((writer->in_pairs[i] && !writer->on_its_own[i])
             || !say(&said, material, writer->behind[i]))
             continue;
+        if (material->rough)
+            fputs("\n# A gloss in place of a physically rough surface: its spike, and "
+                  "the "
+                  "change with\n# angle and wavelength, are left out.",
+                  out);
         write_said(&said,
                    material->pattern >= 0 ? patterns[material->pattern].text : "void",
                    writer->names[i].text, out);

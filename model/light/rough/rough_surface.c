@@ -213,9 +213,10 @@ static void settle_channel(struct pp_rough_surface *surface,
 {
     const struct pp_rough_optics *optics = &surface->optics;
     const double a[3] = {optics->diffuse.r, optics->diffuse.g, optics->diffuse.b};
-    double *keep = surface->keep[channel], spike[2][ANGLES], all[2][ANGLES];
+    double *keep = surface->keep[channel], one[ANGLES];
+    double spike[2][ANGLES], all[2][ANGLES];
     for (int i = 0; i < ANGLES; i++) {
-        keep[i] = 1.0;
+        keep[i] = one[i] = 1.0;
         for (int white = 0; white < 2; white++)
             spike[white][i] = spike_share(optics, channel, cosine_of_angle(i), white);
     }
@@ -227,7 +228,7 @@ static void settle_channel(struct pp_rough_surface *surface,
         double kept = keep[i] * keep[i];
         surface->lobe[channel][i] = lobe_of(kernel->own[channel], keep, i);
         all[0][i] = kept * spike[0][i] + surface->lobe[channel][i];
-        all[1][i] = kept * spike[1][i] + lobe_of(kernel->white[channel], keep, i);
+        all[1][i] = fmin(spike[1][i] + lobe_of(kernel->white[channel], one, i), 1.0);
     }
     surface->reflectance[channel] = diffuse_mean(all[0]);
     if (channel == surface->channels / 2)

@@ -41,9 +41,9 @@ struct pp_rough_surface {
     double keep[3][PP_ROUGH_ANGLES]; /* c */
     double lobe[3][PP_ROUGH_ANGLES]; /* int dd' cos */
     double reflectance[3]; /* of spike and lobe together, for diffuse illumination */
-    double lost;           /* share of diffuse light lost among facets of F = 1, in the
-                            * green channel */
-    double most;           /* the largest albedo of the published model, with F = 1 */
+    double lost; /* share of diffuse light that the published model loses among
+                            * facets of F = 1, in the green channel */
+    double most; /* the largest albedo of the published model, with F = 1 */
 
     /* Distribution of the lobe's light by |i_xy + r_xy| over its largest value 1 +
      * |i_xy|: cumulative shares at these radii. */

@@ -25,6 +25,7 @@ struct value_place {
     int line;
     struct pp_mistakes *mistakes;
     double per_metre;
+    const struct pp_rough_finishes *materials;
 };
 
 /* Expected values of the kind, for a message, in the units of the file. */
@@ -109,10 +110,25 @@ static bool read_factor(double *value, const struct value_place *at)
     return unknown(at, names, count);
 }
 
+/* Reads the name of one of the file's own materials, after "#". */
+static bool read_own_material(struct pp_finish_value *value,
+                              const struct value_place *at)
+{
+    const struct pp_rough_finish *own =
+        pp_rough_finishes_find(at->materials, at->text + 1);
+    if (!own)
+        return wrong(at, ", or # and the name of a <material> of the file");
+    value->finish = &own->finish;
+    value->reflectance = own->finish.reflectance;
+    return true;
+}
+
 static bool read_reflectance(struct pp_finish_value *value,
                              const struct value_place *at)
 {
     bool good;
+    if (at->text[0] == '#')
+        return read_own_material(value, at);
     value->finish = pp_finishes_find(at->text);
     if (value->finish) {
         value->reflectance = value->finish->reflectance;
@@ -174,6 +190,30 @@ static bool read_pair(double *pair, const struct value_place *at)
            || wrong(at, "");
 }
 
+/* Reads one number for all three channels, or three. */
+static bool read_triple(double *triple, const struct value_place *at)
+{
+    static const char white[] = " \t\r\n";
+    const char *next = at->text + strspn(at->text, white);
+    int count = 0;
+    for (; *next && count <= 3; next += strspn(next, white)) {
+        size_t length = strcspn(next, white);
+        char copy[64];
+        if (count == 3 || length >= sizeof copy)
+            return wrong(at, "");
+        memcpy(copy, next, length);
+        copy[length] = '\0';
+        if (!pp_text_parse_number(copy, &triple[count])
+            || !in_range(at->kind, triple[count]))
+            return wrong(at, "");
+        count++;
+        next += length;
+    }
+    if (count == 1)
+        triple[1] = triple[2] = triple[0];
+    return count == 1 || count == 3 || wrong(at, "");
+}
+
 static bool read_count(int *count, const struct value_place *at)
 {
     double value;
@@ -187,7 +227,7 @@ static bool read_count(int *count, const struct value_place *at)
 
 static bool read_value(void *field, const struct value_place *at)
 {
-    double number = NAN, pair[2];
+    double number = NAN, pair[2], triple[3];
     struct pp_finish_value finish = {.reflectance = NAN};
     int index = 0;
     const char *name = at->text;
@@ -223,6 +263,11 @@ static bool read_value(void *field, const struct value_place *at)
         if (good)
             memcpy(field, pair, sizeof pair);
         return good;
+    case PP_VALUE_TRIPLE:
+        good = read_triple(triple, at);
+        if (good)
+            memcpy(field, triple, sizeof triple);
+        return good;
     case PP_VALUE_CHOICE:
         good = read_choice(&index, at);
         memcpy(field, &index, sizeof index);
@@ -245,7 +290,7 @@ static void store_fallback(void *field, const struct pp_attribute_rule *row)
 {
     const char *no_text = NULL;
     int index = isfinite(row->fallback) ? (int)row->fallback : -1;
-    double pair[2] = {row->fallback, row->fallback};
+    double three[3] = {row->fallback, row->fallback, row->fallback};
     struct pp_finish_value number = {.reflectance = row->fallback};
     switch (row->kind->reading) {
     case PP_VALUE_TEXT:
@@ -262,7 +307,10 @@ static void store_fallback(void *field, const struct pp_attribute_rule *row)
         memcpy(field, &row->fallback, sizeof row->fallback);
         break;
     case PP_VALUE_PAIR:
-        memcpy(field, pair, sizeof pair);
+        memcpy(field, three, 2 * sizeof *three);
+        break;
+    case PP_VALUE_TRIPLE:
+        memcpy(field, three, sizeof three);
         break;
     case PP_VALUE_COUNT:
     case PP_VALUE_CHOICE:
@@ -346,6 +394,7 @@ static bool is_misspelt(const struct pp_element_rule *rule,
 
 bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
                           const struct pp_xml_element *element, double per_metre,
+                          const struct pp_rough_finishes *materials,
                           struct pp_mistakes *mistakes)
 {
     bool good = attributes_known(rule, element, mistakes);
@@ -357,7 +406,7 @@ bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
         if (attribute) {
             struct value_place at = {rule->name,       row->name,       row->kind,
                                      attribute->value, attribute->line, mistakes,
-                                     per_metre};
+                                     per_metre,        materials};
             good = read_value(field, &at) && good;
         } else if (row->required) {
             good = false;

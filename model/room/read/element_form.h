@@ -3,13 +3,15 @@
 #ifndef PP_MODEL_ROOM_READ_ELEMENT_FORM_H
 #define PP_MODEL_ROOM_READ_ELEMENT_FORM_H
 
+#include "model/light/rough/rough_finishes.h"
 #include "model/room/read/room_schema.h"
 
 /* Fills the element's form from its attributes, with defaults for missing ones, and
  * reports mistakes. Returns false if there are any. per_metre: 1, or 1000 for a file in
- * millimetres; forms are in metres. */
+ * millimetres; forms are in metres. materials: those of the file; NULL: none. */
 bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
                           const struct pp_xml_element *element, double per_metre,
+                          const struct pp_rough_finishes *materials,
                           struct pp_mistakes *mistakes);
 
 /* Reports children that the element cannot have, or has too often or too rarely.

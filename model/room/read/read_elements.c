@@ -8,6 +8,7 @@
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
 #include "model/room/read/read_fitting.h"
+#include "model/room/read/read_material.h"
 #include "model/room/read/read_opening.h"
 #include "model/room/read/read_outside.h"
 #include "model/room/read/read_shape.h"
@@ -375,6 +376,9 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
     building->glass_reflectance = NAN;
     if (!root)
         return PP_OK;
+    if (pp_element_form_matches(root, &pp_rule_building)
+        || pp_element_form_matches(root, &pp_rule_room))
+        pp_read_materials(&r, root);
     if (pp_element_form_matches(root, &pp_rule_building)) {
         read_building(&r, building, root);
         read_project(&r, building, root);
@@ -393,5 +397,9 @@ enum pp_status pp_read_elements(struct pp_building *building, const struct pp_xm
                         "the file contains a <%s>; expected a <room> or a <building>",
                         pp_text_excerpt(shown, sizeof shown, root->name));
     }
+    building->common.materials = pp_rough_finishes_hold(r.materials);
+    for (int i = 0; i < building->read_count; i++)
+        building->read[i].materials = pp_rough_finishes_hold(r.materials);
+    pp_rough_finishes_release(r.materials);
     return r.out_of_memory ? pp_fail_memory(err) : PP_OK;
 }

@@ -33,7 +33,8 @@ bool pp_reader_fill_form(struct pp_reader *r, void *form,
 {
     if (pp_reader_should_stop(r))
         return false;
-    bool good = pp_element_form_fill(form, rule, element, r->per_metre, r->mistakes);
+    bool good = pp_element_form_fill(form, rule, element, r->per_metre, r->materials,
+                                     r->mistakes);
     good = pp_element_form_check_children(rule, element, r->mistakes) && good;
     r->bad_elements += !good;
     return good && element->ended;

@@ -9,6 +9,7 @@
 
 #include "model/base/mistakes.h"
 #include "model/base/xml.h"
+#include "model/light/rough/rough_finishes.h"
 #include "model/room/room_parts.h"
 #include "model/room/read/room_schema.h"
 
@@ -20,6 +21,7 @@ struct pp_reader {
     bool out_of_memory;
     double per_metre;   /* units of the file per metre: 1, or 1000 for millimetres */
     const char *folder; /* folder for relative paths; NULL: read from memory */
+    struct pp_rough_finishes *materials; /* of the file; NULL: none */
 
     /* Glazings of the table used so far (panes > 0), so that each is integrated
      * once. */

@@ -131,6 +131,18 @@ static const struct pp_attribute_rule finish_rows[] = {
 };
 LEAF(finish, "finish", finish_rows);
 
+static const struct pp_attribute_rule material_rows[] = {
+    {"name", &face_name, REQUIRED, IN(material, name)},
+    {"n", &pp_room_values_refractive_index, REQUIRED, IN(material, n)},
+    {"k", &pp_room_values_extinction, OR(0), IN(material, k)},
+    {"roughness", &pp_room_values_roughness, REQUIRED, IN(material, roughness_um)},
+    {"correlation-length", &pp_room_values_correlation, REQUIRED,
+     IN(material, correlation_um)},
+    {"diffuse", &pp_room_values_diffuse, OR(0), IN(material, diffuse)},
+    {"wavelength", &pp_room_values_wavelength, OR(0), IN(material, wavelength_um)},
+};
+LEAF(material, "material", material_rows);
+
 static const struct pp_attribute_rule wall_rows[] = {
     {"name", &wall, REQUIRED, IN(wall, name)},
     {"kind", &pp_room_values_wall_kind, REQUIRED, IN(wall, kind)},
@@ -428,7 +440,8 @@ static const struct pp_child_rule room_children[] = {
     {&pp_rule_partition, 0, 0}, {&pp_rule_door, 0, 0},
     {&pp_rule_dado, 0, 0},      {&pp_rule_working_plane, 0, 1},
     {&pp_rule_point, 0, 0},     {&pp_rule_line, 0, 0},
-    {&pp_rule_grid, 0, 0},      {&pp_rule_project, 0, 1}, /* root element only */
+    {&pp_rule_grid, 0, 0},      {&pp_rule_material, 0, 0},
+    {&pp_rule_project, 0, 1}, /* root element only */
 };
 enum { ROOM_ROWS = sizeof room_rows / sizeof *room_rows };
 const struct pp_element_rule pp_rule_building_room = {
@@ -449,5 +462,6 @@ static const struct pp_attribute_rule building_rows[] = {
 static const struct pp_child_rule building_children[] = {
     {&pp_rule_site, 0, 1},   {&pp_rule_sky, 0, 1},           {&pp_rule_skyline, 0, 0},
     {&pp_rule_block, 0, 0},  {&pp_rule_surface, 0, 0},       {&pp_rule_mesh, 0, 0},
-    {&pp_rule_garden, 0, 0}, {&pp_rule_building_room, 1, 0}, {&pp_rule_project, 0, 1}};
+    {&pp_rule_garden, 0, 0}, {&pp_rule_building_room, 1, 0}, {&pp_rule_material, 0, 0},
+    {&pp_rule_project, 0, 1}};
 RULE(building, "building", building_rows, building_children);

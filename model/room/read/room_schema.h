@@ -23,8 +23,10 @@ enum pp_reading_of_value {
     PP_VALUE_NUMBER,      /* double */
     PP_VALUE_COUNT,       /* int */
     PP_VALUE_PAIR,        /* double[2]; two numbers separated by white space */
+    PP_VALUE_TRIPLE,      /* double[3]; three numbers, or one for all three */
     PP_VALUE_CHOICE,      /* int; index in `words` */
-    PP_VALUE_REFLECTANCE, /* struct pp_finish_value; a number or a named finish */
+    PP_VALUE_REFLECTANCE, /* struct pp_finish_value; a number, a named finish, or # and
+                           * the name of a material of the file */
     PP_VALUE_AUTO,        /* double; a number, or "auto" for NAN */
     PP_VALUE_FACTOR,      /* double; a number, or a name in `factors` */
     PP_VALUE_GLAZING,     /* const char *; a named glazing or "none" */
@@ -156,6 +158,13 @@ struct pp_finish_form {
     struct pp_finish_value finish;
 };
 
+/* A physically rough material; index of a channel: red, green, blue. */
+struct pp_material_form {
+    const char *name;
+    double n[3], k[3], wavelength_um[3], diffuse[3];
+    double roughness_um, correlation_um;
+};
+
 /* A window, a rooflight or an opening. */
 struct pp_opening_form {
     const char *name, *wall;
@@ -262,10 +271,10 @@ struct pp_receiver_form {
 extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_project, pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan,
     pp_rule_plan_vertex, pp_rule_envelope, pp_rule_face, pp_rule_vertex,
-    pp_rule_finishes, pp_rule_finish, pp_rule_window, pp_rule_rooflight,
-    pp_rule_opening, pp_rule_skyline, pp_rule_furniture, pp_rule_column,
-    pp_rule_partition, pp_rule_door, pp_rule_dado, pp_rule_facade, pp_rule_garden,
-    pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_mesh,
+    pp_rule_finishes, pp_rule_finish, pp_rule_material, pp_rule_window,
+    pp_rule_rooflight, pp_rule_opening, pp_rule_skyline, pp_rule_furniture,
+    pp_rule_column, pp_rule_partition, pp_rule_door, pp_rule_dado, pp_rule_facade,
+    pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_mesh,
     pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
     pp_rule_shelf, pp_rule_blind, pp_rule_screen, pp_rule_curtain, pp_rule_point,
     pp_rule_line, pp_rule_grid;

@@ -199,3 +199,24 @@ const struct pp_value_kind pp_room_values_scale = {
 static const char *const up_words[] = {"z", "y", NULL};
 const struct pp_value_kind pp_room_values_up = {
     .reading = PP_VALUE_CHOICE, .expected = "\"z\" or \"y\"", .words = up_words};
+
+/* Optical constants and lengths of physically rough materials. */
+const struct pp_value_kind pp_room_values_refractive_index = {
+    PP_VALUE_TRIPLE, "one number from 0.01 to 20, or three for red, green and blue",
+    0.01, 20.0, .unit = 1.0};
+const struct pp_value_kind pp_room_values_extinction = {
+    PP_VALUE_TRIPLE, "one number from 0 to 100, or three for red, green and blue", 0.0,
+    100.0, .unit = 1.0};
+const struct pp_value_kind pp_room_values_wavelength = {
+    PP_VALUE_TRIPLE,
+    "one number of micrometres from 0.38 to 0.78, or three for red, green and blue",
+    0.38, 0.78, .unit = 1.0};
+const struct pp_value_kind pp_room_values_roughness = {
+    PP_VALUE_NUMBER, "a number of micrometres from 0.0001 to 20", 1e-4, 20.0,
+    .unit = 1.0};
+const struct pp_value_kind pp_room_values_correlation = {
+    PP_VALUE_NUMBER, "a number of micrometres from 0.1 to 200", 0.1, 200.0,
+    .unit = 1.0};
+const struct pp_value_kind pp_room_values_diffuse = {
+    PP_VALUE_TRIPLE, "one fraction from 0 to 0.95, or three for red, green and blue",
+    0.0, 0.95, .unit = 1.0};

@@ -19,6 +19,8 @@ extern const struct pp_value_kind pp_room_values_coordinate, pp_room_values_size
     pp_room_values_roof, pp_room_values_plan_roof, pp_room_values_teeth,
     pp_room_values_scale, pp_room_values_up, pp_room_values_ridge, pp_room_values_pitch,
     pp_room_values_sky_type, pp_room_values_slat_angle, pp_room_values_slat_direction,
-    pp_room_values_device_position;
+    pp_room_values_device_position, pp_room_values_refractive_index,
+    pp_room_values_extinction, pp_room_values_wavelength, pp_room_values_roughness,
+    pp_room_values_correlation, pp_room_values_diffuse;
 
 #endif

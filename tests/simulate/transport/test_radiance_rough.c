@@ -27,7 +27,7 @@ static struct rough_scene *sheet(struct pp_rough_optics optics, struct pp_materi
     pp_scene_description_init(&scene);
     assert_int_equal(pp_rough_surface_init(&made.surface, &optics, NULL), PP_OK);
     pp_test_rectangle(
-        &scene, pp_test_material(&scene, pp_material_rough(&made.surface, false)),
+        &scene, pp_test_material(&scene, pp_material_rough(&made.surface)),
         pp_vec(-90.0, -90.0, 0.0), pp_vec(180.0, 0.0, 0.0), pp_vec(0.0, 180.0, 0.0));
     pp_test_dome(&scene, pp_test_material(&scene, sky), to, half_angle_rad);
     made.scene = pp_test_built(&scene);

@@ -1,0 +1,114 @@
+/* rough_finishes.c - see rough_finishes.h. */
+#include "model/light/rough/rough_finishes.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "model/base/array.h"
+
+struct pp_rough_finishes {
+    struct pp_rough_finish **list; /* each has its own memory, so that it never moves */
+    int count;
+    atomic_int holders;
+};
+
+static struct pp_rough_finish *make_finish(const char *name,
+                                           const struct pp_rough_optics *optics,
+                                           int line, struct pp_error *err)
+{
+    struct pp_rough_finish *made = calloc(1, sizeof *made);
+    char *copy = strdup(name);
+    if (!made || !copy || pp_rough_surface_init(&made->surface, optics, err) != PP_OK) {
+        free(made);
+        free(copy);
+        return NULL;
+    }
+    double reflectance = pp_rgb_luminance(pp_rough_surface_reflectance(&made->surface));
+    made->finish = (struct pp_finish){.name = copy,
+                                      .reflectance = reflectance,
+                                      .red = NAN,
+                                      .green = NAN,
+                                      .blue = NAN,
+                                      .specular = NAN,
+                                      .along = NAN,
+                                      .across = NAN,
+                                      .metal = "no",
+                                      .source = "room file",
+                                      .description = "physically rough"};
+    made->line = line;
+    return made;
+}
+
+enum pp_status pp_rough_finishes_add(struct pp_rough_finishes **list, const char *name,
+                                     const struct pp_rough_optics *optics, int line,
+                                     struct pp_error *err)
+{
+    if (!*list) {
+        *list = calloc(1, sizeof **list);
+        if (!*list)
+            return pp_fail_memory(err);
+        atomic_init(&(*list)->holders, 1);
+    }
+    struct pp_rough_finish *made = make_finish(name, optics, line, err);
+    if (!made)
+        return pp_fail_memory(err);
+    enum pp_status status =
+        pp_array_append(&(*list)->list, (*list)->count, sizeof *(*list)->list, err);
+    if (status == PP_OK) {
+        (*list)->list[(*list)->count++] = made;
+    } else {
+        free((char *)made->finish.name);
+        free(made);
+    }
+    return status;
+}
+
+int pp_rough_finishes_count(const struct pp_rough_finishes *list)
+{
+    return list ? list->count : 0;
+}
+
+const struct pp_rough_finish *pp_rough_finishes_at(const struct pp_rough_finishes *list,
+                                                   int index)
+{
+    return list->list[index];
+}
+
+const struct pp_rough_finish *pp_rough_finishes_find(
+    const struct pp_rough_finishes *list, const char *name)
+{
+    for (int i = 0; i < pp_rough_finishes_count(list); i++)
+        if (strcmp(list->list[i]->finish.name, name) == 0)
+            return list->list[i];
+    return NULL;
+}
+
+const struct pp_rough_surface *pp_rough_finishes_surface(
+    const struct pp_rough_finishes *list, const struct pp_finish *finish)
+{
+    for (int i = 0; finish && i < pp_rough_finishes_count(list); i++)
+        if (&list->list[i]->finish == finish)
+            return &list->list[i]->surface;
+    return NULL;
+}
+
+struct pp_rough_finishes *pp_rough_finishes_hold(struct pp_rough_finishes *list)
+{
+    if (list)
+        atomic_fetch_add(&list->holders, 1);
+    return list;
+}
+
+void pp_rough_finishes_release(struct pp_rough_finishes *list)
+{
+    if (!list || atomic_fetch_sub(&list->holders, 1) > 1)
+        return;
+    for (int i = 0; i < list->count; i++) {
+        free((char *)list->list[i]->finish.name);
+        free(list->list[i]);
+    }
+    free(list->list);
+    free(list);
+}

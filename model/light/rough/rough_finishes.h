@@ -1,0 +1,41 @@
+/* rough_finishes.h - the physically rough materials that a room file defines, as
+ * finishes of its surfaces.
+ *
+ * All rooms of a file and their worlds share one list, with a count of its holders. The
+ * list is complete when a second one holds it.
+ */
+#ifndef PP_MODEL_LIGHT_ROUGH_ROUGH_FINISHES_H
+#define PP_MODEL_LIGHT_ROUGH_ROUGH_FINISHES_H
+
+#include "model/light/finishes.h"
+#include "model/light/rough/rough_surface.h"
+
+struct pp_rough_finish {
+    struct pp_finish finish; /* its name, and its reflectance for diffuse light */
+    struct pp_rough_surface surface;
+    int line;
+};
+
+struct pp_rough_finishes;
+
+/* Adds a material; the list is made if *list is NULL. */
+enum pp_status pp_rough_finishes_add(struct pp_rough_finishes **list, const char *name,
+                                     const struct pp_rough_optics *optics, int line,
+                                     struct pp_error *err);
+
+/* A NULL list has no materials. */
+int pp_rough_finishes_count(const struct pp_rough_finishes *list);
+const struct pp_rough_finish *pp_rough_finishes_at(const struct pp_rough_finishes *list,
+                                                   int index);
+const struct pp_rough_finish *pp_rough_finishes_find(
+    const struct pp_rough_finishes *list, const char *name); /* NULL: none */
+
+/* The surface of a finish; NULL if it is not one of the list. */
+const struct pp_rough_surface *pp_rough_finishes_surface(
+    const struct pp_rough_finishes *list, const struct pp_finish *finish);
+
+/* Adds a holder, and returns the list; frees it after the last. NULL is allowed. */
+struct pp_rough_finishes *pp_rough_finishes_hold(struct pp_rough_finishes *list);
+void pp_rough_finishes_release(struct pp_rough_finishes *list);
+
+#endif

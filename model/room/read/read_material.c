@@ -1,0 +1,62 @@
+/* read_material.c - see read_material.h. */
+#include "model/room/read/read_material.h"
+
+#include "model/base/text.h"
+#include "model/room/read/element_form.h"
+
+/* Reports a material that no surface can have; false. */
+static bool material_is_possible(struct pp_reader *r,
+                                 const struct pp_material_form *form, int line)
+{
+    const struct pp_rough_finish *other =
+        pp_rough_finishes_find(r->materials, form->name);
+    char shown[160];
+    if (other)
+        pp_mistakes_add(r->mistakes, line,
+                        "material: the name \"%s\" is taken, by the material on line "
+                        "%d; expected another",
+                        pp_text_excerpt(shown, sizeof shown, form->name), other->line);
+    /* Steeper slopes reflect light among them many times, which the theory leaves
+     * out. */
+    bool steep = form->roughness_um > form->correlation_um;
+    if (steep)
+        pp_mistakes_add(r->mistakes, line,
+                        "material: roughness is %g, correlation-length %g; expected "
+                        "a correlation-length of at least the roughness",
+                        form->roughness_um, form->correlation_um);
+    return !other && !steep;
+}
+
+/* Wavelengths of red, green and blue if a material gives none. */
+static const double usual_um[3] = {0.65, 0.55, 0.45};
+
+static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
+{
+    struct pp_material_form form;
+    if (!pp_reader_fill_form(r, &form, &pp_rule_material, e)
+        || !material_is_possible(r, &form, e->line))
+        return;
+    struct pp_rough_optics optics = {
+        .roughness = form.roughness_um,
+        .correlation = form.correlation_um,
+        .diffuse = pp_rgb(form.diffuse[0], form.diffuse[1], form.diffuse[2])};
+    for (int c = 0; c < 3; c++) {
+        optics.n[c] = form.n[c];
+        optics.k[c] = form.k[c];
+        optics.wavelength[c] =
+            form.wavelength_um[c] > 0.0 ? form.wavelength_um[c] : usual_um[c];
+    }
+    if (pp_rough_finishes_add(&r->materials, form.name, &optics, e->line, NULL)
+        != PP_OK)
+        r->out_of_memory = true;
+}
+
+void pp_read_materials(struct pp_reader *r, const struct pp_xml_element *root)
+{
+    for (const struct pp_xml_element *e = root->child; e && !pp_reader_should_stop(r);
+         e = e->next)
+        if (pp_element_form_matches(e, &pp_rule_material))
+            read_material(r, e);
+        else if (pp_element_form_matches(e, &pp_rule_building_room))
+            pp_read_materials(r, e);
+}

@@ -1,0 +1,50 @@
+#!/bin/sh
+# Rooms with physically rough materials: df, render, export.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+room=$scratch/copper.xml
+cat >"$room" <<'END'
+<room version="1" name="Copper">
+  <material name="copper" n="0.21 1.04 1.18" k="3.67 2.59 2.40" roughness="0.28"
+            correlation-length="1.77"/>
+  <plan width="4" depth="6" height="3"/>
+  <finishes floor="#copper"/>
+  <window wall="south" left="0.5" sill="0.9" width="3" height="1.8" glazing="none"/>
+  <point x="2" y="5"/>
+</room>
+END
+check "df prints a material and its loss" shows \
+    "copper reflects 0.641, and loses 8.7 % by roughness" df "$room"
+sed 's/#copper/0.6407/' "$room" >"$scratch/matt.xml"
+hand() { "$pepperpot" df --format csv "$1" | grep ',df,exact+bre' | cut -d, -f4-; }
+check "hand methods take its diffuse reflectance" sh -c \
+    "test '$(hand "$room" | cut -c-12)' = '$(hand "$scratch/matt.xml" | cut -c-12)'"
+
+# The floor reflects the window's light towards the back of the room, as no matt floor
+# does: by paths, cache and photons alike, within 4 standard errors or 2 %.
+check "df simulates it with three engines" gives df -s --engine path,cache,photons \
+    --error 2% --format csv "$room"
+cp "$scratch/out" "$scratch/rough"
+factors() { awk -F, -v m="$1" '$3 == "point" && $10 == "df" && $11 == m { print $12 }' "$2"; }
+"$pepperpot" df -s --error 2% --format csv "$scratch/matt.xml" >"$scratch/matt"
+check "which agree" sh -c "echo '$(factors traced "$scratch/rough") $(factors cached "$scratch/rough") $(factors photons "$scratch/rough")' |
+    awk '{ exit !(\$2 > 0.94 * \$1 && \$2 < 1.06 * \$1 && \$3 > 0.94 * \$1 && \$3 < 1.06 * \$1) }'"
+check "and are brighter than a matt floor" sh -c "echo '$(factors traced "$scratch/rough") $(factors traced "$scratch/matt")' |
+    awk '{ exit !(\$1 > 1.05 * \$2) }'"
+check "any number of threads gives the same" same_by_threads "1 2" \
+    df -s --samples 16 --format csv "$room"
+check "render draws it" quietly render --size 40x30 --samples 4 "$room" -o "$scratch/copper.hdr"
+check "--gloss exports it as metal" "$pepperpot" export --to radiance --gloss \
+    -o "$scratch/gloss" "$room"
+check "with the slopes of its facets as roughness" \
+    grep -q "^5 [0-9. ]* 1 0.316" "$scratch/gloss/materials.rad"
+check "and a comment" grep -q "# A gloss in place of a physically rough surface" \
+    "$scratch/gloss/materials.rad"
+"$pepperpot" export --to radiance --gloss --force -o "$scratch/gloss" "$room" 2>"$scratch/err"
+check "losses are reported" grep -q "its spike, and the change" "$scratch/err"
+check "an unknown material is refused" refuses 1 "or # and the name of a <material>" \
+    df --set finishes.floor="#zinc" "$room"
+check "a material's attribute can be set" shows "and loses 0.0 % by roughness" \
+    df --set material.copper.roughness=0.01 "$room"
+tap_done
