@@ -201,7 +201,7 @@ enum pp_exit pp_assess_run_weather(struct pp_assess_words *words)
     if (result == PP_EXIT_DONE)
         result = pp_availability_options_median(&words->light, &words->median_lux,
                                                 &words->sunshine);
-    if (result != PP_EXIT_DONE || !pp_assess_words_need_year(words))
+    if (result != PP_EXIT_DONE || !pp_assess_words_use_year(words))
         return result;
     const struct pp_weather_options weather = {.sun_shift_h = NAN};
     enum pp_status status =

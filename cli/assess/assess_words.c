@@ -174,7 +174,14 @@ static enum pp_status check_place(const struct pp_assess_words *options,
 bool pp_assess_words_need_year(const struct pp_assess_words *words)
 {
     return words->with_year || (words->has_rules && words->rules.only_year)
-           || pp_assessment_needs_year(words->criteria, words->profile);
+           || pp_assessment_needs_year(words->criteria, words->profile, false);
+}
+
+bool pp_assess_words_use_year(const struct pp_assess_words *words)
+{
+    return pp_assess_words_need_year(words)
+           || (words->has_rules && words->rules.of_year)
+           || pp_assessment_needs_year(words->criteria, words->profile, true);
 }
 
 /* Checks that there are a weather file and a simulation, as a simulated year needs

@@ -73,6 +73,9 @@ enum pp_status pp_assess_words_check(void *words, char **files, int file_count,
 /* True if the year of the weather file is to be simulated. */
 bool pp_assess_words_need_year(const struct pp_assess_words *words);
 
+/* True if the year of the weather file, if any, is used. */
+bool pp_assess_words_use_year(const struct pp_assess_words *words);
+
 /* Prints the end of the help: criteria and profiles. */
 void pp_assess_words_help(FILE *out);
 

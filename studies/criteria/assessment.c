@@ -295,7 +295,7 @@ static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         chosen[i] &= pp_bearing_bears(criterion, world, !profile)
                      && (profile || options->withdrawn || !criterion->withdrawn)
-                     && (profile || !criterion->of_year);
+                     && (profile || !(criterion->of_year || criterion->of_plane_year));
     return PP_OK;
 }
 
@@ -317,14 +317,17 @@ static bool is_chosen(const bool chosen[PP_CRITERIA_MOST],
     return false;
 }
 
-bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *profile)
+bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *profile,
+                              bool optional)
 {
     bool chosen[PP_CRITERIA_MOST];
     const char *list = criteria ? criteria : profile ? profile->criteria : NULL;
     if (!list || pp_assessment_choose(chosen, list, NULL) != PP_OK)
         return false;
     for (int i = 0; pp_criteria_at(i); i++)
-        if (chosen[i] && pp_criteria_at(i)->of_year)
+        if (chosen[i]
+            && (pp_criteria_at(i)->of_year
+                || (optional && pp_criteria_at(i)->of_plane_year)))
             return true;
     return false;
 }
@@ -355,7 +358,7 @@ static enum pp_status simulate_year(struct pp_assessment *assessment,
     bool of_plane = needs_year_of_plane(chosen, options);
     if (!options->year || !options->study->simulate
         || !(options->with_year || of_plane
-             || pp_assessment_needs_year(options->criteria, options->profile)))
+             || pp_assessment_needs_year(options->criteria, options->profile, false)))
         return PP_OK;
     struct pp_annual_options annual = pp_plane_year_options(options->study);
     if (options->with_year) {

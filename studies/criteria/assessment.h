@@ -109,8 +109,10 @@ enum pp_status pp_assessment_begin(struct pp_assessment *assessment,
                                    const struct pp_assess_options *options,
                                    struct pp_error *err);
 
-/* True if the options select a criterion that needs a simulated year. */
-bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *profile);
+/* True if the options select a criterion that needs a simulated year or, if `optional`,
+ * that uses one. */
+bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *profile,
+                              bool optional);
 
 /* Assesses the room by the available data, and finds the gains if all criteria are
  * selected. */

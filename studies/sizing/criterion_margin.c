@@ -38,7 +38,7 @@ enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err
         return pp_fail(err, PP_BAD_INPUT,
                        "\"%.100s\" contains a comma; expected one criterion", words);
     requirement_name(name, words);
-    if (pp_assessment_needs_year(name, NULL))
+    if (pp_assessment_needs_year(name, NULL, true))
         return pp_fail(err, PP_BAD_INPUT,
                        "%s needs a simulated year, which size does not calculate; "
                        "expected another criterion",

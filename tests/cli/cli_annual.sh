@@ -120,6 +120,17 @@ check "LEED needs weather" refuses 2 "--weather" assess --for leed-v4.1 "$room"
 check "LEED by its name" refuses 2 "--weather" assess -c leed-v4.1 "$room"
 check "LEED is not by hand" refuses 2 "--by-hand" $leed --by-hand "$room"
 
+# EN 17037, method 2, has the shares of annual at the same points.
+sed '/<line/d; s|</room>|<grid spacing="1" margin="0.5"/></room>|' "$deep" >"$scratch/inner.xml"
+run annual -w "$scratch/year.epw" -f json "$scratch/inner.xml"
+share=$(awk -F'[:,]' '/"en17037-300/ { printf "%.0f", $3 }' "$scratch/out")
+en17037="assess --for en17037 --spacing 1,0.5 -w $scratch/year.epw"
+check "method 2 of EN 17037" shows "EN 17037 daylight provision, method 2" $en17037 "$scratch/inner.xml"
+check "its shares are those of annual" sh -c "
+    sed -n '/method 2/,\$p' '$scratch/out' | grep -q 'minimum: 300 lx .*over $share %'"
+check "without weather it is not applicable" shows "expected --weather" \
+    assess --for en17037 --by-hand "$room"
+
 # A report has the year on request.
 report="report -q --samples 64 -w $scratch/year.epw --for leed-v4.1 -o $scratch/report.html"
 check "a report with the year" quietly $report --year "$scratch/grid.xml"

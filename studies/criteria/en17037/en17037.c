@@ -25,11 +25,9 @@
 
 #include "studies/criteria/bearing.h"
 #include "studies/criteria/criteria.h"
+#include "studies/criteria/en17037/en17037_level.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/grid/share_finding.h"
-
-static const double half = 0.5, nearly_all = 0.95;
-static const double level_rad = 15.0 * PP_RAD;
 
 /* An illuminance to be reached over a part of the plane. */
 struct target {
@@ -38,14 +36,6 @@ struct target {
     double part;      /* part of the plane, a fraction */
     bool is_optional; /* a level above the minimum */
 };
-
-static bool is_lit_by_rooflights(const struct pp_world *world)
-{
-    bool all = world->opening_count > 0;
-    for (int i = 0; i < world->opening_count; i++)
-        all &= world->openings[i].slope_rad < level_rad;
-    return all;
-}
 
 /* Adds the finding on one target, by the daylight factors in `column`; not judged if
  * there is a reason `why`. */
@@ -97,49 +87,32 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
     return column;
 }
 
-/* Verdict on a level: the worst among the findings from `first` on. */
-static enum pp_verdict level_verdict(const struct pp_finding_list *findings, int first)
-{
-    bool undecided = false;
-    for (int i = first; i < findings->count; i++) {
-        if (findings->list[i].verdict == PP_NOT_MET)
-            return PP_NOT_MET;
-        undecided |= findings->list[i].verdict == PP_UNDECIDED;
-    }
-    return undecided ? PP_UNDECIDED : PP_MET;
-}
-
 static enum pp_status assess_en17037(const struct pp_inquiry *inquiry,
                                      struct pp_finding_list *findings,
                                      struct pp_error *err)
 {
-    static const char *const levels[] = {"minimum", "medium", "high"};
-    static const double targets[] = {300, 500, 750}, minima[] = {100, 300, 500};
-    bool rooflights = is_lit_by_rooflights(inquiry->world);
-    const char *why, *reached = "none", *perhaps = NULL;
-    bool further = true;
+    bool rooflights = pp_en17037_level_of_rooflights(inquiry->world);
+    double half = pp_en17037_level_half, nearly_all = pp_en17037_level_nearly_all;
+    const char *why;
     const struct pp_column *column = grid_factors(inquiry, findings, &why);
-    for (int i = 0; i < 3; i++) {
-        struct target target = {levels[i], targets[i], rooflights ? nearly_all : half,
-                                i > 0};
-        struct target least = {levels[i], minima[i], nearly_all, i > 0};
-        int first = findings->count;
+    for (int level = 1; level <= PP_EN17037_HIGH; level++) {
+        const char *name = pp_en17037_level_names[level];
+        bool higher = level > PP_EN17037_MINIMUM;
+        struct target target = {name, pp_en17037_level_target_lx[level],
+                                rooflights ? nearly_all : half, higher};
+        struct target least = {name, pp_en17037_level_minimum_lx[level], nearly_all,
+                               higher};
         enum pp_status status =
             add_target(inquiry, &target, column, why, findings, err);
         if (status == PP_OK && !rooflights)
             status = add_target(inquiry, &least, column, why, findings, err);
         if (status != PP_OK)
             return status;
-        enum pp_verdict verdict = level_verdict(findings, first);
-        further &= verdict != PP_NOT_MET;
-        if (further && verdict == PP_MET && !perhaps)
-            reached = levels[i];
-        else if (further)
-            perhaps = levels[i];
     }
+    char reached[PP_EN17037_LEVEL_WORDS];
+    pp_en17037_level_words(reached, findings);
     if (column)
-        pp_finding_list_add_basis(findings, "; level reached: %s%s%s", reached,
-                                  perhaps ? ", perhaps " : "", perhaps ? perhaps : "");
+        pp_finding_list_add_basis(findings, "; level reached: %s", reached);
     return PP_OK;
 }
 
