@@ -22,6 +22,7 @@ static const struct pp_chart_kind *const kinds[] = {
     &pp_draw_model_net,
     &pp_draw_availability,
     &pp_draw_year,
+    &pp_draw_en17037,
     NULL,
 };
 

@@ -146,7 +146,7 @@ extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_site_pl
     pp_draw_elevation, pp_draw_note, pp_draw_waldram, pp_draw_pepper_pot,
     pp_draw_protractor, pp_draw_nomogram, pp_draw_position_nomogram, pp_draw_brs_table,
     pp_draw_vertical_sky, pp_draw_skylight_indicator, pp_draw_overlay, pp_draw_sun_path,
-    pp_draw_model_net, pp_draw_availability, pp_draw_year;
+    pp_draw_model_net, pp_draw_availability, pp_draw_year, pp_draw_en17037;
 
 /* Chart kinds in list order; NULL for the first index past the end. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);

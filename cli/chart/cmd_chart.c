@@ -296,7 +296,7 @@ static enum pp_status check_light(const struct pp_year_options *light,
     if (kind->of_year) {
         if (!light->weather || file_count == 0)
             return pp_fail(err, PP_BAD_INPUT,
-                           "a chart of the %s needs a weather file and a room file; "
+                           "the chart %s needs a weather file and a room file; "
                            "expected --weather FILE.epw",
                            kind->name);
         return pp_availability_options_check(light, err);

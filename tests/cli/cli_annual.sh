@@ -131,6 +131,24 @@ check "its shares are those of annual" sh -c "
 check "without weather it is not applicable" shows "expected --weather" \
     assess --for en17037 --by-hand "$room"
 
+# The page of EN 17037.
+page="chart en17037 -w $scratch/year.epw --error 8%"
+sed 's/<room /<room use="living-room" /' "$room" >"$scratch/lived.xml"
+check "a page of EN 17037" quietly $page -o "$scratch/page.pdf" "$scratch/lived.xml"
+if command -v pdftotext >/dev/null; then
+    pdftotext "$scratch/page.pdf" - >"$scratch/page.txt"
+    for part in "Daylight provision 1: daylight factor: " "Daylight provision 2: every hour: " \
+        "View out: " "Exposure to sunlight: " "Protection from glare: "; do
+        check "it has $part" grep -qE "^$part(none|minimum|medium|high|not assessed)" "$scratch/page.txt"
+    done
+    run assess --for en17037 --error 8% -w "$scratch/year.epw" "$scratch/lived.xml"
+    lux=$(sed -n '/method 2/,$s/^ *minimum: 300 lx *\([0-9]*\) .*/\1/p' "$scratch/out")
+    check "its figures are those of assess: $lux lx" grep -qE "^$lux .*lx" "$scratch/page.txt"
+fi
+check "it needs weather" refuses 2 "--weather" chart en17037 -o "$scratch/x.svg" "$room"
+check "it has no methods" refuses 2 "--methods" $page -m exact+bre -o "$scratch/x.svg" "$room"
+check "an interrupted page leaves the old file" stops $page --error 0.1%
+
 # A report has the year on request.
 report="report -q --samples 64 -w $scratch/year.epw --for leed-v4.1 -o $scratch/report.html"
 check "a report with the year" quietly $report --year "$scratch/grid.xml"
