@@ -48,7 +48,8 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
                                            struct pp_error *err)
 {
     size_t batches = PP_YEAR_BATCHES * work->step, all = batches;
-    all *= (size_t)work->groups.count;
+    /* A room without openings has no groups, but judge needs the space of one. */
+    all *= work->groups.count > 0 ? (size_t)work->groups.count : 1;
     bool enough = true;
     work->spaces =
         calloc((size_t)pp_thread_pool_size(work->pool), sizeof *work->spaces);

@@ -120,6 +120,11 @@ check "LEED needs weather" refuses 2 "--weather" assess --for leed-v4.1 "$room"
 check "LEED by its name" refuses 2 "--weather" assess -c leed-v4.1 "$room"
 check "LEED is not by hand" refuses 2 "--by-hand" $leed --by-hand "$room"
 
+sed '/<window/,/>/d; /<line/d' "$room" >"$scratch/windowless.xml"
+check "a room without windows is dark" sh -c "
+    '$pepperpot' annual -w '$scratch/year.epw' --samples 16 -q '$scratch/windowless.xml' 2>&1 |
+        grep -qE '^ *mean +0\.0 +0\.0'"
+
 # EN 17037, method 2, has the shares of annual at the same points.
 sed '/<line/d; s|</room>|<grid spacing="1" margin="0.5"/></room>|' "$deep" >"$scratch/inner.xml"
 run annual -w "$scratch/year.epw" -f json "$scratch/inner.xml"
