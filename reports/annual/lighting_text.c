@@ -146,7 +146,7 @@ bool pp_lighting_text_points(struct pp_table *table,
         char heading[32];
         snprintf(heading, sizeof heading, "control %d", k + 1);
         struct pp_table_column *column =
-            pp_table_add(table, "light saved %", "%", heading);
+            pp_table_add(table, "light saved %", "saved", heading);
         if (!column)
             return false;
         for (int x = 0; x <= sheet->receiver_count; x++) {
