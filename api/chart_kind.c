@@ -19,6 +19,7 @@ static const struct pp_chart_kind *const kinds[] = {
     &pp_draw_skylight_indicator,
     &pp_draw_sun_path,
     &pp_draw_overlay,
+    &pp_draw_slats,
     &pp_draw_model_net,
     &pp_draw_availability,
     &pp_draw_year,

@@ -16,6 +16,7 @@
 #include "model/geometry/lens.h"
 #include "model/light/glass.h"
 #include "model/light/mirror_box.h"
+#include "model/light/slats/slats.h"
 #include "model/light/sky.h"
 #include "model/results/lit_area.h"
 #include "model/results/nomogram_sheet.h"
@@ -60,6 +61,9 @@ struct pp_board_options {
 
     enum pp_nomogram_kind nomogram; /* from --which */
     bool nomogram_said;             /* true if nomogram is given */
+
+    struct pp_slats slats; /* slats: of a blind without a room */
+    bool slats_said;       /* true if slats are given */
 
     bool unsolved; /* diagram for a point of a room: draw the exercise, not its
                     * solution */
@@ -146,7 +150,8 @@ extern const struct pp_chart_kind pp_draw_section, pp_draw_plan, pp_draw_site_pl
     pp_draw_elevation, pp_draw_note, pp_draw_waldram, pp_draw_pepper_pot,
     pp_draw_protractor, pp_draw_nomogram, pp_draw_position_nomogram, pp_draw_brs_table,
     pp_draw_vertical_sky, pp_draw_skylight_indicator, pp_draw_overlay, pp_draw_sun_path,
-    pp_draw_model_net, pp_draw_availability, pp_draw_year, pp_draw_en17037;
+    pp_draw_slats, pp_draw_model_net, pp_draw_availability, pp_draw_year,
+    pp_draw_en17037;
 
 /* Chart kinds in list order; NULL for the first index past the end. */
 const struct pp_chart_kind *pp_chart_kind_at(int index);

@@ -44,6 +44,7 @@ blank waldram-inclined waldram --inclined 30
 blank brs-table brs-table
 blank overlay overlay --latitude 51.5
 blank overlay-cells overlay --lens stereographic --show cells,sun --latitude 51.5
+blank slats slats --slats 0.025,0.02,-30,0.7,0.4,0.002
 blank protractor-double-45 protractor --glazing clear-double --slope 45
 brussels='--latitude 50.9 --longitude 4.35 --time-zone 1'
 blank availability availability $brussels --hours 6-18,7-17,8-18,7-15,8-16,9-17

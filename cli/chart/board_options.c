@@ -52,6 +52,48 @@ enum pp_status pp_board_options_read_protractor(const char *text, void *place,
     return PP_OK;
 }
 
+/* Reads numbers separated by commas; returns their count, or -1. */
+static int read_list(const char *text, double *numbers, int most)
+{
+    char copy[160];
+    int count = 0;
+    if (strlen(text) >= sizeof copy)
+        return -1;
+    snprintf(copy, sizeof copy, "%s", text);
+    char *rest = copy, *part;
+    while ((part = strsep(&rest, ",")) != NULL) {
+        if (count == most || !pp_text_parse_number(part, &numbers[count]))
+            return -1;
+        count++;
+    }
+    return count;
+}
+
+enum pp_status pp_board_options_read_slats(const char *text, void *place,
+                                           struct pp_error *err)
+{
+    struct pp_board_options *board = place;
+    double n[6];
+    int count = read_list(text, n, 6);
+    if (count < 3 || !(n[0] >= 0.001 && n[0] <= 10.0 && n[1] >= 0.001 && n[1] <= 10.0)
+        || !(fabs(n[2]) <= 90.0) || (count > 3 && !(n[3] >= 0.0 && n[3] <= 1.0))
+        || (count > 4 && !(n[4] >= 0.0 && n[4] <= 1.0))
+        || (count > 5 && !(fabs(n[5]) <= 0.5 * n[0])))
+        return pp_fail(err, PP_BAD_INPUT,
+                       "width and spacing in m (0.001 to 10), angle in degrees (-90 to "
+                       "90), then reflectance above and below (0 to 1) and curvature "
+                       "in m, such as 0.025,0.02,-45,0.6");
+    double upper = count > 3 ? n[3] : 0.5;
+    board->slats = (struct pp_slats){.width = n[0],
+                                     .spacing = n[1],
+                                     .tilt_rad = n[2] * PP_RAD,
+                                     .upper = upper,
+                                     .lower = count > 4 ? n[4] : upper,
+                                     .rise = count > 5 ? n[5] : 0.0};
+    board->slats_said = true;
+    return PP_OK;
+}
+
 enum pp_status pp_board_options_read_slope(const char *text, void *place,
                                            struct pp_error *err)
 {
@@ -158,6 +200,7 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
     bool waldram =
         strcmp(kind->name, "waldram") == 0 || strcmp(kind->name, "vertical-sky") == 0;
     bool overlay = strcmp(kind->name, "overlay") == 0;
+    bool slats = strcmp(kind->name, "slats") == 0;
     bool nomogram = strcmp(kind->name, "nomogram") == 0;
     bool position = strcmp(kind->name, "position-nomogram") == 0;
     const char *needless =
@@ -178,6 +221,8 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
         : !protractor && board->number                                ? "--number"
         : !protractor && board->glazing                               ? "--glazing"
         : !protractor && board->slope_said                            ? "--slope"
+        : !slats && board->slats_said                                 ? "--slats"
+        : slats && options->study.sky                                 ? "--sky"
         : !overlay && board->overlay.typed ? board->overlay.typed
         : !waldram && board->inclined      ? "--inclined"
         : overlay && board->glazed         ? "--glazed"
@@ -197,6 +242,12 @@ enum pp_status pp_board_options_check(struct pp_board_options *board,
             err, PP_BAD_INPUT,
             "%s is for a blank diagram; for a room, it is taken from the room file",
             board->glazed ? "--glazed" : "--receiver");
+    if (slats && blank != board->slats_said)
+        return pp_fail(err, PP_BAD_INPUT,
+                       blank ? "a chart of slats needs a blind; expected --slats "
+                               "WIDTH,SPACING,ANGLE, or a room file"
+                             : "--slats is for a chart without a room; for a room, the "
+                               "blind is taken from the room file");
     enum pp_status status = set_sky(board, options->study.sky, err);
     if (status == PP_OK && (nomogram || position) && board->sky.kind != PP_SKY_OVERCAST)
         status = pp_fail(

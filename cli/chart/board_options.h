@@ -11,7 +11,8 @@ pp_option_reader
 pp_option_reader pp_board_options_read_protractor; /* int, 1 to 10 */
 pp_option_reader pp_board_options_read_slope; /* struct pp_board_options, 0 to 90 */
 pp_option_reader
-    pp_board_options_read_inclined; /* struct pp_board_options, -90 to 90 */
+    pp_board_options_read_inclined;           /* struct pp_board_options, -90 to 90 */
+pp_option_reader pp_board_options_read_slats; /* struct pp_board_options */
 pp_option_reader pp_board_options_read_nomogram; /* struct pp_board_options, by name */
 pp_option_reader pp_board_options_read_viewing_mm; /* double, 5 to 200 */
 

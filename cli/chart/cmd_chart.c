@@ -128,8 +128,13 @@ static const struct pp_option board_options[] = {
      "without its solution. It shows section, plan and elevations to scale; a PDF "
      "adds the blank diagram.",
      NULL, BOARD(unsolved)},
+    {"slats", 0, "W,S,ANGLE,...",
+     "Slats without a room: width and spacing in m, angle in degrees; then reflectance "
+     "above (default 0.5) and below, and curvature in m.",
+     pp_board_options_read_slats, PLACE(choice.board)},
     {"window", 0, "WHICH",
-     "Vertical sky, skylight indicator, sun path: the window, by its line number in "
+     "Vertical sky, skylight indicator, sun path, slats: the window, by its line "
+     "number in "
      "the file or by its wall (default: the first vertical window).",
      pp_options_read_text, BOARD(window)},
     {0},

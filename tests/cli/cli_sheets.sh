@@ -81,6 +81,17 @@ check "only overlays have a lens" refuses 2 "--lens" chart waldram --lens equiso
     -o "$scratch/x.pdf"
 check "a circle fits on its sheet" refuses 1 "larger --paper" chart overlay --diameter 200 \
     -o "$scratch/x.pdf"
+echo '<room version="1"><plan width="4" depth="5" height="2.8"/><window wall="south" left="1"
+    sill="1" width="2" height="1.4"><blind angle="-45"/></window></room>' >"$scratch/blind.xml"
+check "slats in each form" each_form slats slats --slats 0.025,0.02,-45,0.6,0.3,0.002
+check "the blind of a room" quietly chart slats -o "$scratch/x.svg" "$scratch/blind.xml"
+check "a room without blinds has no such chart" refuses 1 "has no blind" chart slats \
+    -o "$scratch/x.svg" "$deep"
+check "slats are given, or those of a room" refuses 2 "--slats" chart slats -o "$scratch/x.svg"
+check "and not both" refuses 2 "--slats" chart slats --slats 0.025,0.02,0 -o "$scratch/x.svg" \
+    "$scratch/blind.xml"
+check "slats turn by 90 degrees at most" refuses 2 "-90 to 90" chart slats \
+    --slats 0.025,0.02,100 -o "$scratch/x.svg"
 # The 26th byte of a PNG is its colours: 6 with transparency, 2 without.
 colours() {
     quietly chart "$@" --dpi 40 -o "$scratch/x.png" &&
