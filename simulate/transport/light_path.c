@@ -21,10 +21,11 @@ enum {
     /* Directions from the ground to each window if the ground is the first surface that
      * scatters: no cache smooths its light. */
     GROUND_DIRECTIONS = 4,
-    /* Directions of a strong gloss, and to each window, if the glossy surface is the
-     * first that scatters: edges of windows may be visible in it, and no cache smooths
-     * its light. */
-    GLOSS_DIRECTIONS = 4,
+    /* Directions of a strong gloss if the glossy surface is the first that scatters:
+     * edges of windows may be visible in it, and no cache smooths its light. At 16
+     * paths per pixel a polished floor has a noise of 3.8 % (4 directions: 9.3 %), and
+     * a picture takes a fifth longer. */
+    GLOSS_DIRECTIONS = 32,
 };
 
 /* A gloss that reflects more than this is a strong one. */

@@ -11,6 +11,10 @@
  * path's noise: sampling all gives a quarter less noise in the example studio. */
 enum { FEW_OPENINGS = 4 };
 
+/* Most directions to each stratum of an opening from a strong gloss, whose own rays find
+ * the opening where its lobe is narrow. */
+enum { GLOSS_WINDOWS = 4 };
+
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening)
 {
     return pp_path_vertex_branch(pp_path_vertex_branch(shading->vertex, PP_DRAW_PANES),
@@ -48,6 +52,13 @@ static bool samples_all(const struct pp_light_scene *scene, bool split)
     return split || scene->pane_count <= FEW_OPENINGS;
 }
 
+/* Number of directions to each stratum of an opening, by the number of rays of the
+ * gloss. */
+static uint32_t gloss_windows(uint32_t gloss_rays)
+{
+    return gloss_rays < GLOSS_WINDOWS ? gloss_rays : GLOSS_WINDOWS;
+}
+
 /* Number of directions to an opening; the mean number if one opening is chosen at
  * random. */
 static double samples_of(const struct pp_radiance_state *state, bool split,
@@ -56,7 +67,7 @@ static double samples_of(const struct pp_radiance_state *state, bool split,
     const struct pp_light_scene *scene = state->scene;
     if (!samples_all(scene, split))
         return 1.0 / scene->pane_count;
-    return gloss_rays
+    return gloss_windows(gloss_rays)
            * pp_path_vertex_direction_count(
                state, split, pp_openings_angular_size(&scene->panes[opening], point));
 }
@@ -283,7 +294,7 @@ static bool next_opening(struct pp_radiance_state *state,
     sampling->count = shading->directions > 0 ? shading->directions : 1;
     if (sampling->all)
         sampling->count =
-            (shading->lobes ? shading->gloss_rays : 1)
+            (shading->lobes ? gloss_windows(shading->gloss_rays) : 1)
             * pp_path_vertex_direction_count(
                 state, shading->split,
                 pp_openings_angular_size(&state->scene->panes[sampling->opening],
