@@ -15,6 +15,7 @@ enum pp_status pp_draw_moment_plan(struct pp_canvas *canvas,
                                               .error = study->error,
                                               .seed = study->seed,
                                               .threads = study->threads,
+                                              .strict = study->strict,
                                               .watch = study->watch};
     struct pp_moment moment;
     struct pp_moment_plan plan;

@@ -30,6 +30,7 @@ static enum pp_status draw_year(struct pp_canvas *canvas, struct pp_study_room *
     options.error = study->error;
     options.seed = study->seed;
     options.threads = study->threads;
+    options.strict = study->strict;
     options.watch = study->watch;
     options.hours.days = year_options->days;
     enum pp_status status =

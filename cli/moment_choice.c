@@ -248,7 +248,7 @@ enum pp_status pp_moment_choice_check_paths(const struct pp_room_options *room,
 
 /* ---- the moment ---- */
 
-enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice)
+enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice, bool strict)
 {
     choice->light = pp_year_options_default;
     if (!choice->weather)
@@ -256,12 +256,17 @@ enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice)
     const struct pp_weather_options weather = {.sun_shift_h = NAN};
     struct pp_error err = {0};
     choice->light.weather = choice->weather;
-    enum pp_exit result = pp_availability_options_load(&choice->light);
+    enum pp_exit result = pp_availability_options_load(&choice->light, strict);
     if (result != PP_EXIT_DONE)
         return result;
     enum pp_status status =
         pp_weather_year_of_epw(&choice->year, choice->light.epw, &weather,
                                pp_read_file_title(choice->weather), &err);
+    char doubt[PP_ANNUAL_WORDS];
+    if (status == PP_OK && strict
+        && pp_weather_year_warning(doubt, sizeof doubt, &choice->year))
+        status = pp_fail(&err, PP_BAD_INPUT, "%s: %s",
+                         pp_read_file_title(choice->weather), doubt);
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 

@@ -43,7 +43,7 @@ enum pp_status pp_moment_choice_check_paths(const struct pp_room_options *room,
 bool pp_moment_choice_said(const struct pp_moment_choice *choice);
 
 /* Reads the weather file, if there is one. The caller clears the choice in any case. */
-enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice);
+enum pp_exit pp_moment_choice_load(struct pp_moment_choice *choice, bool strict);
 void pp_moment_choice_clear(struct pp_moment_choice *choice);
 
 /* Source of the moment, for a loaded choice, which must outlive it. */

@@ -232,7 +232,7 @@ const struct pp_option pp_room_output_options[] = {
      pp_options_read_output, PLACE(output)},
     {"quiet", 'q', NULL, "Show no progress bar.", NULL, PLACE(quiet)},
     {"strict", 0, NULL, "Treat doubtful input as an error instead of a warning.", NULL,
-     PLACE(strict)},
+     PLACE(study.strict)},
     {0},
 };
 

@@ -19,7 +19,6 @@ struct pp_room_options {
     enum pp_site_state state; /* state of the site; PP_STATE_BOTH: not given */
     const char *output;       /* NULL: standard output */
     bool quiet;
-    bool strict;                  /* warnings are errors */
     struct pp_sweep sweep;        /* --set and --sweep, with the current run */
     bool by_hand;                 /* no simulation, for a command that simulates by
                                    * default */

@@ -283,7 +283,7 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     if (result == PP_EXIT_DONE)
         result = find_doubts(rooms);
     if (result == PP_EXIT_DONE)
-        result = report_doubts(rooms, options->strict);
+        result = report_doubts(rooms, options->study.strict);
     if (result != PP_EXIT_DONE)
         pp_rooms_clear(rooms);
     return result;

@@ -40,6 +40,7 @@ struct pp_study_options {
     double seconds; /* 0: not given */
     uint64_t seed;
     int threads; /* 0: one for each processor */
+    bool strict; /* doubtful input is an error */
     bool alone;  /* points are simulated independently: faster for few points */
     struct pp_watch watch;
 

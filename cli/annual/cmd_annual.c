@@ -90,6 +90,7 @@ static void settle_annual(struct annual_run *run)
     annual->error = study->error;
     annual->seed = study->seed;
     annual->threads = study->threads;
+    annual->strict = study->strict;
     annual->watch = study->watch;
 }
 
@@ -240,7 +241,8 @@ static enum pp_exit run_annual(void *values, char **files, int file_count)
     struct pp_terminal_watch watch;
     struct pp_rooms rooms;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    enum pp_exit result = pp_availability_options_load(&options->light);
+    enum pp_exit result =
+        pp_availability_options_load(&options->light, options->room.study.strict);
     if (result == PP_EXIT_DONE)
         result = pp_rooms_load(&rooms, "annual", files, file_count, &options->room);
     if (result != PP_EXIT_DONE)

@@ -197,7 +197,8 @@ enum pp_exit pp_assess_run_weather(struct pp_assess_words *words)
     if (!words->weather)
         return PP_EXIT_DONE;
     words->light.weather = words->weather;
-    enum pp_exit result = pp_availability_options_load(&words->light);
+    enum pp_exit result =
+        pp_availability_options_load(&words->light, words->room.study.strict);
     if (result == PP_EXIT_DONE)
         result = pp_availability_options_median(&words->light, &words->median_lux,
                                                 &words->sunshine);

@@ -244,19 +244,25 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
 
 /* Warns if solar time at the longitude differs from the time zone by more than 3 h: one
  * of them probably has the wrong sign. The difference is taken modulo a day. */
-static void say_far_zone(const struct pp_year_options *options)
+static enum pp_exit check_zone(const struct pp_year_options *options, bool strict)
 {
     const struct pp_epw *epw = options->epw;
     double sun_h = epw->longitude_rad / PP_RAD / 15.0;
     double off_h = fabs(remainder(sun_h - epw->time_zone_h, 24.0));
-    if (off_h > 3.0)
-        pp_message("%s:1: the longitude of %.4g degrees is %.1f h ahead of UT, but the "
-                   "time zone is %.4g h ahead; check the signs of both",
-                   pp_read_file_title(options->weather), epw->longitude_rad / PP_RAD,
-                   sun_h, epw->time_zone_h);
+    struct pp_mistakes doubts;
+    if (!(off_h > 3.0))
+        return PP_EXIT_DONE;
+    pp_mistakes_init(&doubts, pp_read_file_title(options->weather));
+    pp_mistakes_add(&doubts, 1,
+                    "the longitude of %.4g degrees is %.1f h ahead of UT, but the "
+                    "time zone is %.4g h ahead; check the signs of both",
+                    epw->longitude_rad / PP_RAD, sun_h, epw->time_zone_h);
+    pp_message_warnings(&doubts, strict);
+    pp_mistakes_clear(&doubts);
+    return strict ? PP_EXIT_INPUT : PP_EXIT_DONE;
 }
 
-enum pp_exit pp_availability_options_load(struct pp_year_options *options)
+enum pp_exit pp_availability_options_load(struct pp_year_options *options, bool strict)
 {
     if (!options->weather)
         return PP_EXIT_DONE;
@@ -279,9 +285,7 @@ enum pp_exit pp_availability_options_load(struct pp_year_options *options)
         result = pp_message_error(&err);
     }
     pp_mistakes_clear(&mistakes);
-    if (result == PP_EXIT_DONE)
-        say_far_zone(options);
-    return result;
+    return result == PP_EXIT_DONE ? check_zone(options, strict) : result;
 }
 
 enum pp_exit pp_availability_options_median(const struct pp_year_options *options,

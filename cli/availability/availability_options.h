@@ -20,7 +20,7 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
                                              struct pp_error *err);
 
 /* Reads the weather file, if there is one, and reports its errors on standard error. */
-enum pp_exit pp_availability_options_load(struct pp_year_options *options);
+enum pp_exit pp_availability_options_load(struct pp_year_options *options, bool strict);
 /* Finds the median of the diffuse illuminance over the brightest 4380 hours and the
  * probability of sunshine in a loaded weather file; if it has no median, reports the
  * reason on standard error. */

@@ -134,7 +134,8 @@ static enum pp_exit run_availability(void *values, char **files, int file_count)
     struct pp_terminal_watch watch;
     struct pp_rooms rooms;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    enum pp_exit result = pp_availability_options_load(&options->light);
+    enum pp_exit result =
+        pp_availability_options_load(&options->light, options->room.study.strict);
     if (result == PP_EXIT_DONE)
         result =
             pp_rooms_load(&rooms, "availability", files, file_count, &options->room);

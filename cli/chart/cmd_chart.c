@@ -442,10 +442,11 @@ static enum pp_exit run_chart(void *values, char **words, int word_count)
         return PP_EXIT_DONE;
     }
     command->room.study.watch = pp_watch_of_terminal(&watch, command->room.quiet);
-    enum pp_exit exit_status =
-        pp_availability_options_load(&command->chart.choice.availability);
+    enum pp_exit exit_status = pp_availability_options_load(
+        &command->chart.choice.availability, command->room.study.strict);
     if (exit_status == PP_EXIT_DONE && pp_moment_choice_said(&command->moment)) {
-        exit_status = pp_moment_choice_load(&command->moment);
+        exit_status =
+            pp_moment_choice_load(&command->moment, command->room.study.strict);
         command->source = pp_moment_choice_source(&command->moment);
         command->chart.choice.moment = &command->source;
     }

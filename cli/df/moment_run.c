@@ -27,6 +27,7 @@ static enum pp_status compute_moment(void *data, struct pp_error *err)
         .error = study->error,
         .seed = study->seed,
         .threads = study->threads,
+        .strict = study->strict,
         .watch = pp_watch_of_terminal(&terminal, run->room->quiet)};
     run->results.list =
         calloc((size_t)run->rooms->count + 1, sizeof *run->results.list);
@@ -68,7 +69,7 @@ enum pp_exit pp_moment_run(struct pp_moment_choice *choice,
                            const struct pp_room_options *room, enum pp_format format,
                            bool array, const struct pp_rooms *rooms)
 {
-    enum pp_exit result = pp_moment_choice_load(choice);
+    enum pp_exit result = pp_moment_choice_load(choice, room->study.strict);
     if (result == PP_EXIT_DONE) {
         struct moment_run run = {.choice = choice,
                                  .room = room,

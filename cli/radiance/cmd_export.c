@@ -208,7 +208,7 @@ static enum pp_exit run_export(void *values, char **files, int file_count)
         pp_rooms_load(&rooms, "export", files, file_count, &options->room);
     if (exit_status != PP_EXIT_DONE)
         return exit_status;
-    exit_status = pp_moment_choice_load(&options->moment);
+    exit_status = pp_moment_choice_load(&options->moment, options->room.study.strict);
     if (exit_status != PP_EXIT_DONE) {
         pp_rooms_clear(&rooms);
         return exit_status;

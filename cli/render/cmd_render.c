@@ -110,7 +110,7 @@ static enum pp_exit take_moment(struct pp_study_room *room,
 {
     struct pp_moment moment;
     struct pp_error own = {0}, err = {0};
-    enum pp_exit result = pp_moment_choice_load(choice);
+    enum pp_exit result = pp_moment_choice_load(choice, options->study.strict);
     if (result != PP_EXIT_DONE)
         return result;
     enum pp_status status = pp_moment_choice_find(&moment, choice, room->world, &own);

@@ -253,6 +253,10 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
             &work->lighting, work->sheet,
             work->year->epw ? work->year->epw->latitude_rad : NAN, work->options,
             pp_thread_pool_size(work->pool), err);
+    if (status == PP_OK && work->options->strict && work->sheet->warning_count > 0)
+        status = pp_fail(err, PP_BAD_INPUT, "%s: %s",
+                         work->world->name ? work->world->name : "the room",
+                         work->sheet->warnings[0]);
     if (status == PP_OK)
         status = simulate(work, err);
     if (status != PP_OK)

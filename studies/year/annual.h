@@ -28,6 +28,7 @@ struct pp_annual_options {
     int samples;  /* paths per point in each randomisation; 0: by error */
     double error; /* largest standard error over a point's annual light; 0: not set */
     bool blinds;
+    bool strict;       /* PP_BAD_INPUT instead of warnings */
     bool coefficients; /* keep the coefficients in the sheet */
     bool measure;      /* measure the error of patches and cells */
     bool exact_sky;    /* without patches and cells: slow, for reference */

@@ -84,4 +84,17 @@ check "a negative irradiance is located" refuses 1 'absurd.epw:14: direct normal
 check "beyond the sun's own it is missing" refuses 1 "neither direct nor diffuse" \
     $annual -w "$scratch/huge.epw" "$room"
 
+# Doubts about place and weather are errors with --strict. The room is at 51.5 degrees north.
+check "a room far from its weather" shows "the room is at latitude 51.5" \
+    $annual -w "$scratch/south.epw" "$room"
+far="Deep office: the room is at latitude 51.5"
+check "is refused with --strict" refuses 1 "$far" $annual --strict -w "$scratch/south.epw" "$room"
+for hour in "df --samples 16" "chart plan --samples 16 -o $scratch/x.svg"; do
+    # shellcheck disable=SC2086
+    check "so is an hour of ${hour%% *}" refuses 1 "$far" $hour --strict \
+        -w "$scratch/south.epw" --when "2023-03-21 12:00" "$room"
+done
+check "so is a chart of its year" refuses 1 "$far" \
+    chart year --strict -w "$scratch/south.epw" -o "$scratch/x.svg" "$room"
+
 tap_done

@@ -16,8 +16,14 @@ check "a weather file" shows "Nowhere, XXX (four-days.epw)" availability -w "$da
 sed '1s/,\([0-9.-]*\),\([0-9.-]*\),\([0-9.-]*\)$/,122.4,-8,\3/' "$days" >"$scratch/west.epw"
 run availability -w "$scratch/west.epw" "$deep"
 check "a longitude against its time zone is a warning" \
-    grep -q "west.epw:1: the longitude of 122.4 degrees is 8.2 h ahead of UT, but the time zone is -8 h" \
+    grep -q "west.epw:1: warning: the longitude of 122.4 degrees is 8.2 h ahead of UT, but the time zone is -8 h" \
     "$scratch/err"
+check "and an error with --strict" refuses 1 "west.epw:1: the longitude" \
+    availability --strict -w "$scratch/west.epw" "$deep"
+check "in the year too" refuses 1 "west.epw:1: the longitude" \
+    annual --strict -w "$scratch/west.epw" "$deep"
+check "and in a chart" refuses 1 "west.epw:1: the longitude" \
+    chart availability --strict -w "$scratch/west.epw" -o "$scratch/x.svg" "$deep"
 check "a latitude" shows "overcast sky all year at 51 N" availability --latitude 51 "$deep"
 check "the room's own latitude" \
     shows "overcast sky all year" availability "$examples/office.xml"

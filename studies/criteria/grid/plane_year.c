@@ -10,6 +10,7 @@ struct pp_annual_options pp_plane_year_options(const struct pp_study_options *st
     struct pp_annual_options annual = pp_annual_options_lm83;
     annual.seed = study->seed;
     annual.threads = study->threads;
+    annual.strict = study->strict;
     annual.watch = study->watch;
     return annual;
 }
