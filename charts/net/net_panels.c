@@ -12,6 +12,10 @@
 /* Distance (mm on the model) below which ends are the same. */
 static const double SAME_MM = 1e-3;
 
+/* Largest number of parts of cut faces, each on a sheet of its own: a model of more is
+ * a mistake in the units or in the scale. */
+enum { PARTS_MOST = 400 };
+
 /* ---- from the room to a panel ---- */
 
 void pp_net_panels_own(const struct pp_net_panels *panels,
@@ -149,8 +153,16 @@ static enum pp_status add_net_face(struct pp_net_panels *panels,
         cells[k] = (int)ceil(size[k] / limit[k]);
         turned[k] = (int)ceil(size[k] / limit[1 - k]);
     }
-    if (turned[0] * turned[1] < cells[0] * cells[1])
+    if ((double)turned[0] * turned[1] < (double)cells[0] * cells[1])
         memcpy(cells, turned, sizeof cells);
+    if ((double)cells[0] * cells[1] + panels->count > PARTS_MOST
+        && cells[0] * (double)cells[1] > 1.0) {
+        free(own);
+        return pp_fail(err, PP_BAD_INPUT,
+                       "the net needs more than %d sheets; expected a larger --paper, "
+                       "or --scale for a smaller model",
+                       PARTS_MOST);
+    }
     enum pp_status status =
         cells[0] * cells[1] <= 1
             ? add_panel(panels, &like, (const double(*)[2])own, outline->count, err)

@@ -43,7 +43,8 @@ struct pp_net_panels {
 };
 
 /* Panels of all faces of the envelope, none larger than the limit, either upright or
- * turned by a quarter. On success the caller clears *panels. */
+ * turned by a quarter. On success the caller clears *panels. PP_BAD_INPUT for a model of
+ * more than 400 sheets. */
 enum pp_status pp_net_panels_init(struct pp_net_panels *panels,
                                   const struct pp_world *world, double mm_per_m,
                                   const double limit_mm[2], struct pp_error *err);

@@ -115,6 +115,10 @@ for words in "paint 0.30" "paint 0.25" "Dotted lines"; do
 done
 check "one sheet does not hold all" refuses 1 "only a PDF can hold" chart model-net \
     -o "$scratch/x.svg" "$examples/office.xml"
+sed 's/ width="3.0" depth="9.0" height="2.7"/ width="75" depth="191" height="180"/' "$deep" \
+    >"$scratch/huge.xml"
+check "a net of thousands of sheets is refused at once" refuses 1 "more than 400 sheets" \
+    chart model-net -o "$scratch/x.pdf" "$scratch/huge.xml"
 check "a scale is a number" refuses 2 "1:20" chart model-net --scale 1:20 -o "$scratch/x.pdf" "$deep"
 check "a box has two numbers" refuses 2 "0.85,0.5" chart model-net --mirror-box 0.9 \
     -o "$scratch/x.pdf" "$deep"
