@@ -2,6 +2,7 @@
  * the room file. */
 #include "studies/sizing/size_room.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +23,8 @@ struct valuation {
     const struct pp_size_request *request;
     const struct pp_study_room *room;
     struct pp_room_value by_hand;
-    bool is_traced; /* the size is searched by simulated values */
+    bool is_traced;    /* the size is searched by simulated values */
+    int by_hand_count; /* number of values found by hand in the present search */
 };
 
 enum pp_gives pp_size_room_gives(const char *by)
@@ -102,12 +104,25 @@ static enum pp_status value_by_hand(struct valuation *valuation,
                : pp_room_value(&valuation->by_hand, world, reading, err);
 }
 
+/* Reports progress, since a value of a room with diffusing panes can take a second. */
+static enum pp_status look_on(struct valuation *valuation, struct pp_error *err)
+{
+    static const double USUAL_COUNT = 28.0, MOST_SHOWN = 0.95;
+    const struct pp_watch *watch = &valuation->request->study->watch;
+    double done = fmin(valuation->by_hand_count++ / USUAL_COUNT, MOST_SHOWN);
+    return !watch->look || watch->look(watch->data, done, NAN)
+               ? PP_OK
+               : pp_fail(err, PP_INTERRUPTED, "interrupted before a size was found");
+}
+
 static enum pp_status sized_room_value(void *data, const struct pp_world *world,
                                        struct pp_reading *reading, struct pp_error *err)
 {
     struct valuation *valuation = data;
-    return valuation->is_traced ? trace_sized_room(valuation, world, reading, err)
-                                : value_by_hand(valuation, world, reading, err);
+    if (valuation->is_traced)
+        return trace_sized_room(valuation, world, reading, err);
+    enum pp_status status = look_on(valuation, err);
+    return status == PP_OK ? value_by_hand(valuation, world, reading, err) : status;
 }
 
 /* True if the opening may be changed. */
@@ -305,6 +320,20 @@ static bool falls_short(const struct pp_reading *traced, double target)
     return traced->value + noise < target;
 }
 
+static enum pp_status find_size(struct pp_size_answer *answer,
+                                const struct pp_size_task *task,
+                                struct valuation *valuation, struct pp_error *err)
+{
+    const struct pp_watch *watch = &valuation->request->study->watch;
+    bool watched = !valuation->is_traced && watch->begin
+                   && watch->begin(watch->data, valuation->room->world->name);
+    valuation->by_hand_count = 0;
+    enum pp_status status = pp_size_find(answer, task, err);
+    if (watched && watch->end)
+        watch->end(watch->data);
+    return status;
+}
+
 /* Repeats the search with simulated values, after a result by hand was not
  * confirmed. */
 static enum pp_status search_traced(struct pp_size_room_result *result,
@@ -314,7 +343,7 @@ static enum pp_status search_traced(struct pp_size_room_result *result,
     valuation->is_traced = true;
     task->sampled = true;
     pp_size_answer_clear(&result->answer);
-    enum pp_status status = pp_size_find(&result->answer, task, err);
+    enum pp_status status = find_size(&result->answer, task, valuation, err);
     if (status == PP_OK)
         result->traced = result->answer.reading;
     return status;
@@ -345,7 +374,7 @@ static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
             break;
         task->target = answer->reading.value / traced * beyond;
         pp_size_answer_clear(answer);
-        enum pp_status status = pp_size_find(answer, task, err);
+        enum pp_status status = find_size(answer, task, valuation, err);
         if (status == PP_OK && answer->room)
             status = trace_room(&result->traced, NULL, answer->room, valuation, err);
         if (status != PP_OK || !answer->room)
@@ -431,7 +460,7 @@ enum pp_status pp_size_room(struct pp_size_room_result *result,
     if (status == PP_OK && by_method && !request->traced)
         status = find_reliability(result, &valuation, err);
     if (status == PP_OK)
-        status = pp_size_find(&result->answer, &task, err);
+        status = find_size(&result->answer, &task, &valuation, err);
     if (status == PP_OK && request->study->simulate && !request->traced
         && result->answer.room)
         status = check_by_simulation(result, &task, &valuation, err);

@@ -1,5 +1,6 @@
 /* test_criterion_margin.c - how much a room has of what a criterion asks for. */
 #include "studies/sizing/criterion_margin.h"
+#include "studies/sizing/size_room.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -121,6 +122,32 @@ static void a_criterion_that_there_is_not_is_refused(void **state)
     assert_non_null(strstr(err.message, "simulated year"));
 }
 
+static bool look_twice(void *data, double done, double error)
+{
+    int *looks = data;
+    assert_in_range((int)(100.0 * done), 0, 95);
+    assert_true(isnan(error));
+    return ++*looks < 3;
+}
+
+static void a_search_by_hand_is_watched(void **state)
+{
+    (void)state;
+    int looks = 0;
+    struct pp_study_options study = PP_STUDY_OPTIONS_NONE;
+    study.watch = (struct pp_watch){.look = look_twice, .data = &looks};
+    const struct pp_size_request request = {.study = &study,
+                                            .target = 1.0,
+                                            .criterion = "glazing-ratio",
+                                            .change = PP_CHANGE_WIDTH};
+    struct pp_size_room_result result;
+    set_up(1.3);
+    assert_int_equal(pp_size_room(&result, &room, &request, NULL), PP_INTERRUPTED);
+    assert_int_equal(looks, 3);
+    pp_size_room_result_clear(&result);
+    tear_down();
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -129,6 +156,7 @@ TEST_FILE
         cmocka_unit_test(a_part_of_a_criterion_is_asked_for_by_its_words),
         cmocka_unit_test(what_has_no_bound_has_no_margin),
         cmocka_unit_test(a_criterion_that_there_is_not_is_refused),
+        cmocka_unit_test(a_search_by_hand_is_watched),
     };
     add_tests(tests, NULL, NULL);
 }
