@@ -115,12 +115,30 @@ static bool put_all_simulated(struct pp_table *table,
     return good;
 }
 
+/* Adds the likely ranges of one target, if the method has any. */
+static bool put_range(struct pp_table *table, const struct pp_annual_sheet *sheet,
+                      const struct pp_hand_column *method, int target)
+{
+    bool any = false;
+    for (int x = 0; x < sheet->receiver_count; x++)
+        any |= isfinite(method->ranges[x].low[target]);
+    if (!any)
+        return true;
+    struct pp_table_column *column =
+        pp_table_add(table, method->name, method->name, "likely");
+    for (int x = 0; column && x < sheet->receiver_count; x++)
+        if (isfinite(method->ranges[x].low[target]))
+            snprintf(column->cells[x], PP_CELL_BYTES, "%.0f-%.0f",
+                     100.0 * method->ranges[x].low[target],
+                     100.0 * method->ranges[x].high[target]);
+    return column != NULL;
+}
+
 static bool put_method(struct pp_table *table, const struct pp_annual_sheet *sheet,
                        const struct pp_hand_column *method)
 {
     enum { UDI_GOOD = 2, MEAN = 4 };
-    int columns = sheet->illuminance_count + 2;
-    for (int i = 0; i < columns; i++) {
+    for (int i = 0; i < sheet->illuminance_count + 2; i++) {
         char heading[32];
         int extra = i - sheet->illuminance_count;
         if (extra < 0)
@@ -138,6 +156,8 @@ static bool put_method(struct pp_table *table, const struct pp_annual_sheet *she
                                : figure_at(method, point, extra == 0 ? MEAN : UDI_GOOD);
             put_cell_number(column, x, value, extra == 0 ? 0 : 1);
         }
+        if (extra < 0 && !put_range(table, sheet, method, i))
+            return false;
     }
     return true;
 }
@@ -182,6 +202,8 @@ bool pp_hand_year_report_text(const struct pp_hand_year_sheet *hand,
         return true;
     fputs("\n  Hand methods for the year: ", out);
     pp_print_wrapped(hand->words, 29, 2, width, out);
+    fputs("  ", out);
+    pp_print_wrapped(hand->ranges, 2, 2, width, out);
     print_methods(hand, width, out);
     fputc('\n', out);
     pp_table_init(&table, sheet->receiver_count + 1);
@@ -228,6 +250,7 @@ bool pp_hand_year_report_json(struct json_object *object,
         return true;
     struct json_object *list = json_object_new_array();
     bool good = pp_json_text(object, "methods_factors", hand->words)
+                && pp_json_text(object, "methods_ranges", hand->ranges)
                 && pp_json_add(object, "methods", list);
     for (int i = 0; i < hand->column_count && good; i++)
         good = add_year_method(list, hand, sheet, &hand->columns[i]);
@@ -255,6 +278,12 @@ bool pp_hand_year_report_json_point(struct json_object *object,
             snprintf(key, sizeof key, "da%g", sheet->illuminances_lx[k]);
             good = pp_json_number(line, key,
                                   100.0 * figures_at(column, point)->autonomy[k]);
+            if (good && point >= 0 && isfinite(column->ranges[point].low[k])) {
+                double ends[2] = {100.0 * column->ranges[point].low[k],
+                                  100.0 * column->ranges[point].high[k]};
+                snprintf(key, sizeof key, "da%g-range", sheet->illuminances_lx[k]);
+                good = pp_json_numbers(line, key, ends, 2);
+            }
         }
         for (int k = 0; k < NAMES && good; k++)
             good = pp_json_number(line, names[k].name, figure_at(column, point, k));
@@ -272,7 +301,9 @@ void pp_hand_year_report_csv_heading(const struct pp_hand_year_sheet *hand,
     for (int i = 0; i < hand->column_count; i++) {
         const char *name = hand->columns[i].name;
         for (int k = 0; k < sheet->illuminance_count; k++)
-            fprintf(out, ",%s.da%g", name, sheet->illuminances_lx[k]);
+            fprintf(out, ",%s.da%g,%s.da%g_low,%s.da%g_high", name,
+                    sheet->illuminances_lx[k], name, sheet->illuminances_lx[k], name,
+                    sheet->illuminances_lx[k]);
         for (int k = 0; k < NAMES; k++)
             fprintf(out, ",%s.%s", name, names[k].name);
     }
@@ -285,8 +316,14 @@ void pp_hand_year_report_csv(const struct pp_hand_year_sheet *hand,
         pp_format_csv_number(point >= 0 ? 100.0 * hand->df[point] : NAN, out);
     for (int i = 0; i < hand->column_count; i++) {
         const struct pp_hand_column *column = &hand->columns[i];
-        for (int k = 0; k < sheet->illuminance_count; k++)
+        for (int k = 0; k < sheet->illuminance_count; k++) {
+            bool known = point >= 0;
             pp_format_csv_number(100.0 * figures_at(column, point)->autonomy[k], out);
+            pp_format_csv_number(known ? 100.0 * column->ranges[point].low[k] : NAN,
+                                 out);
+            pp_format_csv_number(known ? 100.0 * column->ranges[point].high[k] : NAN,
+                                 out);
+        }
         for (int k = 0; k < NAMES; k++)
             pp_format_csv_number(figure_at(column, point, k), out);
     }

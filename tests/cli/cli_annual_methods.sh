@@ -39,6 +39,10 @@ lacks() {
 check "and no other" lacks "adeline" $annual -m doe2 "$room"
 check "none by default" lacks "Hand methods" $annual "$room"
 check "JSON" shows '"methods_factors"' $annual -m df-global -f json "$room"
+check "likely ranges" shows "of 100 simulated figures" $annual -m df-global "$room"
+check "in JSON" shows '"da300-range"' $annual -m df-global -f json "$room"
+check "none for other hours" shows "no likely ranges: they are known for 8 to 18 h" $annual \
+    --hours 9-17 -m df-global "$room"
 check "CSV" shows 'df-global.da300' $annual -m df-global -f csv "$room"
 check "a line has as many fields as the heading" \
     sh -c "awk -F, 'NR == 1 { n = NF } NF != n { exit 1 }' '$scratch/out'"

@@ -7,6 +7,7 @@ void pp_hand_year_sheet_clear(struct pp_hand_year_sheet *sheet)
 {
     for (int i = 0; i < sheet->column_count; i++) {
         free(sheet->columns[i].points);
+        free(sheet->columns[i].ranges);
         pp_steps_clear(&sheet->columns[i].hour);
         pp_steps_clear(&sheet->columns[i].year);
     }

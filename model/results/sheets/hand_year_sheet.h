@@ -18,22 +18,29 @@ struct pp_hand_figures {
 
 enum { PP_HAND_FIGURES = sizeof(struct pp_hand_figures) / sizeof(double) };
 
+/* Likely range of the simulated daylight autonomy, for each target; NAN: not known. */
+struct pp_hand_range {
+    double low[PP_ANNUAL_ILLUMINANCES_MOST], high[PP_ANNUAL_ILLUMINANCES_MOST];
+};
+
 /* Results of one method. */
 struct pp_hand_column {
     const char *name, *summary, *source, *assumptions; /* static */
     const char *why; /* reason why the method does not apply; NULL: it does; static */
     struct pp_hand_figures *points; /* by receiver; owned */
     struct pp_hand_figures mean;
-    struct pp_steps hour, year; /* calculation for one hour and for the year; empty
+    struct pp_hand_range *ranges; /* by receiver; owned */
+    struct pp_steps hour, year;   /* calculation for one hour and for the year; empty
                                  * unless requested */
 };
 
 struct pp_hand_year_sheet {
     int receiver_count;
-    double *df;      /* daylight factors in use, by receiver; owned */
-    char words[640]; /* origin of the daylight factors, and of the factors of other
+    double *df;       /* daylight factors in use, by receiver; owned */
+    char words[640];  /* origin of the daylight factors, and of the factors of other
                       * skies */
-    char when[64];   /* hour of the explanation; empty: none */
+    char ranges[320]; /* meaning of the ranges, or the reason why there are none */
+    char when[64];    /* hour of the explanation; empty: none */
     bool finished;
     int column_count;
     struct pp_hand_column *columns; /* in the order of the list; owned */

@@ -9,6 +9,7 @@
 #include "model/base/thread_pool.h"
 #include "studies/study_report.h"
 #include "studies/year/hand/hand_figures.h"
+#include "studies/year/hand/hand_range.h"
 
 /* One method of a run. */
 struct hand_entry {
@@ -48,8 +49,9 @@ static enum pp_status prepare_methods(struct hand_run *run, struct pp_error *err
             .assumptions = method->assumptions,
             .why = method->refuses ? method->refuses(&run->of) : NULL,
             .points = calloc((size_t)sheet->receiver_count + 1, sizeof *column->points),
+            .ranges = calloc((size_t)sheet->receiver_count + 1, sizeof *column->ranges),
             .mean = pp_hand_figures_none()};
-        if (!column->points)
+        if (!column->points || !column->ranges)
             return pp_fail_memory(err);
         if (!column->why && method->prepare)
             status = method->prepare(&entry->tools, &run->of, err);
@@ -120,6 +122,44 @@ static enum pp_status find_df(struct hand_run *run, struct pp_error *err)
     return status;
 }
 
+/* Reason why there are no likely ranges, as the end of a sentence; NULL: there are. */
+static const char *why_no_ranges(const struct hand_run *run)
+{
+    const struct pp_working_hours *hours = &run->annual->hours;
+    return run->options->df || run->options->overcast != PP_STANDARD_OVERCAST
+               ? "they are known for daylight factors simulated under Moon and "
+                 "Spencer's "
+                 "sky only"
+           : hours->from_h != 8.0 || hours->to_h != 18.0 || hours->days != PP_ALL_DAYS
+               ? "they are known for 8 to 18 h on all days only"
+           : pp_hand_case_facade(&run->of) < 0 ? "they are known for windows only"
+                                               : NULL;
+}
+
+static void say_ranges(struct hand_run *run)
+{
+    const char *why = why_no_ranges(run);
+    snprintf(run->sheet->ranges, sizeof run->sheet->ranges, "%s%s",
+             why ? "no likely ranges: "
+                 : "likely ranges of the simulated daylight autonomy, for targets of "
+                   "200 to 750 lx: " PP_HAND_RANGE_COVERAGE,
+             why ? why : "");
+}
+
+/* Finds the ranges of one point by one method. */
+static void set_ranges(const struct hand_run *run, struct pp_hand_column *column, int x)
+{
+    int facade = why_no_ranges(run) ? -1 : pp_hand_case_facade(&run->of);
+    for (int i = 0; i < run->annual->illuminance_count; i++) {
+        double lx = run->annual->illuminances_lx[i];
+        bool known = lx >= 200.0 && lx <= 750.0;
+        struct pp_hand_interval range = pp_hand_range_of(
+            column->name, known ? facade : -1, column->points[x].autonomy[i]);
+        column->ranges[x].low[i] = range.low;
+        column->ranges[x].high[i] = range.high;
+    }
+}
+
 static bool evaluate_point(void *data, int worker, int x)
 {
     struct hand_run *run = data;
@@ -135,6 +175,7 @@ static bool evaluate_point(void *data, int worker, int x)
                 &column->points[x], &run->of, entry->method, entry->tools,
                 entry->formulary, x, run->annual->illuminances_lx,
                 run->annual->illuminance_count, explains ? &column->year : NULL);
+        set_ranges(run, column, x);
     }
     return true;
 }
@@ -146,6 +187,7 @@ static enum pp_status evaluate_points(struct hand_run *run, struct pp_error *err
     enum pp_status status = pp_thread_pool_create(&pool, run->annual->threads, err);
     if (status != PP_OK)
         return status;
+    say_ranges(run);
     pp_thread_pool_run(pool, 0, count, evaluate_point, run);
     pp_thread_pool_destroy(pool);
     for (int i = 0; i < run->sheet->column_count; i++) {

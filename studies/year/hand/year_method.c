@@ -11,6 +11,7 @@ const struct pp_year_method *const pp_year_methods[] = {
     &pp_year_method_df_diffuse,
     &pp_year_method_df_global,
     &pp_year_method_df_orientation,
+    &pp_year_method_df_rule,
     &pp_year_method_doe2,
     &pp_year_method_adeline,
     &pp_year_method_adeline_mean,

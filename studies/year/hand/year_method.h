@@ -62,6 +62,7 @@ enum pp_status pp_year_method_choose(struct pp_year_methods_choice *choice,
 extern const struct pp_year_method pp_year_method_df_diffuse;
 extern const struct pp_year_method pp_year_method_df_global;
 extern const struct pp_year_method pp_year_method_df_orientation;
+extern const struct pp_year_method pp_year_method_df_rule;
 extern const struct pp_year_method pp_year_method_doe2;
 extern const struct pp_year_method pp_year_method_adeline;
 extern const struct pp_year_method pp_year_method_adeline_mean;

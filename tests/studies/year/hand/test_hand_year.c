@@ -126,6 +126,20 @@ static void orientation_factor_follows_the_facade(void **state)
     assert_near(figure_of(&year, "df-orientation", 0, false) / plain, 0.77, 1e-5);
 }
 
+/* Without sun the rule is the daylight factor times k_d: 1.25 facing the equator, 1.05
+ * east, 1.10 the pole, 1.35 west. The room's window faces south at north 0. */
+static void rule_scales_diffuse_light_by_orientation(void **state)
+{
+    (void)state;
+    static const double expected[4] = {1.25, 1.35, 1.10, 1.05};
+    struct made_hand_year year;
+    fill_overcast(&year);
+    double plain = figure_of(&year, "df-diffuse", 0, false);
+    for (int i = 0; i < 4; i++)
+        assert_near(figure_of(&year, "df-rule", 90 * i, false) / plain, expected[i],
+                    1e-5);
+}
+
 /* Type 1 of ISO 15469 is darker near the horizon, which the back of the room sees. */
 static void type_1_gives_less_light_to_the_back_of_the_room(void **state)
 {
@@ -178,6 +192,7 @@ TEST_FILE
         cmocka_unit_test(clear_hours_at_a_node_are_those_of_doe2),
         cmocka_unit_test(single_clear_hours_are_those_of_monthly_methods),
         cmocka_unit_test(orientation_factor_follows_the_facade),
+        cmocka_unit_test(rule_scales_diffuse_light_by_orientation),
         cmocka_unit_test(type_1_gives_less_light_to_the_back_of_the_room),
         cmocka_unit_test(wrong_names_are_refused),
         cmocka_unit_test(doe2_needs_the_cloud_cover),
