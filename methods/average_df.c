@@ -227,6 +227,7 @@ static enum pp_status evaluate_lynes(const struct pp_world *world,
 
 const struct pp_method pp_method_average_df = {
     .name = "average-df",
+    .any_pane = true,
     .summary = "average daylight factor over the working plane by a single formula",
     .source = "CL84",
     .formulae = formulae,
@@ -242,6 +243,7 @@ const struct pp_method pp_method_average_df = {
 
 const struct pp_method pp_method_average_df_above = {
     .name = "average-df-above",
+    .any_pane = true,
     .summary = "average daylight factor by a single formula that ignores glass below "
                "the working plane",
     .source = "BS8206",
@@ -257,6 +259,7 @@ const struct pp_method pp_method_average_df_above = {
 
 const struct pp_method pp_method_average_df_lynes = {
     .name = "average-df-lynes",
+    .any_pane = true,
     .summary = "average daylight factor over all interior surfaces (older form)",
     .source = "LYNES79",
     .formulae = formulae_of_lynes,

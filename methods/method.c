@@ -59,5 +59,13 @@ const char *pp_method_refuses_opening(const struct pp_method *method,
 {
     if (opening->blind && !method->takes_blinds)
         return "has a blind, but the method covers only windows without blinds";
-    return method->refuses ? method->refuses(world, light, opening, receiver) : NULL;
+    const char *why =
+        method->refuses ? method->refuses(world, light, opening, receiver) : NULL;
+    bool scatters =
+        opening->measured && opening->measured->kind == PP_MEASURED_SCATTERING;
+    if (why || !scatters || method->any_pane)
+        return why;
+    return "has a measured pane that scatters light by direction, but the method is "
+           "for "
+           "clear or diffusing glass";
 }

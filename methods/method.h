@@ -90,6 +90,8 @@ struct pp_method {
                            * have */
     bool counts;      /* counts squares or dots: readings are multiples of the value of
                        * one */
+    bool any_pane;    /* uses only the diffuse transmittance of glass, so that it also
+                       * covers panes that scatter by direction */
     bool has_average; /* PP_FOR_POINT only: evaluate without a receiver gives the
                        * average over the working plane, in place of an integral over
                        * points */
@@ -104,7 +106,7 @@ struct pp_method {
     /* Reason why the method does not cover this opening for this receiver (NULL for the
      * room), as the static end of a sentence that begins with "window W1" ("is not
      * vertical, but the method covers only vertical windows"), or NULL if the method
-     * covers the opening. NULL function: it covers all. */
+     * covers the opening. NULL function: it covers all. Called by pp_method_refuses. */
     const char *(*refuses)(const struct pp_world *world,
                            const struct pp_outside_light *light,
                            const struct pp_opening *opening,
@@ -175,7 +177,8 @@ const struct pp_method *pp_method_at(int index);
 const struct pp_method *pp_method_find(const char *name);
 
 /* Reason why the method does not cover an opening, as pp_method.refuses: also for
- * openings with a blind, unless the method takes them. */
+ * openings with a blind, unless the method takes them, and for panes that scatter by
+ * direction. */
 const char *pp_method_refuses_opening(const struct pp_method *method,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

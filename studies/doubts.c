@@ -63,6 +63,17 @@ static void doubt_openings(struct pp_mistakes *doubts, const struct pp_world *wo
     }
 }
 
+static void doubt_panes(struct pp_mistakes *doubts, const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_measured_pane *pane = world->openings[i].measured;
+        for (int k = 0; pane && k < pane->warning_count; k++)
+            pp_mistakes_add(doubts, world->openings[i].line, "%s: \"%.100s\": %s",
+                            world->openings[i].label, pane->file ? pane->file : "",
+                            pane->warnings[k]);
+    }
+}
+
 static void doubt_site(struct pp_mistakes *doubts, const struct pp_world *world)
 {
     const struct pp_capital *capital =
@@ -167,6 +178,7 @@ void pp_doubts_find(struct pp_mistakes *doubts, const struct pp_world *world,
 {
     doubt_size(doubts, world);
     doubt_openings(doubts, world, alone);
+    doubt_panes(doubts, world);
     doubt_site(doubts, world);
     doubt_outside(doubts, world, alone);
     if (alone)

@@ -19,6 +19,7 @@
  *
  * - a room, block or mesh whose size suggests another unit;
  * - a frame factor or maintenance that looks like a loss;
+ * - the data of a measured pane (bsdf.h);
  * - latitude and longitude that lie near the site's country when swapped, and far from it
  *   as given;
  * - in a file of one room (alone): no opening, a block away from the room that lies behind

@@ -221,6 +221,12 @@ static enum pp_status add_opening_view(struct view_sum *sum, struct pp_view_out 
     return status;
 }
 
+/* True if the pane is measured and shows no clear picture of the outside. */
+static bool is_blurred(const struct pp_opening *opening)
+{
+    return opening->measured && opening->measured->kind != PP_MEASURED_CLEAR;
+}
+
 enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world *world,
                                 const struct pp_light_scene *scene, struct pp_vec3 eye,
                                 int lines, struct pp_error *err)
@@ -230,7 +236,8 @@ enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world 
     *view = (struct pp_view_out){0};
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &world->openings[i];
-        if (opening->glass.diffusing || -opening->inner.normal.z > RISE_MOST)
+        if (opening->glass.diffusing || is_blurred(opening)
+            || -opening->inner.normal.z > RISE_MOST)
             continue;
         status = add_opening_view(&sum, view, world, scene, opening, eye, lines, err);
     }

@@ -135,10 +135,10 @@ static void add_piece(const struct piece_task *task, const double x[2],
     if (!(moments.cosine > 0.0))
         return;
     piece.u = pp_vec_unit(piece.u);
-    piece.coefficient = moments.cosine
-                        * pp_surface_materials_pane_straight(
-                            &task->view->world->openings[task->opening],
-                            pp_vec_dot(piece.u, view->toward));
+    piece.coefficient =
+        moments.cosine
+        * pp_surface_materials_pane_from(&task->view->world->openings[task->opening],
+                                         piece.u, pp_vec_dot(piece.u, view->toward));
     task->sink(task->data, &piece);
 }
 
@@ -220,8 +220,8 @@ double pp_sky_view_sun(const struct pp_sky_view *view, struct pp_vec3 u, int *op
                 if (opening)
                     *opening = i;
                 return cosine
-                       * pp_surface_materials_pane_straight(&view->world->openings[i],
-                                                            own.z);
+                       * pp_surface_materials_pane_from(&view->world->openings[i], u,
+                                                        own.z);
             }
     }
     return 0.0;

@@ -6,8 +6,8 @@
  *
  *     E = sum of coefficient x L(u),   coefficient = integral tau (n.u) over the piece
  *
- * with the integral of n.u in closed form and tau (glass, frame, dirt, curtains) at u.
- * Diffusing panes are left out.
+ * with the integral of n.u in closed form and tau (glass, frame, dirt, curtains) at u. Of
+ * panes that scatter only unscattered light is counted; diffusing panes are left out.
  */
 #ifndef PP_METHODS_EXACT_SKY_VIEW_H
 #define PP_METHODS_EXACT_SKY_VIEW_H

@@ -141,6 +141,14 @@ bool pp_glass_is_same(const struct pp_glass *a, const struct pp_glass *b)
            && a->normal == b->normal && a->diffuse == b->diffuse;
 }
 
+struct pp_glass pp_glass_measured(double normal, double diffuse)
+{
+    struct pp_glass glass =
+        pp_glass_scaled(pp_glass_clear_single(), normal < 1.0 ? normal : 1.0);
+    glass.diffuse = diffuse < 1.0 ? diffuse : 1.0;
+    return glass;
+}
+
 struct pp_glass pp_glass_diffusing(double transmittance)
 {
     return (struct pp_glass){.panes = 1,

@@ -46,6 +46,10 @@ struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal
 /* Diffusing glazing; hemispherical transmittance in (0, 1]. */
 struct pp_glass pp_glass_diffusing(double transmittance);
 
+/* Clear glass that stands for a measured pane: one pane with these transmittances, 0 < t;
+ * values above 1 count as 1. Other angles are as for clear single glass. */
+struct pp_glass pp_glass_measured(double normal, double diffuse);
+
 /* Transmittance for a cosine of the angle of incidence, 0 to 1. For a diffusing glazing
  * this is its hemispherical transmittance. */
 double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence);

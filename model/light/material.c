@@ -100,6 +100,21 @@ struct pp_material pp_material_glazing(const struct pp_glass *glass, double clea
     return pane;
 }
 
+struct pp_material pp_material_scattering(const struct pp_pane_scatter *scatter,
+                                          bool is_outside, struct pp_vec3 up,
+                                          double clear_share, double dirt, double frame)
+{
+    struct pp_material pane = blank(PP_MATERIAL_SCATTERING);
+    double back = is_outside ? scatter->reflect_outside : scatter->reflect_room;
+    pane.scatter = scatter;
+    pane.is_outside = is_outside;
+    pane.grain = up;
+    pane.clear_share = clear_share;
+    pane.dirt = dirt;
+    pane.diffuse = pp_rgb_grey((1.0 - clear_share) * frame + clear_share * back);
+    return pane;
+}
+
 struct pp_material pp_material_pane(struct pp_rgb transmissivity, double n)
 {
     struct pp_material pane = blank(PP_MATERIAL_GLASS);
@@ -237,6 +252,7 @@ enum pp_status pp_material_check(const struct pp_material *material,
         return wrong(material, "expected a radiance of 0 or more", err);
     switch (material->kind) {
     case PP_MATERIAL_AIR:
+    case PP_MATERIAL_SCATTERING: /* its reader has checked the data */
         return PP_OK;
     case PP_MATERIAL_GLASS:
         return check_glass(material, err);

@@ -6,6 +6,9 @@
  *     translucent  also transmission: diffuse, or a gloss around the straight direction
  *     glass        clear panes (glass.h), one per channel, over a part `clear_share` of
  *                  the area; the rest is a diffuse frame; dirt reduces the transmission
+ *     scattering   a pane whose transmission depends on both directions
+ *                  (pane_scatter.h), over a part `clear_share` of the area; the rest is
+ *                  a diffuse frame; dirt reduces the transmission
  *     air          rays pass; for emitters that are not seen directly
  *
  * Gloss is Ward's Gaussian of the half vector's slope [WARD92], isotropic or with two
@@ -28,6 +31,7 @@
 
 #include "model/base/error.h"
 #include "model/light/glass_curve.h"
+#include "model/light/pane_scatter.h"
 #include "model/light/rgb.h"
 #include "model/light/rough/rough_surface.h"
 #include "model/geometry/vec.h"
@@ -37,6 +41,7 @@ enum pp_material_kind {
     PP_MATERIAL_TRANSLUCENT,
     PP_MATERIAL_GLASS,
     PP_MATERIAL_AIR,
+    PP_MATERIAL_SCATTERING,
 };
 
 enum pp_emitter_kind {
@@ -68,6 +73,11 @@ struct pp_material {
     struct pp_glass glass[3]; /* glass: red, green and blue */
     /* Curve shared by all three channels if they are equal; not owned; NULL: none. */
     const struct pp_glass_curve *curve;
+    /* Scattering: `grain` is y of the pane's axes, projected on the surface. */
+    const struct pp_pane_scatter *scatter; /* not owned; NULL otherwise */
+    bool
+        is_outside; /* the surface is the pane's outer side: z is opposite to the normal
+                      * of the side */
     double clear_share; /* part of the area that is glass, not frame */
     double dirt;        /* share of the light transmitted by dirt */
 
@@ -113,6 +123,13 @@ struct pp_material pp_material_mirror(struct pp_rgb reflectance);
  * light that passes the dirt. */
 struct pp_material pp_material_glazing(const struct pp_glass *glass, double clear_share,
                                        double dirt, double frame);
+
+/* One side of a pane that scatters; clear_share, dirt and frame as above. up: y of the
+ * pane's axes in the scene. */
+struct pp_material pp_material_scattering(const struct pp_pane_scatter *scatter,
+                                          bool is_outside, struct pp_vec3 up,
+                                          double clear_share, double dirt,
+                                          double frame);
 
 /* Radiance's `glass`: one pane of the given transmissivity (transmittance of a single
  * straight passage) and refractive index n > 1. */

@@ -22,16 +22,29 @@
  * A passive pane is reciprocal, btdf(in, out) = btdf(-out, -in), so that the direction
  * of leaving light can be sampled by the same function.
  *
- * For a year of skies the directions of leaving light are divided into classes; light of
- * one class has one radiance, class_btdf.
+ * For a year of skies the directions of light that leaves into the room are divided into
+ * classes; light of one class has one radiance, class_btdf.
+ *
+ * Reflected light is diffuse.
  */
 #ifndef PP_MODEL_LIGHT_PANE_SCATTER_H
 #define PP_MODEL_LIGHT_PANE_SCATTER_H
 
+#include <stdbool.h>
+#include <stdint.h>
+
 #include "model/geometry/vec.h"
+
+struct pp_angle_basis; /* model/light/bsdf/angle_basis.h */
 
 struct pp_pane_scatter {
     const void *data; /* first argument of all functions; not owned */
+    uint64_t id;      /* hash of the data: panes with equal ids are the same */
+    double reflect_outside, reflect_room; /* reflectances of the two sides */
+    bool splits;                          /* straight light can be other than 0 */
+    const struct pp_angle_basis *basis;   /* patches in which btdf and straight do not
+                                           * vary, for files; not owned; NULL: none */
+
     double (*straight)(const void *data, struct pp_vec3 in);
     double (*scattered)(const void *data, struct pp_vec3 in);
     double (*btdf)(const void *data, struct pp_vec3 in, struct pp_vec3 out);

@@ -75,6 +75,7 @@ static void copy_parts(struct pp_room *room, bool *good)
         copy_text(&room->openings[i].name, good);
         copy_vertices(&room->openings[i].vertices, good);
         COPY_LIST(room->openings[i].shades, room->openings[i].shade_count, good);
+        pp_measured_pane_hold(room->openings[i].glazing.measured);
     }
     COPY_LIST(room->skylines, room->skyline_count, good);
     for (int i = 0; i < room->skyline_count; i++)
@@ -197,6 +198,7 @@ enum pp_status pp_room_repeat_opening(struct pp_room *room, int index,
     copy_text(&added->wall, &good);
     copy_vertices(&added->vertices, &good);
     COPY_LIST(added->shades, added->shade_count, &good);
+    pp_measured_pane_hold(added->glazing.measured);
     put_place(added, place);
     room->opening_count++;
     return good ? PP_OK : pp_fail_memory(err);
@@ -219,6 +221,7 @@ void pp_room_remove_opening(struct pp_room *room, int index)
     free(part->wall);
     free(part->name);
     free(part->shades);
+    pp_measured_pane_release(part->glazing.measured);
     pp_room_parts_clear_vertices(&part->vertices);
     int behind = --room->opening_count - index;
     memmove(part, part + 1, (size_t)behind * sizeof *part);
@@ -226,7 +229,12 @@ void pp_room_remove_opening(struct pp_room *room, int index)
 
 void pp_room_set_glass(struct pp_room *room, int index, struct pp_glass glass)
 {
-    room->openings[index].glazing.glass = glass;
+    struct pp_glazing_part *glazing = &room->openings[index].glazing;
+    if (pp_glass_is_same(&glazing->glass, &glass))
+        return;
+    glazing->glass = glass;
+    pp_measured_pane_release(glazing->measured);
+    glazing->measured = NULL;
 }
 
 void pp_room_set_frame_factor(struct pp_room *room, int index, double frame_factor)

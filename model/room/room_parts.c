@@ -80,6 +80,7 @@ void pp_room_parts_clear(struct pp_room *room)
         free(room->openings[i].wall);
         free(room->openings[i].name);
         free(room->openings[i].shades);
+        pp_measured_pane_release(room->openings[i].glazing.measured);
         pp_room_parts_clear_vertices(&room->openings[i].vertices);
     }
     for (int i = 0; i < room->skyline_count; i++)

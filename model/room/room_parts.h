@@ -78,6 +78,7 @@ struct pp_wall_part {
 
 struct pp_glazing_part {
     struct pp_glass glass;
+    struct pp_measured_pane *measured; /* NULL: no glazing-file */
     double frame_factor;
     double maintenance; /* NAN: from surroundings, work and slope ("auto") */
     double curtains;

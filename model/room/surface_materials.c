@@ -116,14 +116,30 @@ double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
     return pp_glass_reflectance(&opening->glass, cosine) * open_share(opening);
 }
 
+double pp_surface_materials_pane_from(const struct pp_opening *opening,
+                                      struct pp_vec3 u, double cosine)
+{
+    const struct pp_pane_scatter *scatter = opening->scatter;
+    if (!scatter)
+        return pp_surface_materials_pane_straight(opening, cosine);
+    struct pp_vec3 travel =
+        pp_vec(-pp_vec_dot(u, opening->along), -pp_vec_dot(u, opening->up), cosine);
+    return scatter->straight(scatter->data, travel) * open_share(opening)
+           * clean_share(opening);
+}
+
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int index,
                                              bool inside)
 {
     const struct pp_opening *opening = &world->openings[index];
     const struct pp_surface *face = &world->surfaces[opening->face];
-    struct pp_material material = pp_material_glazing(
-        &opening->glass, open_share(opening), clean_share(opening),
-        frame_reflectance(opening, inside ? face->front : face->back));
+    double frame = frame_reflectance(opening, inside ? face->front : face->back);
+    struct pp_material material =
+        opening->scatter
+            ? pp_material_scattering(opening->scatter, !inside, opening->up,
+                                     open_share(opening), clean_share(opening), frame)
+            : pp_material_glazing(&opening->glass, open_share(opening),
+                                  clean_share(opening), frame);
     name(&material, "glazing", !inside);
     return material;
 }
@@ -167,6 +183,8 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
     put_material_number(&end, m->emits_both_sides);
     put_material_number(&end, m->unseen);
     put_material_number(&end, m->pattern);
+    put_material_number(&end, m->is_outside);
+    put_material_number(&end, m->scatter ? (double)(m->scatter->id >> 11) : 0.0);
     return key;
 }
 

@@ -47,9 +47,14 @@ double pp_surface_materials_pane_straight(const struct pp_opening *opening,
 double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
                                           double cosine);
 
+/* The straight share of light that comes from direction u (unit, outwards), at that cosine
+ * of incidence; also for panes that scatter. */
+double pp_surface_materials_pane_from(const struct pp_opening *opening,
+                                      struct pp_vec3 u, double cosine);
+
 /* All fields of a material, including its name. Materials are the same if their keys
  * are equal byte for byte; -0 counts as 0. */
-enum { PP_MATERIAL_KEY_NUMBERS = 39 };
+enum { PP_MATERIAL_KEY_NUMBERS = 41, PP_MATERIAL_KEY_OF_SCATTER = 2 /* the last */ };
 struct pp_material_key {
     char name[PP_MATERIAL_NAME_SIZE];
     double numbers[PP_MATERIAL_KEY_NUMBERS];

@@ -42,6 +42,7 @@ void pp_world_destroy(struct pp_world *world)
         pp_polygon_clear(&world->openings[i].outer);
         free(world->openings[i].name);
         pp_blind_release(world->openings[i].blind);
+        pp_measured_pane_release(world->openings[i].measured);
     }
     free(world->surfaces);
     for (int i = 0; i < world->block_count; i++)

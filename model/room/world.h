@@ -16,6 +16,7 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
+#include "model/light/bsdf/measured_pane.h"
 #include "model/light/glass.h"
 #include "model/light/slats/window_device.h"
 #include "model/room/placement.h"
@@ -89,11 +90,16 @@ struct pp_opening {
     double width_m, height_m; /* extent along `along` and `up` */
     bool rectangle;           /* a rectangle with edges along its axes */
     double middle_z_m;        /* z at mid-height, between upper and lower part */
-    struct pp_glass glass;
-    double frame_factor;      /* glass area / opening area */
-    double maintenance;       /* share of the light that passes the dirt */
-    bool maintenance_is_auto; /* from the world's edition of dirt */
-    double curtains;          /* share of the light that passes the curtains; 1: none */
+    struct pp_glass glass;    /* of a pane that scatters: the glass that hand methods
+                               * use in its place */
+    const struct pp_pane_scatter *scatter; /* in simulations, instead of `glass`, in the
+                                            * axes along, up and normal; not owned;
+                                            * NULL: glass */
+    struct pp_measured_pane *measured;     /* NULL: not measured */
+    double frame_factor;                   /* glass area / opening area */
+    double maintenance;                    /* share of the light that passes the dirt */
+    bool maintenance_is_auto;              /* from the world's edition of dirt */
+    double curtains; /* share of the light that passes the curtains; 1: none */
     struct pp_window_device device; /* PP_DEVICE_NONE: none. A curtain is in `glass` */
     struct pp_blind *blind;         /* its light (slats/blind.h); NULL: no blind */
     double reveal_m;                /* depth; 0: glass in the plane of the face */

@@ -68,6 +68,20 @@ static bool add_device(struct json_object *object, const struct pp_opening *open
            || pp_json_number(object, "blind-transmittance", opening->blind->mean);
 }
 
+/* Adds a measured pane; NULL: none. */
+static bool add_measured(struct json_object *object,
+                         const struct pp_measured_pane *pane)
+{
+    static const char *const kinds[] = {[PP_MEASURED_CLEAR] = "clear",
+                                        [PP_MEASURED_DIFFUSING] = "diffusing",
+                                        [PP_MEASURED_SCATTERING] = "scattering"};
+    return !pane
+           || ((!pane->file || pp_json_text(object, "glazing-file", pane->file))
+               && pp_json_text(object, "measured-as", kinds[pane->kind])
+               && pp_json_number(object, "unscattered-transmittance",
+                                 pane->straight_diffuse));
+}
+
 static struct json_object *opening_of(const struct pp_world *world, int index)
 {
     const struct pp_opening *opening = &world->openings[index];
@@ -98,7 +112,7 @@ static struct json_object *opening_of(const struct pp_world *world, int index)
             || pp_json_text(object, "maintenance-by",
                             pp_corrections_editions[world->dirt]))
         && pp_json_number(object, "curtains", opening->curtains)
-        && add_device(object, opening);
+        && add_device(object, opening) && add_measured(object, opening->measured);
     if (good)
         pp_json_on_one_line(object);
     return pp_json_whole(object, good);

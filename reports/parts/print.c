@@ -174,6 +174,20 @@ static void tell_reflectances(const struct pp_world *world,
     tell(listener, "reflectances", "%s", text);
 }
 
+/* Adds a measured pane, and the glass that hand methods use for it. */
+static void tell_measured(char *text, const struct pp_measured_pane *pane)
+{
+    static const char *const kinds[] = {
+        [PP_MEASURED_CLEAR] = "clear for hand methods",
+        [PP_MEASURED_DIFFUSING] = "diffusing for hand methods",
+        [PP_MEASURED_SCATTERING] = "too directional for most hand methods"};
+    pp_text_append(text, TEXT_BYTES,
+                   "; measured pane %.60s, transmittance %.3f normal, %.3f "
+                   "hemispherical, of which %.0f %% unscattered; %s",
+                   pane->file ? pane->file : pane->name, pane->normal, pane->diffuse,
+                   100.0 * pane->straight_diffuse / pane->diffuse, kinds[pane->kind]);
+}
+
 /* Describes the assumptions of an opening, without its place along the wall. */
 static void describe_opening(const struct pp_world *world,
                              const struct pp_opening *opening, char text[TEXT_BYTES])
@@ -205,7 +219,9 @@ static void describe_opening(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, ", reveal %.2f m", opening->reveal_m);
 
     const struct pp_glass *glass = &opening->glass;
-    if (glass->panes == 0)
+    if (opening->measured)
+        tell_measured(text, opening->measured);
+    else if (glass->panes == 0)
         pp_text_append(text, TEXT_BYTES, "; unglazed");
     else if (glass->diffusing)
         pp_text_append(text, TEXT_BYTES, "; diffusing, transmittance %.3g",

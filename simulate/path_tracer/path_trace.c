@@ -136,7 +136,7 @@ struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_
             meeting == PP_MEETS_PART && walk->scene->parts[hit.part].window >= 0;
         if (opening && !hit.back && counted)
             lobes.share[PP_LOBE_STRAIGHT] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
-                pp_rgb_grey(0.0);
+                lobes.share[PP_LOBE_THROUGH_GLOSS] = pp_rgb_grey(0.0);
 
         /* 4. Next-event estimation: samples directions to the openings. */
         if (aims)

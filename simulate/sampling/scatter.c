@@ -71,20 +71,93 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
     }
 }
 
-/* Sets the lobes' frame: x along the projection of the grain on the surface, if there
- * is a grain. */
-static void lay_frame(struct pp_lobes *lobes, const struct pp_material *material)
+/* Sets the frame: x along the projection of the grain on the surface, if there is a
+ * grain. */
+static void lay_frame(struct pp_frame *frame, const struct pp_material *material)
 {
-    struct pp_vec3 n = lobes->frame.z, grain = material->grain;
+    struct pp_vec3 n = frame->z, grain = material->grain;
     struct pp_vec3 in = pp_vec_along(grain, -pp_vec_dot(grain, n), n);
     double length = pp_vec_length(in);
     if (!(length > 1e-6 * pp_vec_length(grain))) {
-        pp_lobe_frame(n, &lobes->frame.x, &lobes->frame.y);
+        pp_lobe_frame(n, &frame->x, &frame->y);
         return;
     }
-    lobes->frame.x = pp_vec_scale(in, 1.0 / length);
-    lobes->frame.y = pp_vec_cross(n, lobes->frame.x);
+    frame->x = pp_vec_scale(in, 1.0 / length);
+    frame->y = pp_vec_cross(n, frame->x);
 }
+
+/* ---- scattering panes ---- */
+
+/* A direction in the axes of a pane, one of whose sides has that frame: x of the frame is
+ * up, y of the pane. */
+static struct pp_vec3 in_pane_axes(const struct pp_frame *frame, bool is_outside,
+                                   struct pp_vec3 direction)
+{
+    struct pp_vec3 d = pp_frame_in(frame, direction);
+    return is_outside ? pp_vec(d.y, d.x, -d.z) : pp_vec(-d.y, d.x, d.z);
+}
+
+/* The reverse. */
+static struct pp_vec3 out_of_pane_axes(const struct pp_frame *frame, bool is_outside,
+                                       struct pp_vec3 d)
+{
+    return pp_frame_out(frame,
+                        is_outside ? pp_vec(d.y, d.x, -d.z) : pp_vec(d.y, -d.x, d.z));
+}
+
+struct pp_rgb pp_scatter_straight(const struct pp_material *material, struct pp_vec3 n,
+                                  struct pp_vec3 eye)
+{
+    if (!material->scatter)
+        return pp_scatter_regular_transmittance(material, pp_vec_dot(n, eye));
+    struct pp_frame frame = {.z = n};
+    lay_frame(&frame, material);
+    struct pp_vec3 out = in_pane_axes(&frame, material->is_outside, eye);
+    return pp_rgb_grey(material->scatter->straight(material->scatter->data, out)
+                       * material->clear_share * material->dirt);
+}
+
+/* Sets the shares of the lobes of a scattering pane. */
+static void init_pane(struct pp_lobes *lobes, const struct pp_material *material)
+{
+    const struct pp_pane_scatter *scatter = material->scatter;
+    lobes->scatter = scatter;
+    lobes->is_outside = material->is_outside;
+    struct pp_vec3 out = in_pane_axes(&lobes->frame, lobes->is_outside, lobes->eye);
+    double passing = material->clear_share * material->dirt;
+    lobes->share[PP_LOBE_DIFFUSE] = material->diffuse;
+    lobes->share[PP_LOBE_STRAIGHT] =
+        pp_rgb_grey(scatter->straight(scatter->data, out) * passing);
+    lobes->share[PP_LOBE_THROUGH_GLOSS] =
+        pp_rgb_grey(scatter->arriving(scatter->data, out) * passing);
+}
+
+/* Density of light that arrives from direction o. */
+static double pane_pdf(const struct pp_lobes *lobes, struct pp_vec3 o)
+{
+    if (!(pp_vec_dot(o, lobes->frame.z) < 0.0))
+        return 0.0;
+    struct pp_vec3 from = pp_vec_scale(o, -1.0);
+    return lobes->scatter->density(
+        lobes->scatter->data, in_pane_axes(&lobes->frame, lobes->is_outside, from),
+        in_pane_axes(&lobes->frame, lobes->is_outside, lobes->eye));
+}
+
+static bool sample_pane(const struct pp_lobes *lobes, double u, double v,
+                        struct pp_vec3 *o, struct pp_rgb *factor)
+{
+    struct pp_vec3 in;
+    double weight = lobes->scatter->sample(
+        lobes->scatter->data,
+        in_pane_axes(&lobes->frame, lobes->is_outside, lobes->eye), u, v, &in);
+    *factor = pp_rgb_grey(weight);
+    if (!(weight > 0.0))
+        return false;
+    *o = pp_vec_scale(out_of_pane_axes(&lobes->frame, lobes->is_outside, in), -1.0);
+    return true;
+}
+
+/* ---- lobes ---- */
 
 void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      const struct pp_gloss *gloss, struct pp_vec3 n, struct pp_vec3 eye)
@@ -94,7 +167,11 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                                .gloss = gloss,
                                .rough = material->rough,
                                .rough_is_grey = material->rough_is_grey};
-    lay_frame(lobes, material);
+    lay_frame(&lobes->frame, material);
+    if (material->scatter) {
+        init_pane(lobes, material);
+        return;
+    }
     double cosine = fabs(pp_vec_dot(n, eye));
     struct pp_rgb *share = lobes->share;
     share[PP_LOBE_STRAIGHT] = pp_scatter_regular_transmittance(material, cosine);
@@ -119,6 +196,14 @@ struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3
     struct pp_rgb share = lobes->share[through ? PP_LOBE_THROUGH_GLOSS : PP_LOBE_GLOSS];
     if (pp_rgb_is_black(share))
         return share;
+    if (lobes->scatter) {
+        struct pp_vec3 out = in_pane_axes(&lobes->frame, lobes->is_outside, lobes->eye);
+        struct pp_vec3 in =
+            in_pane_axes(&lobes->frame, lobes->is_outside, pp_vec_scale(o, -1.0));
+        return pp_rgb_scale(share,
+                            lobes->scatter->btdf(lobes->scatter->data, in, out)
+                                / lobes->scatter->arriving(lobes->scatter->data, out));
+    }
     struct pp_vec3 eye = pp_frame_in(&lobes->frame, lobes->eye);
     o = pp_frame_in(&lobes->frame, o);
     o.z = fabs(o.z);
@@ -130,6 +215,8 @@ struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3
 
 double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o)
 {
+    if (lobes->scatter)
+        return pane_pdf(lobes, o);
     o = pp_frame_in(&lobes->frame, o);
     struct pp_vec3 eye = pp_frame_in(&lobes->frame, lobes->eye);
     if (lobes->rough)
@@ -187,6 +274,8 @@ bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u
         return true;
     case PP_LOBE_GLOSS:
     case PP_LOBE_THROUGH_GLOSS:
+        if (lobes->scatter)
+            return sample_pane(lobes, u, v, o, factor);
         if (lobes->rough)
             return sample_rough(lobes, u, v, o, factor);
         return sample_gloss(lobes, lobe == PP_LOBE_THROUGH_GLOSS, u, v, o, factor);

@@ -3,7 +3,8 @@
  * Diffuse lobes are Lambertian, glosses those of gloss.h; the lobe of a transmitted
  * gloss is the same, with its direction mirrored in the surface. The spike of a
  * physically rough surface is a mirror lobe, the rest of its reflection takes the place
- * of the gloss.
+ * of the gloss. The transmitted gloss of a scattering pane is its btdf
+ * (model/light/pane_scatter.h).
  */
 #ifndef PP_SIMULATE_SAMPLING_SCATTER_H
 #define PP_SIMULATE_SAMPLING_SCATTER_H
@@ -41,11 +42,15 @@ struct pp_lobes {
     const struct pp_gloss *gloss;         /* NULL: none, or a mirror; not owned */
     const struct pp_rough_surface *rough; /* NULL: none; not owned */
     bool rough_is_grey;
+    const struct pp_pane_scatter *scatter; /* of the lobe PP_LOBE_THROUGH_GLOSS; NULL:
+                                            * a gloss; not owned */
+    bool is_outside;                       /* as in the material */
 };
 
+/* True if there is a gloss, a rough surface or a btdf. */
 static inline bool pp_scatter_has_gloss(const struct pp_lobes *lobes)
 {
-    return lobes->gloss || lobes->rough;
+    return lobes->gloss || lobes->rough || lobes->scatter;
 }
 
 /* gloss: gloss of the material; NULL if it has none or is a mirror. */
@@ -54,9 +59,14 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      struct pp_vec3 eye);
 
 /* Transmittance of the material for light that is not scattered (regular
- * transmittance), at the cosine of the angle of incidence. */
+ * transmittance), at the cosine of the angle of incidence. Not for scattering panes. */
 struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
                                                double cos_incidence);
+
+/* The same of any material, for light that leaves towards `eye`; n: the normal on the
+ * eye's side. */
+struct pp_rgb pp_scatter_straight(const struct pp_material *material, struct pp_vec3 n,
+                                  struct pp_vec3 eye);
 
 /* Reflectance of the material's mirror, spike or gloss, at that cosine. */
 struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,

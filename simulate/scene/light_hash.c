@@ -37,7 +37,10 @@ static uint64_t stir_material(uint64_t hash, const struct pp_material *material)
     struct pp_material_key key = pp_surface_materials_key(material);
     for (const char *c = key.name; *c; c++)
         hash = pp_hash(hash, (unsigned char)*c);
-    for (int i = 0; i < PP_MATERIAL_KEY_NUMBERS; i++)
+    int count = PP_MATERIAL_KEY_NUMBERS;
+    if (!material->scatter)
+        count -= PP_MATERIAL_KEY_OF_SCATTER;
+    for (int i = 0; i < count; i++)
         hash = stir(hash, key.numbers[i]);
     return material->rough ? stir_rough(hash, material) : hash;
 }

@@ -29,6 +29,9 @@ void pp_light_scene_destroy(struct pp_light_scene *scene)
     free(scene->glosses);
     free(scene->gloss_of_material);
     free(scene->patterns);
+    for (int i = 0; i < scene->measured_count; i++)
+        pp_measured_pane_release(scene->measured[i]);
+    free(scene->measured);
     free(scene->parts);
     free(scene->part_of_triangle);
     free(scene->rounds);

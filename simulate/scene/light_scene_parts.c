@@ -14,9 +14,9 @@ bool pp_light_scene_parts_pass(const struct pp_light_scene *scene,
                                const struct pp_light_hit *hit, struct pp_light_ray *ray,
                                struct pp_rgb *light)
 {
-    *light = pp_rgb_times(
-        *light, pp_scatter_regular_transmittance(&scene->materials[hit->material],
-                                                 -pp_vec_dot(hit->normal, ray->to)));
+    *light = pp_rgb_times(*light, pp_scatter_straight(&scene->materials[hit->material],
+                                                      hit->normal,
+                                                      pp_vec_scale(ray->to, -1.0)));
     ray->from = hit->point;
     ray->off = pp_vec_scale(hit->normal, -1.0);
     ray->space = pp_light_scene_parts_space(scene, hit, true);

@@ -68,6 +68,8 @@ struct pp_light_scene {
     int *gloss_of_material; /* index by material; -1: none, or a mirror */
     struct pp_pattern *patterns;
     int pattern_count;
+    struct pp_measured_pane **measured; /* held, of a description */
+    int measured_count;
     struct pp_light_part *parts;
     int part_count;
     int *part_of_triangle; /* by triangle, then by round shape */

@@ -172,8 +172,9 @@ static bool shows(const struct pp_vec3 *position, struct pp_vec3 n,
                   const struct pp_pane *pane, bool rising)
 {
     const struct pp_target *target = &pane->target;
-    if (pane->opening->glass.diffusing || !position)
-        return rising || pane->opening->glass.diffusing;
+    bool spreads = pane->opening->glass.diffusing || pane->opening->scatter;
+    if (spreads || !position)
+        return rising || spreads;
     if (!rising && n.z > 0.0 && n.x == 0.0 && n.y == 0.0)
         return false;
     for (int i = 0; i < target->triangle_count; i++)

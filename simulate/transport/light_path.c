@@ -353,6 +353,8 @@ static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path
         pp_rgb_scale(lobes->share[PP_LOBE_STRAIGHT], weight);
     lobes->share[PP_LOBE_THROUGH_DIFFUSE] =
         pp_rgb_scale(lobes->share[PP_LOBE_THROUGH_DIFFUSE], weight);
+    lobes->share[PP_LOBE_THROUGH_GLOSS] =
+        pp_rgb_scale(lobes->share[PP_LOBE_THROUGH_GLOSS], weight);
 }
 
 /* Scatters at an opaque, diffuse surface: the most frequent case, with one lobe. */

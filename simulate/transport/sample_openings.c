@@ -6,6 +6,7 @@
 
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
+#include "simulate/transport/path_scatter.h"
 
 /* Up to this number all openings are sampled. Sampling one at random caused most of a
  * path's noise: sampling all gives a quarter less noise in the example studio. */
@@ -94,8 +95,30 @@ double pp_sample_openings_weight(struct pp_radiance_state *state,
                                     * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
+/* Continues the ray to the outside by one of the lobes of a scattering pane; returns the
+ * weight of light along it. */
+static struct pp_rgb leave_scattered(const struct pp_radiance_state *state,
+                                     const struct pp_shading_point *shading,
+                                     const struct pp_light_part *part,
+                                     struct pp_opening_sample *sample)
+{
+    double u[3]; /* direction (2), lobe */
+    struct pp_lobes lobes;
+    struct pp_rgb factor, weight = pp_rgb_grey(1.0);
+    pp_scatter_init(&lobes, &state->scene->materials[part->material[0]], NULL,
+                    part->normal, pp_vec_scale(sample->ray.to, -1.0));
+    lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(0.0);
+    pp_sobol_sequence_draw(&state->sequence, state->index,
+                           pp_sample_openings_vertex(shading, sample->opening), 3, u);
+    enum pp_lobe lobe = pp_path_scatter_choose_lobe(&lobes, u[2], &weight);
+    if (lobe == PP_LOBE_COUNT
+        || !pp_scatter_sample(&lobes, lobe, u[0], u[1], &sample->ray.to, &factor))
+        return pp_rgb_grey(0.0);
+    return pp_rgb_times(weight, factor);
+}
+
 /* Sets the ray that leaves the opening where the direction meets it, and multiplies the
- * weight by the transmittance. Behind a diffusing pane a new direction is sampled. */
+ * weight by the transmittance. Behind a pane that scatters a new direction is sampled. */
 static void leave(struct pp_radiance_state *state,
                   const struct pp_shading_point *shading,
                   const struct pp_direction_sample *to,
@@ -107,7 +130,9 @@ static void leave(struct pp_radiance_state *state,
     struct pp_vec3 out = pp_vec_scale(part->normal, -1.0);
     struct pp_rgb transmittance = material->through_diffuse;
     sample->ray = (struct pp_light_ray){to->point, out, to->direction, PP_OUTDOORS};
-    if (material->kind == PP_MATERIAL_TRANSLUCENT) {
+    if (material->kind == PP_MATERIAL_SCATTERING) {
+        transmittance = leave_scattered(state, shading, part, sample);
+    } else if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         double u[2];
         pp_sobol_sequence_draw(&state->sequence, state->index,
                                pp_sample_openings_vertex(shading, sample->opening), 2,

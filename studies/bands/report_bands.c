@@ -44,6 +44,14 @@ static bool has_contrasting_dado(const struct pp_world *world)
     return false;
 }
 
+static bool has_scattering_pane(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].scatter)
+            return true;
+    return false;
+}
+
 /* Reason why rooms of this kind are not in the atlas; NULL: the atlas has such
  * rooms. */
 static const char *why_not(const struct pp_world *world,
@@ -55,6 +63,7 @@ static const char *why_not(const struct pp_world *world,
            : !world->is_empty                ? "the room has surfaces inside it"
            : has_contrasting_dado(world)     ? "the walls have a dado"
            : !plane_is_convex(&world->plane) ? "the plan is not convex"
+           : has_scattering_pane(world)      ? "a pane scatters light by direction"
            : world->ground_is_open ? "the ground outside is treated as unshaded"
                                    : NULL;
 }

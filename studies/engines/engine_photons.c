@@ -1,6 +1,7 @@
 /* engine_photons.c - the photons of simulate/research/photons as an engine. */
 #include "simulate/research/photons/photons.h"
 #include "studies/engines/engine.h"
+#include "studies/engines/scattering_panes.h"
 
 static enum pp_status create_photon_engine(void **run,
                                            const struct pp_light_scene *scene,
@@ -9,6 +10,9 @@ static enum pp_status create_photon_engine(void **run,
                                            const struct pp_engine_options *options,
                                            struct pp_error *err)
 {
+    enum pp_status able = pp_scattering_panes_refuse(report->world, "photons", err);
+    if (able != PP_OK)
+        return able;
     const struct pp_photons_options wanted = {.error = options->error,
                                               .samples = options->samples,
                                               .seed = options->seed,

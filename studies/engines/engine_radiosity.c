@@ -2,6 +2,7 @@
  * engine. */
 #include "simulate/research/radiosity/radiosity.h"
 #include "studies/engines/engine.h"
+#include "studies/engines/scattering_panes.h"
 
 static enum pp_status create_radiosity_engine(void **data,
                                               const struct pp_light_scene *scene,
@@ -10,6 +11,9 @@ static enum pp_status create_radiosity_engine(void **data,
                                               const struct pp_engine_options *options,
                                               struct pp_error *err)
 {
+    enum pp_status able = pp_scattering_panes_refuse(report->world, "radiosity", err);
+    if (able != PP_OK)
+        return able;
     const struct pp_radiosity_options wanted = {.error = options->error,
                                                 .threads = options->threads};
     struct pp_radiosity *radiosity;

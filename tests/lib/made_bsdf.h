@@ -83,12 +83,15 @@ static inline int made_bsdf_mirrored(const struct pp_angle_basis *basis, int pat
 }
 
 /* A prismatic sheet: of light that travels down, 0.25 passes straight and 0.45 is sent up
- * at the same angle; of other light 0.25 and 0.15. A further 0.1 is spread evenly. */
+ * at the same angle; of other light 0.25 and 0.15. A further 0.1 is spread, three times as
+ * much towards +x as towards -x. */
 static inline double made_bsdf_prism(const struct pp_angle_basis *basis, int in,
                                      int out)
 {
     struct pp_vec3 d = pp_angle_basis_direction(basis, in, 0.5, 0.5);
-    double W = pp_angle_basis_projected(basis, out), f = 0.1 / PP_PI;
+    struct pp_vec3 to = pp_angle_basis_direction(basis, out, 0.5, 0.5);
+    double W = pp_angle_basis_projected(basis, out);
+    double f = 0.1 / PP_PI * (to.x > 1e-9 ? 1.5 : to.x < -1e-9 ? 0.5 : 1.0);
     if (out == in)
         f += 0.25 / W;
     if (out == made_bsdf_mirrored(basis, in))

@@ -184,10 +184,6 @@ static enum pp_status fill_pane(struct pp_measured_pane *pane,
         front, pp_angle_basis_find(&front->in, pp_vec(0.0, 0.0, 1.0)));
     pane->diffuse = pp_bsdf_block_hemispherical(front);
     pane->straight_diffuse = mean_over(&pane->into_room.in, pane->into_room.straight);
-    pane->reflect_outside =
-        fmin(1.0, pp_bsdf_block_hemispherical(&blocks[PP_BSDF_REFLECT_FRONT]));
-    pane->reflect_room =
-        fmin(1.0, pp_bsdf_block_hemispherical(&blocks[PP_BSDF_REFLECT_BACK]));
     if (!(pane->normal > 0.0) || !(pane->diffuse > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
                        "the glazing system transmits no light at normal incidence; "
@@ -199,6 +195,33 @@ static enum pp_status fill_pane(struct pp_measured_pane *pane,
     return PP_OK;
 }
 
+static const struct pp_angle_basis *basis_of(const struct pp_measured_pane *pane)
+{
+    const struct pp_measured_way *way = &pane->into_room;
+    return pp_angle_basis_is_same(&way->in, &way->out) ? &way->in : NULL;
+}
+
+/* FNV-1a of all data that simulations use. */
+static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t count)
+{
+    const unsigned char *at = bytes;
+    for (size_t i = 0; i < count; i++)
+        hash = (hash ^ at[i]) * UINT64_C(0x100000001b3);
+    return hash;
+}
+
+static uint64_t hash_of(const struct pp_measured_pane *pane)
+{
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    const struct pp_measured_way *ways[2] = {&pane->into_room, &pane->out_of_room};
+    for (int i = 0; i < 2; i++) {
+        size_t ins = (size_t)ways[i]->in.count, outs = (size_t)ways[i]->out.count;
+        hash = hash_bytes(hash, ways[i]->scattered, ins * outs * sizeof(double));
+        hash = hash_bytes(hash, ways[i]->straight, ins * sizeof(double));
+    }
+    return hash;
+}
+
 enum pp_status pp_measured_pane_create(struct pp_measured_pane **result,
                                        const struct pp_bsdf *bsdf, bool split,
                                        struct pp_error *err)
@@ -208,18 +231,27 @@ enum pp_status pp_measured_pane_create(struct pp_measured_pane **result,
     if (!pane)
         return pp_fail_memory(err);
     pane->holders = 1;
+    pane->is_split = split;
     enum pp_status status = fill_pane(pane, bsdf, split, err);
     if (status != PP_OK) {
         pp_measured_pane_release(pane);
         return status;
     }
+    const struct pp_bsdf_block *blocks = bsdf->blocks;
+    double outside = pp_bsdf_block_hemispherical(&blocks[PP_BSDF_REFLECT_FRONT]);
+    double room = pp_bsdf_block_hemispherical(&blocks[PP_BSDF_REFLECT_BACK]);
     pane->scatter = (struct pp_pane_scatter){.data = pane,
+                                             .id = hash_of(pane),
+                                             .reflect_outside = fmin(1.0, outside),
+                                             .reflect_room = fmin(1.0, room),
                                              .straight = straight_share,
                                              .scattered = scattered_share,
                                              .btdf = measured_btdf,
                                              .arriving = measured_arriving,
                                              .sample = measured_sample,
                                              .density = measured_density,
+                                             .splits = split,
+                                             .basis = basis_of(pane),
                                              .class_count = pane->into_room.out.count,
                                              .class_of = leaving_class,
                                              .class_btdf = class_value};
@@ -230,13 +262,13 @@ enum pp_status pp_measured_pane_create(struct pp_measured_pane **result,
 struct pp_measured_pane *pp_measured_pane_hold(struct pp_measured_pane *pane)
 {
     if (pane)
-        pane->holders++;
+        __atomic_add_fetch(&pane->holders, 1, __ATOMIC_RELAXED);
     return pane;
 }
 
 void pp_measured_pane_release(struct pp_measured_pane *pane)
 {
-    if (!pane || --pane->holders > 0)
+    if (!pane || __atomic_sub_fetch(&pane->holders, 1, __ATOMIC_ACQ_REL) > 0)
         return;
     clear_way(&pane->into_room);
     clear_way(&pane->out_of_room);

@@ -39,15 +39,16 @@ struct pp_measured_pane {
     struct pp_pane_scatter scatter; /* data: this pane, which must not move */
     struct pp_measured_way into_room, out_of_room;
     enum pp_measured_kind kind;
+    bool is_split;  /* unscattered light is a ray */
     double normal;  /* direct-hemispherical transmittance at normal incidence, front */
     double diffuse; /* hemispherical transmittance, front */
-    double straight_diffuse;              /* part of it that is not scattered */
-    double reflect_outside, reflect_room; /* hemispherical */
-    char name[PP_BSDF_NAME];              /* of the system; may be empty */
-    char *file;                           /* as in the room file; NULL: none */
+    double straight_diffuse; /* part of it that is not scattered */
+    char name[PP_BSDF_NAME]; /* of the system; may be empty */
+    char *file;              /* as in the room file; NULL: none */
     char warnings[PP_BSDF_WARNINGS_MOST][PP_BSDF_WARNING];
     int warning_count;
-    int holders; /* number of parts that share it */
+    int holders; /* number of parts and openings that share it; changed by several
+                  * threads */
 };
 
 /* Makes a pane, with one holder. bsdf: complete. split: unscattered light is a ray.

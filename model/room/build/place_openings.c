@@ -175,6 +175,9 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
         status = pp_fail_memory(err);
     if (status == PP_OK) {
         label_opening(&opening, world, r->room);
+        opening.measured = pp_measured_pane_hold(part->glazing.measured);
+        if (opening.measured)
+            opening.scatter = &opening.measured->scatter;
         world->openings[world->opening_count++] = opening;
     } else {
         pp_polygon_clear(&opening.inner);

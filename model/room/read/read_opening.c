@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/light/bsdf/bsdf_file.h"
 #include "model/light/glazings.h"
 #include "model/room/read/element_form.h"
 #include "model/room/read/read_device.h"
@@ -29,16 +30,84 @@ static bool has(const struct pp_xml_element *e, const char *name)
     return false;
 }
 
-/* False, with a report, if both ways of giving the glass are used. */
+/* False, with a report, if two ways of giving the glass are used. */
 static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
 {
-    if (!has(e, "glazing") || !has(e, "transmittance"))
+    static const char *const pairs[][2] = {{"glazing", "transmittance"},
+                                           {"glazing", "glazing-file"},
+                                           {"transmittance", "glazing-file"},
+                                           {"diffusing", "glazing-file"}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+        if (has(e, pairs[i][0]) && has(e, pairs[i][1])) {
+            pp_mistakes_add(r->mistakes, e->line,
+                            "%s: %s and %s are both given; expected only one of them",
+                            e->name, pairs[i][0], pairs[i][1]);
+            return false;
+        }
+    if (!has(e, "glazing-peak") || has(e, "glazing-file"))
         return true;
-    pp_mistakes_add(
-        r->mistakes, e->line,
-        "%s: glazing and transmittance are both given; expected only one of them",
-        e->name);
+    pp_mistakes_add(r->mistakes, e->line,
+                    "%s: glazing-peak is given without glazing-file; expected both",
+                    e->name);
     return false;
+}
+
+/* Reads a measured pane; NULL after a mistake. */
+static struct pp_measured_pane *read_pane_file(struct pp_reader *r, const char *file,
+                                               bool split,
+                                               const struct pp_xml_element *e)
+{
+    struct pp_measured_pane *pane = NULL;
+    struct pp_error fault = {0};
+    struct pp_bsdf bsdf;
+    char *path = pp_reader_path(r, file);
+    enum pp_status status = path ? pp_bsdf_file_read(&bsdf, path, &fault) : PP_SYSTEM;
+    if (status == PP_OK) {
+        status = pp_measured_pane_create(&pane, &bsdf, split, &fault);
+        pp_bsdf_clear(&bsdf);
+        if (status == PP_OK)
+            pane->file = pp_reader_copy_text(r, file);
+        else if (fault.message[0])
+            pp_mistakes_add(r->mistakes, e->line, "%s: \"%.200s\": %s", e->name, file,
+                            fault.message);
+    } else if (fault.message[0]) {
+        pp_mistakes_add(r->mistakes, e->line, "%s: %s", e->name, fault.message);
+    } else {
+        r->out_of_memory = true;
+    }
+    free(path);
+    return pane;
+}
+
+/* The pane of a file that another opening of the room has, or a new one; NULL after a
+ * mistake. */
+static struct pp_measured_pane *measured_pane(struct pp_reader *r,
+                                              const struct pp_room *room,
+                                              const struct pp_opening_form *form,
+                                              const struct pp_xml_element *e)
+{
+    bool split = form->peak == 0;
+    for (int i = 0; i < room->opening_count; i++) {
+        struct pp_measured_pane *other = room->openings[i].glazing.measured;
+        if (other && other->file && other->is_split == split
+            && strcmp(other->file, form->glazing_file) == 0)
+            return pp_measured_pane_hold(other);
+    }
+    if (r->folder)
+        return read_pane_file(r, form->glazing_file, split, e);
+    pp_mistakes_add(r->mistakes, e->line,
+                    "%s: the room was not read from a file, so its glazing-file cannot "
+                    "be located; expected a room read from a file",
+                    e->name);
+    return NULL;
+}
+
+/* The glass that hand methods use for a measured pane. */
+static struct pp_glass glass_for(const struct pp_measured_pane *pane)
+{
+    return pane->kind == PP_MEASURED_DIFFUSING
+               ? pp_glass_diffusing(fmin(1.0, pane->diffuse))
+               : pp_glass_measured(pane->normal, pane->diffuse);
 }
 
 /* Glass that the attributes describe; false, with a report, if they contradict each
@@ -124,13 +193,29 @@ void pp_read_opening(struct pp_reader *r, struct pp_room *room,
     good = said_once(r, e) && good;
     if (kind == PP_OPENING)
         good = pp_reader_add_vertices(r, &part.vertices, &pp_rule_vertex, e) && good;
-    good = good && glass_of(r, &part.glazing.glass, &form, e);
+    if (good && form.glazing_file) {
+        part.glazing.measured = measured_pane(r, room, &form, e);
+        good = part.glazing.measured != NULL;
+        if (good)
+            part.glazing.glass = glass_for(part.glazing.measured);
+    } else {
+        good = good && glass_of(r, &part.glazing.glass, &form, e);
+    }
     good = pp_read_device(r, &part.device, e) && good;
+    if (good && form.glazing_file && part.device.kind != PP_DEVICE_NONE) {
+        pp_mistakes_add(r->mistakes, part.device.line,
+                        "%s: the window has a glazing-file; expected a %s in a window "
+                        "without measured glazing",
+                        pp_window_device_word(part.device.kind),
+                        pp_window_device_word(part.device.kind));
+        good = false;
+    }
     if (kind == PP_WINDOW)
         read_shades(r, &part, e);
     if (!good || !PP_READER_RESERVE(r, room->openings, room->opening_count)) {
         pp_room_parts_clear_vertices(&part.vertices);
         free(part.shades);
+        pp_measured_pane_release(part.glazing.measured);
         return;
     }
     part.glazing.frame_factor = form.frame_factor;

@@ -59,17 +59,6 @@ void pp_read_outside_facade(struct pp_reader *r, struct pp_room *room,
                                     .line = e->line};
 }
 
-/* Path of a mesh file relative to the working directory. Freed by the caller; NULL if
- * memory runs out. */
-static char *mesh_path(const char *folder, const char *file)
-{
-    const char *before = file[0] == '/' ? "" : folder;
-    char *path = malloc(strlen(before) + strlen(file) + 1);
-    if (path)
-        strcat(strcpy(path, before), file);
-    return path;
-}
-
 /* Reads the triangles of a mesh file; NULL after a mistake. */
 static struct pp_shared_mesh *read_mesh_file(struct pp_reader *r, const char *file,
                                              int line)
@@ -81,7 +70,7 @@ static struct pp_shared_mesh *read_mesh_file(struct pp_reader *r, const char *fi
         return NULL;
     }
     struct pp_shared_mesh *shared = calloc(1, sizeof *shared);
-    char *path = mesh_path(r->folder, file);
+    char *path = pp_reader_path(r, file);
     struct pp_error fault = {0};
     enum pp_status status =
         shared && path ? pp_mesh_file_read(&shared->mesh, path, &fault) : PP_SYSTEM;

@@ -8,17 +8,6 @@
 #include "model/pictures/sky_picture_file.h"
 #include "model/room/sky_words.h"
 
-/* Path of a picture relative to the working directory. Freed by the caller; NULL if
- * memory runs out. */
-static char *picture_path(const char *folder, const char *file)
-{
-    const char *before = file[0] == '/' ? "" : folder;
-    char *path = malloc(strlen(before) + strlen(file) + 1);
-    if (path)
-        strcat(strcpy(path, before), file);
-    return path;
-}
-
 /* Reads the options of a photograph; false after a mistake. */
 static bool read_options(struct pp_reader *r, struct pp_sky_picture_options *options,
                          const struct pp_sky_form *form, int line)
@@ -45,11 +34,10 @@ static struct pp_sky_picture *read_files(struct pp_reader *r,
 {
     struct pp_sky_picture *picture = NULL;
     struct pp_error fault = {0};
-    char *path = picture_path(r->folder, form->file);
-    char *second = form->second ? picture_path(r->folder, form->second) : NULL;
-    if (!path || (form->second && !second))
-        r->out_of_memory = true;
-    else if (pp_sky_picture_file_read(&picture, path, second, options, &fault) != PP_OK)
+    char *path = pp_reader_path(r, form->file);
+    char *second = form->second ? pp_reader_path(r, form->second) : NULL;
+    if (path && (second || !form->second)
+        && pp_sky_picture_file_read(&picture, path, second, options, &fault) != PP_OK)
         pp_mistakes_add(r->mistakes, line, "sky: %s", fault.message);
     free(path);
     free(second);

@@ -1,6 +1,7 @@
 /* reader.c - see reader.h. */
 #include "model/room/read/reader.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "model/base/array.h"
@@ -25,6 +26,17 @@ char *pp_reader_copy_text(struct pp_reader *r, const char *text)
     if (text && !copy)
         r->out_of_memory = true;
     return copy;
+}
+
+char *pp_reader_path(struct pp_reader *r, const char *file)
+{
+    const char *before = file[0] == '/' ? "" : r->folder;
+    char *path = malloc(strlen(before) + strlen(file) + 1);
+    if (path)
+        strcat(strcpy(path, before), file);
+    else
+        r->out_of_memory = true;
+    return path;
 }
 
 bool pp_reader_fill_form(struct pp_reader *r, void *form,

@@ -41,6 +41,10 @@ bool pp_reader_reserve(struct pp_reader *r, void *list, int count, size_t size);
 /* Copies a text for the caller; NULL for NULL, or if memory runs out. */
 char *pp_reader_copy_text(struct pp_reader *r, const char *text);
 
+/* Path of a file that the room names, relative to the working directory. Freed by the
+ * caller; NULL if memory runs out. */
+char *pp_reader_path(struct pp_reader *r, const char *file);
+
 /* Fills form from the element's attributes, and checks the names and numbers of its
  * children. False after a mistake, or if the file is truncated within the element,
  * about which nothing more is reported then. */

@@ -153,6 +153,8 @@ LEAF(wall, "wall", wall_rows);
     {"glazing", &pp_room_values_glazing, OR(NAN), IN(opening, glazing)},               \
         {"transmittance", &pp_room_values_transmittance, OR(NAN),                      \
          IN(opening, transmittance)},                                                  \
+        {"glazing-file", &file_name, OR(NAN), IN(opening, glazing_file)},              \
+        {"glazing-peak", &pp_room_values_peak, OR(0), IN(opening, peak)},              \
         {"diffusing", &pp_room_values_yes_no, OR(-1), IN(opening, diffusing)},         \
         {"frame-factor", &pp_room_values_frame, OR(1), IN(opening, frame_factor)},     \
         {"maintenance", &pp_room_values_or_auto, OR(1), IN(opening, maintenance)},     \

@@ -171,7 +171,9 @@ struct pp_opening_form {
     double left_m, sill_m, width_m, height_m, x, y, depth_m;
     const char *glazing;
     double transmittance, frame_factor, maintenance, curtains, reveal_m;
-    int diffusing; /* 0 no, 1 yes, -1 not given */
+    int diffusing;            /* 0 no, 1 yes, -1 not given */
+    const char *glazing_file; /* NULL: not given */
+    int peak;                 /* 0 ray, 1 patch */
 };
 
 /* An overhang, a fin, a balcony or a shelf. */

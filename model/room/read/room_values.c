@@ -157,6 +157,9 @@ const struct pp_value_kind pp_room_values_device_position = {
     .reading = PP_VALUE_CHOICE,
     .expected = "\"inside\", \"between\" or \"outside\"",
     .words = device_positions};
+static const char *const peaks[] = {"ray", "patch", NULL};
+const struct pp_value_kind pp_room_values_peak = {
+    .reading = PP_VALUE_CHOICE, .expected = "\"ray\" or \"patch\"", .words = peaks};
 static const char *const wall_kinds[] = {"outer", "inner", "party", NULL};
 const struct pp_value_kind pp_room_values_wall_kind = {
     .reading = PP_VALUE_CHOICE,

@@ -139,6 +139,19 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
     return pp_fail_memory(err);
 }
 
+/* The name of the file that an element refers to; empty if there is none. */
+static struct pp_room_tag file_of(struct pp_room_tag tag)
+{
+    static const char *const elements[][2] = {{"mesh", "file"},
+                                              {"window", "glazing-file"},
+                                              {"rooflight", "glazing-file"},
+                                              {"opening", "glazing-file"}};
+    for (size_t i = 0; i < sizeof elements / sizeof *elements; i++)
+        if (pp_room_tags_is_named(tag, elements[i][0]))
+            return pp_room_tags_attribute(tag, elements[i][1]);
+    return (struct pp_room_tag){tag.to, tag.to};
+}
+
 enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char *text,
                                  size_t length, const char *way, struct pp_error *err)
 {
@@ -149,9 +162,8 @@ enum pp_status pp_room_text_move(char **moved, size_t *moved_length, const char 
     const char *at = text, *end = text + length;
     for (struct pp_room_tag tag = pp_room_tags_next(text, end); tag.from < end;
          tag = pp_room_tags_next(tag.to, end)) {
-        struct pp_room_tag file = pp_room_tags_attribute(tag, "file");
-        if (!pp_room_tags_is_named(tag, "mesh") || file.from == file.to
-            || *file.from == '/')
+        struct pp_room_tag file = file_of(tag);
+        if (file.from == file.to || *file.from == '/')
             continue;
         fwrite(at, 1, (size_t)(file.from - at), out);
         pp_room_tags_put_escaped(out, way);

@@ -1,4 +1,5 @@
 /* test_measured_pane.c - measured data as a pane: unscattered light, sampling, kinds. */
+#include "model/light/bsdf/bsdf_write.h"
 #include "model/light/bsdf/measured_pane.h"
 
 #include "tests/lib/made_bsdf.h"
@@ -116,6 +117,39 @@ static void panes_are_told_apart_by_their_light(void **state)
     pp_measured_pane_release(prism);
 }
 
+/* Other programs read the data that were read, here halved by a frame. */
+static void a_written_pane_reads_back(void **state)
+{
+    (void)state;
+    for (int split = 0; split < 2; split++) {
+        struct pp_measured_pane *pane = made_pane(made_bsdf_prism, split), *back = NULL;
+        char *text = NULL;
+        size_t length = 0;
+        FILE *out = open_memstream(&text, &length);
+        pp_bsdf_write(out, &pane->scatter, 0.5, "pane");
+        fclose(out);
+        struct pp_bsdf bsdf;
+        assert_int_equal(pp_bsdf_file_parse(&bsdf, text, length, "back.xml", NULL),
+                         PP_OK);
+        assert_int_equal(pp_measured_pane_create(&back, &bsdf, split, NULL), PP_OK);
+        for (int way = -1; way <= 1; way += 2)
+            for (int i = 0; i < 41; i++) {
+                struct pp_vec3 in =
+                    pp_angle_basis_direction(&pane->into_room.in, i, 0.4, 0.4);
+                in.z *= way;
+                assert_near(back->scatter.scattered(back, in),
+                            0.5 * pane->scatter.scattered(pane, in), 1e-6);
+                assert_near(back->scatter.straight(back, in),
+                            0.5 * pane->scatter.straight(pane, in), 1e-6);
+            }
+        assert_int_equal(bsdf.warning_count, 0);
+        pp_bsdf_clear(&bsdf);
+        free(text);
+        pp_measured_pane_release(pane);
+        pp_measured_pane_release(back);
+    }
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -123,6 +157,7 @@ TEST_FILE
         cmocka_unit_test(samples_have_the_density_that_they_state),
         cmocka_unit_test(radiance_under_an_even_sky_sums_over_arriving_light),
         cmocka_unit_test(panes_are_told_apart_by_their_light),
+        cmocka_unit_test(a_written_pane_reads_back),
     };
     add_tests(tests, NULL, NULL);
 }
