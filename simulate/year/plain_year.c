@@ -25,12 +25,13 @@ struct pp_plain_year {
 struct event_list {
     int count, capacity;
     struct kept_event {
-        enum { MET_SKY, MET_COLUMN, MET_SUN } kind;
+        enum { MET_SKY, MET_COLUMN, MET_SUN, MET_PANE } kind;
         int group;  /* group of the opening through which the path left; -1 for a sun */
         int column; /* column of light, for ground and skylines */
         double weight;
         struct pp_vec3 u;       /* direction of sky */
         struct pp_lit_point at; /* point lit by the sun */
+        int opening, leaving;   /* of a pane lit by the sun */
     } * list;
     const struct pp_plain_year *plain;
     int horizontal_column;
@@ -77,6 +78,15 @@ static void keep_lit(void *data, const struct pp_year_event *event)
     keep(data, event, (struct kept_event){.kind = MET_SUN, .at = event->at});
 }
 
+static void keep_pane_sun(void *data, const struct pp_year_event *event)
+{
+    keep(data, event,
+         (struct kept_event){.kind = MET_PANE,
+                             .at = event->at,
+                             .opening = event->opening,
+                             .leaving = event->leaving});
+}
+
 static void follow_paths(const struct pp_plain_year *plain, int receiver, int batch,
                          struct event_list *events)
 {
@@ -85,7 +95,8 @@ static void follow_paths(const struct pp_plain_year *plain, int receiver, int ba
                                       .sky = keep_sky,
                                       .skyline = keep_skyline,
                                       .horizontal = keep_horizontal,
-                                      .lit = keep_lit};
+                                      .lit = keep_lit,
+                                      .pane_sun = keep_pane_sun};
     struct pp_path_walk walk = {.scene = plain->scene,
                                 .environment = plain->environment};
     struct pp_lit_point at = {pp_vec_sub(from->position, plain->scene->centre),
@@ -121,6 +132,7 @@ static double light_of(const struct pp_plain_year *plain,
     case MET_COLUMN:
         return event->weight * pp_light_columns_at(light, event->column, hour);
     case MET_SUN:
+    case MET_PANE:
         break;
     }
     if (!(sky->direct_lx > 0.0))
@@ -128,6 +140,9 @@ static double light_of(const struct pp_plain_year *plain,
     double share = pp_sun_on_surface(plain->scene, &event->at, sky->sun, &opening);
     if (share > 0.0 && opening >= 0)
         *group = plain->group_of_opening[opening];
+    if (share > 0.0 && event->kind == MET_PANE)
+        share *= pp_sun_on_surface_scattered(
+            &plain->scene->world->openings[event->opening], sky->sun, event->leaving);
     return event->weight * share * sky->direct_lx;
 }
 /* theory: end */
@@ -150,7 +165,7 @@ enum pp_status pp_plain_year_point(const struct pp_plain_year *plain, int receiv
                 double lx =
                     light_of(plain, &events.list[i], light, by_patch, t, &group);
                 size_t row = (size_t)(group * PP_YEAR_BATCHES + b) * step + (size_t)t;
-                (events.list[i].kind == MET_SUN ? point->sun : point->sky)[row] +=
+                (events.list[i].kind >= MET_SUN ? point->sun : point->sky)[row] +=
                     (float)lx;
             }
     }

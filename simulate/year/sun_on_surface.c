@@ -55,8 +55,8 @@ static double regular_transmittance(const struct pp_light_scene *scene, int pane
                                     struct pp_vec3 u)
 {
     const struct pp_light_part *part = &scene->parts[scene->panes[pane].part];
-    return pp_scatter_regular_transmittance(&scene->materials[part->material[0]],
-                                            -pp_vec_dot(part->normal, u))
+    return pp_scatter_straight(&scene->materials[part->material[0]], part->normal,
+                               pp_vec_scale(u, -1.0))
         .g;
 }
 
@@ -100,4 +100,14 @@ double pp_sun_on_surface(const struct pp_light_scene *scene,
     }
     struct pp_light_ray ray = {at->point, at->normal, sun, at->space};
     return cosine * traced(scene, ray, opening);
+}
+
+double pp_sun_on_surface_scattered(const struct pp_opening *opening, struct pp_vec3 sun,
+                                   int leaving)
+{
+    const struct pp_pane_scatter *scatter = opening->scatter;
+    struct pp_vec3 in =
+        pp_vec(-pp_vec_dot(sun, opening->along), -pp_vec_dot(sun, opening->up),
+               -pp_vec_dot(sun, opening->inner.normal));
+    return in.z > 0.0 ? scatter->class_btdf(scatter->data, in, leaving) : 0.0;
 }

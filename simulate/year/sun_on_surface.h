@@ -15,4 +15,9 @@ double pp_sun_on_surface(const struct pp_light_scene *scene,
                          const struct pp_lit_point *at, struct pp_vec3 sun,
                          int *opening);
 
+/* Btdf of a scattering pane for light of the sun (unit, towards it) and that class of
+ * leaving light. */
+double pp_sun_on_surface_scattered(const struct pp_opening *opening, struct pp_vec3 sun,
+                                   int leaving);
+
 #endif

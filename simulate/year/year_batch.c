@@ -87,6 +87,13 @@ static void take_pane(void *data, const struct pp_year_event *event)
     add_light(work, event, pp_year_solve_columns(work->task) - 1);
 }
 
+static void take_pane_sun(void *data, const struct pp_year_event *event)
+{
+    struct batch_work *work = data;
+    add_light(work, event,
+              work->task->column_count + PP_YEAR_OUTDOOR_CELLS + event->leaving);
+}
+
 static bool take_known(void *data, const struct pp_year_event *event)
 {
     struct batch_work *work = data;
@@ -106,6 +113,8 @@ static const struct pp_year_sink batch_sink = {.sky = take_sky,
                                                .horizontal = take_horizontal,
                                                .lit = take_lit,
                                                .pane = take_pane,
+                                               .pane_sun = take_pane_sun,
+                                               .pane_sun_apart = true,
                                                .known = take_known};
 
 static void begin_paths(struct batch_work *work, uint64_t place)
@@ -119,6 +128,7 @@ static void follow_both(struct batch_work *work, const struct pp_lit_point *at)
 {
     struct pp_year_sink sink = batch_sink;
     sink.data = work;
+    sink.pane_sun_apart = work->views_sky; /* cells have no samples apart */
     pp_year_path_openings(&work->walk, &sink, at);
     pp_year_path_lobe(&work->walk, &sink, at);
 }
@@ -202,20 +212,39 @@ static enum pp_status follow_cells(struct batch_work *work, struct pp_error *err
     return status;
 }
 
+/* Adds the sunlight that scattering panes send directly to a receiver. Bright directions
+ * of a pane fill a small part of its view, so that it takes many samples. */
+static void add_direct_pane_sun(struct batch_work *work, const struct pp_lit_point *at,
+                                uint64_t place)
+{
+    enum { SAMPLES = 1024 };
+    struct pp_year_sink sink = batch_sink;
+    sink.data = work;
+    begin_paths(work, place ^ UINT64_C(0x70616e65));
+    work->scale = 1.0 / SAMPLES;
+    for (int i = 0; i < SAMPLES; i++) {
+        work->walk.index = (uint32_t)i;
+        work->walk.vertex = 0;
+        pp_year_path_pane_sun(&work->walk, &sink, at);
+    }
+}
+
 static enum pp_status follow_points(struct batch_work *work, struct pp_error *err)
 {
     const struct pp_year_task *task = work->task;
     enum pp_status status = PP_OK;
     work->rows = work->of_points;
     work->views_sky = true;
-    work->scale = 1.0 / task->point_paths;
     for (int x = 0; x < task->receiver_count && status == PP_OK; x++) {
         const struct pp_receiver *receiver = &task->receivers[x];
         struct pp_lit_point at = {pp_vec_sub(receiver->position, task->scene->centre),
                                   receiver->normal, PP_INDOORS};
         uint64_t place =
             pp_hash_vec(pp_hash_vec(0, receiver->position), receiver->normal);
+        if (task->class_count > 0)
+            add_direct_pane_sun(work, &at, place);
         begin_paths(work, place);
+        work->scale = 1.0 / task->point_paths;
         for (int i = 0; i < task->point_paths; i++) {
             work->walk.index = (uint32_t)i;
             work->walk.vertex = 0;
@@ -296,7 +325,7 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
             float value = D->entries[k].value;
             if (column < task->column_count)
                 batch->on_pane[g * task->column_count + column] += value;
-            else if (column < pp_year_solve_columns(task) - 1)
+            else if (column < task->column_count + PP_YEAR_OUTDOOR_CELLS)
                 batch->on_pane_outdoor[g * PP_YEAR_OUTDOOR_CELLS + column
                                        - task->column_count] += value;
         }
@@ -315,6 +344,8 @@ static enum pp_status make_space(struct pp_year_batch *batch,
         calloc(points * groups * (size_t)task->column_count + 1, sizeof(float));
     batch->outdoor = calloc(points * groups * PP_YEAR_OUTDOOR_CELLS + 1, sizeof(float));
     batch->inside = calloc(points * cells + 1, sizeof(float));
+    batch->classes =
+        calloc(points * groups * (size_t)task->class_count + 1, sizeof(float));
     batch->by_pane = calloc(points * groups + 1, sizeof(float));
     batch->on_pane = calloc(groups * (size_t)task->column_count + 1, sizeof(float));
     batch->on_pane_outdoor = calloc(groups * PP_YEAR_OUTDOOR_CELLS + 1, sizeof(float));
@@ -322,9 +353,9 @@ static enum pp_status make_space(struct pp_year_batch *batch,
         calloc(groups * PP_YEAR_PANE_POINTS + 1, sizeof *batch->pane_points);
     batch->cell_points = calloc(cells + 1, sizeof *batch->cell_points);
     batch->cell_has_point = calloc(cells + 1, sizeof *batch->cell_has_point);
-    if (!batch->light || !batch->outdoor || !batch->inside || !batch->cell_points
-        || !batch->by_pane || !batch->on_pane || !batch->on_pane_outdoor
-        || !batch->pane_points || !batch->cell_has_point)
+    if (!batch->light || !batch->classes || !batch->outdoor || !batch->inside
+        || !batch->cell_points || !batch->by_pane || !batch->on_pane
+        || !batch->on_pane_outdoor || !batch->pane_points || !batch->cell_has_point)
         return pp_fail_memory(err);
     return PP_OK;
 }
@@ -380,6 +411,7 @@ void pp_year_batch_clear(struct pp_year_batch *batch)
     free(batch->light);
     free(batch->outdoor);
     free(batch->inside);
+    free(batch->classes);
     free(batch->cell_points);
     free(batch->cell_has_point);
     free(batch->by_pane);

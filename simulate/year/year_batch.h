@@ -20,7 +20,8 @@
  *
  * Light that comes directly from sky or open ground, through clear glass, is not in
  * D_x: it is added in closed form. The sun is tested at one random point of each cell;
- * the tests of all randomisations fill the cell. Outdoor surfaces have cells of a size
+ * the tests of all randomisations fill the cell. Sunlight that a pane scatters comes from
+ * the panes of a group by classes of leaving light, with the mean sunlight on them. Outdoor surfaces have cells of a size
  * that grows with their distance; the sun is tested where a path has met one.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_BATCH_H
@@ -44,6 +45,8 @@ struct pp_year_task {
     const int *group_of_opening; /* 0 to group_count - 1 */
     int group_count;
     int column_count; /* number of columns of light */
+    int class_count;  /* most classes of light that leaves a scattering pane; 0: no such
+                       * pane */
     int cell_paths;   /* from each cell; a power of two */
     int point_paths;  /* from each receiver; a power of two */
     const struct pp_sobol *sobol;
@@ -55,6 +58,8 @@ struct pp_year_batch {
     float *light;   /* [receiver][group][column]: lx over a column's unit */
     float *outdoor; /* [receiver][group][outdoor cell]: lx over lx of sun on it */
     float *inside;  /* [receiver][cell]: the same of inside cells */
+    float *classes; /* [receiver][group][class]: lx over the lx of sun on the outside of
+                     * the group's panes and their btdf, 1/sr */
     struct pp_lit_point *cell_points; /* points at which the sun is tested */
     bool *cell_has_point;
     struct pp_lit_point outdoor_points[PP_YEAR_OUTDOOR_CELLS];

@@ -8,6 +8,7 @@
 #include "model/base/array.h"
 #include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
+#include "simulate/year/pane_sun.h"
 #include "simulate/year/sun_on_surface.h"
 #include "simulate/year/year_product.h"
 
@@ -34,6 +35,7 @@ struct pp_year_coefficients {
     struct pp_year_batch batches[PP_YEAR_BATCHES];
     const struct pp_light_columns *light;
     struct sun_list suns[PP_YEAR_BATCHES];
+    struct pp_pane_sun panes;
     enum pp_status status[PP_YEAR_BATCHES]; /* status of each batch's task */
     bool (*goes_on)(void *data, double done);
     void *data;
@@ -104,6 +106,7 @@ enum pp_status pp_year_coefficients_create(
         .group_of_opening = group_of_opening,
         .group_count = group_count,
         .column_count = options->patches + 1 + scene->skylines.far_count,
+        .class_count = pp_pane_sun_classes(scene),
         .cell_paths = options->paths >= 4 ? options->paths / 4 : 1,
         .point_paths = options->paths,
         .sobol = &c->sobol,
@@ -139,6 +142,7 @@ void pp_year_coefficients_destroy(struct pp_year_coefficients *c)
     for (int b = 0; b < PP_YEAR_BATCHES; b++)
         pp_year_batch_clear(&c->batches[b]);
     clear_suns(c);
+    pp_pane_sun_clear(&c->panes);
     pp_year_cells_clear(&c->cells);
     free(c);
 }
@@ -209,8 +213,10 @@ enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *c,
                                           struct pp_error *err)
 {
     clear_suns(c);
+    pp_pane_sun_clear(&c->panes);
     c->light = light;
-    return for_batches(c, light_batch, err);
+    enum pp_status status = pp_pane_sun_init(&c->panes, &c->task, light, err);
+    return status == PP_OK ? for_batches(c, light_batch, err) : status;
 }
 
 /* ---- points ---- */
@@ -296,6 +302,25 @@ PP_LANES_WIDE static void wide_suns(struct block_weights *out,
     sum_block(out, block);
 }
 
+/* Adds the sunlight that the panes of a group scatter to some receivers, in rows of hours
+ * that begin at `sun`, `apart` numbers from one receiver to the next. */
+static void add_pane_suns(const struct pp_year_coefficients *c, int first, int count,
+                          int group, int b, float *sun, size_t apart)
+{
+    int classes = c->task.class_count;
+    for (int t = 0; t < c->light->count; t++) {
+        float lx =
+            (float)pp_pane_sun_lx(&c->task, &c->batches[b], group, &c->light->skies[t]);
+        for (int p = 0; p < count && lx > 0.0f; p++) {
+            const float *own =
+                c->batches[b].classes
+                + (size_t)((first + p) * c->task.group_count + group) * (size_t)classes;
+            sun[(size_t)p * apart + (size_t)t] +=
+                lx * pp_pane_sun_share(&c->panes, own, group, t);
+        }
+    }
+}
+
 /* Space for the weights and sums of one batch. */
 struct sun_space {
     struct block_weights *inside, *outdoor, *sums;
@@ -331,6 +356,11 @@ static void add_suns(const struct pp_year_coefficients *c, int first, int count,
             for (int t = 0; t < c->light->count; t++)
                 row[t] = space->sums[t * groups + g].of[p];
         }
+    for (int g = 0; g < groups && c->panes.panes; g++)
+        if (c->panes.panes[g])
+            add_pane_suns(c, first, count, g, b,
+                          sun + (size_t)(g * PP_YEAR_BATCHES + b) * step,
+                          (size_t)(groups * PP_YEAR_BATCHES) * step);
 }
 
 enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *c, int first,
@@ -374,18 +404,6 @@ enum pp_status pp_year_coefficients_sky(const struct pp_year_coefficients *c,
 
 /* ---- panes ---- */
 
-static double sun_on_panes(const struct pp_year_coefficients *c, int group, int b,
-                           const struct pp_perez_sky *sky)
-{
-    double share = 0.0;
-    int opening;
-    const struct pp_lit_point *points =
-        c->batches[b].pane_points + group * PP_YEAR_PANE_POINTS;
-    for (int i = 0; i < PP_YEAR_PANE_POINTS && sky->direct_lx > 0.0; i++)
-        share += pp_sun_on_surface(c->task.scene, &points[i], sky->sun, &opening);
-    return sky->direct_lx * share / PP_YEAR_PANE_POINTS;
-}
-
 /* The work of one batch on a group's panes. */
 struct panes_work {
     const struct pp_year_coefficients *c;
@@ -406,7 +424,8 @@ static bool light_panes(void *data, int worker, int b)
                     c->light);
     const float *outdoor = batch->on_pane_outdoor + work->group * PP_YEAR_OUTDOOR_CELLS;
     for (int t = 0; t < c->light->count; t++) {
-        lx[t] += (float)sun_on_panes(c, work->group, b, &c->light->skies[t]);
+        lx[t] +=
+            (float)pp_pane_sun_lx(&c->task, batch, work->group, &c->light->skies[t]);
         for (int k = list->first[t]; k < list->first[t + 1]; k++)
             if (list->entries[k].group < 0)
                 lx[t] += outdoor[list->entries[k].cell] * list->entries[k].lx;

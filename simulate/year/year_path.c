@@ -19,6 +19,7 @@ struct year_path {
     int opening;
     bool counted, aims;
     bool scattered; /* by anything except clear glass */
+    bool is_first;  /* the receiver itself aims */
 };
 
 /* As pp_path_walk_meet, but with the short cut for convex rooms, which saves a tenth of
@@ -72,51 +73,90 @@ static void add_exitance(const struct year_path *path, const struct pp_light_hit
 
 static void follow(struct year_path *path);
 
-/* Next-event estimation from one side of a surface, with `weight` for radiance arriving
- * there. */
-static void aim(const struct year_path *from, const struct pp_lit_point *at,
-                double weight)
+/* Reports the sunlight that a scattering pane, met from inside, sends along the path. */
+static void add_pane_sun(const struct year_path *path, const struct pp_lobes *lobes,
+                         const struct pp_light_hit *hit)
 {
-    struct pp_path_walk *walk = from->walk;
-    const struct pp_light_scene *scene = walk->scene;
-    struct year_path path = *from;
-    if (scene->pane_count == 0 || at->space == PP_OUTDOORS)
+    const struct pp_light_scene *scene = path->walk->scene;
+    const struct pp_pane_scatter *scatter = lobes->scatter;
+    if (!scatter || hit->back || !path->sink->pane_sun
+        || pp_rgb_is_black(lobes->share[PP_LOBE_THROUGH_GLOSS]))
         return;
+    int window = scene->parts[hit->part].window;
+    const struct pp_opening *opening = &scene->world->openings[window];
+    const struct pp_material *material = &scene->materials[hit->material];
+    struct pp_vec3 out = pp_vec(pp_vec_dot(lobes->eye, opening->along),
+                                pp_vec_dot(lobes->eye, opening->up),
+                                pp_vec_dot(lobes->eye, lobes->frame.z));
+    struct pp_year_event event =
+        event_of(path, path->weight * material->clear_share * material->dirt);
+    event.opening = window;
+    event.leaving = scatter->class_of(scatter->data, out);
+    event.at = (struct pp_lit_point){hit->point, pp_vec_scale(lobes->frame.z, -1.0),
+                                     pp_light_scene_parts_space(scene, hit, true)};
+    path->sink->pane_sun(path->sink->data, &event);
+}
+
+/* Chooses a direction to an opening, from one side of a surface, with `weight` for
+ * radiance arriving there; sets the path, and the lobes through the pane that it has hit.
+ * False if none is hit. */
+static bool aim_at_pane(struct year_path *path, const struct pp_lit_point *at,
+                        double weight, struct pp_light_hit *hit, struct pp_lobes *lobes)
+{
+    struct pp_path_walk *walk = path->walk;
+    const struct pp_light_scene *scene = walk->scene;
+    if (scene->pane_count == 0 || at->space == PP_OUTDOORS)
+        return false;
     const struct pp_openings_viewer viewer = {walk->environment->brightness, at->point,
                                               at->normal, false};
     double u[3], probability;
     pp_path_walk_draw(walk, 3, u);
     int opening = pp_openings_choose(scene, &viewer, &walk->shares, u[2], &probability);
     if (opening < 0)
-        return;
+        return false;
     struct pp_polygon_sampler sampler;
     pp_sample_polygon_init(&sampler, &scene->panes[opening].target, at->point,
                            at->normal, viewer.brightness);
     struct pp_direction_sample to = pp_sample_polygon_draw(&sampler, u[0], u[1]);
-    path.ray = (struct pp_light_ray){at->point, at->normal, to.direction, at->space};
+    path->ray = (struct pp_light_ray){at->point, at->normal, to.direction, at->space};
     double cosine = pp_vec_dot(at->normal, to.direction);
-    struct pp_light_hit hit;
-    if (!(cosine > 0.0) || meet_next(&path, &hit) != PP_MEETS_PART
-        || hit.part != scene->panes[opening].part)
-        return;
-
-    /* Out through the pane. A diffusing one is lit by the sun outside. */
-    struct pp_lobes lobes =
-        pp_path_walk_lobes(walk, &hit, pp_vec_scale(to.direction, -1.0));
+    if (!(cosine > 0.0) || meet_next(path, hit) != PP_MEETS_PART
+        || hit->part != scene->panes[opening].part)
+        return false;
+    *lobes = pp_path_walk_lobes(walk, hit, pp_vec_scale(to.direction, -1.0));
     for (int i = 0; i < PP_LOBE_COUNT; i++)
         if (!pp_scatter_goes_through((enum pp_lobe)i))
-            lobes.share[i] = pp_rgb_grey(0.0);
-    path.weight = weight * cosine * to.per_density / probability;
-    path.opening = scene->parts[hit.part].window;
+            lobes->share[i] = pp_rgb_grey(0.0);
+    path->weight = weight * cosine * to.per_density / probability;
+    path->opening = scene->parts[hit->part].window;
+    return true;
+}
+
+/* Next-event estimation from one side of a surface. */
+static void aim(const struct year_path *from, const struct pp_lit_point *at,
+                double weight)
+{
+    struct pp_path_walk *walk = from->walk;
+    struct year_path path = *from;
+    struct pp_light_hit hit;
+    struct pp_lobes lobes;
+    if (!aim_at_pane(&path, at, weight, &hit, &lobes))
+        return;
+
+    /* Out through the pane. A pane that scatters is lit by the sun outside. */
     if (path.sink->pane) {
         struct pp_year_event event = event_of(&path, path.weight);
         path.sink->pane(path.sink->data, &event);
     }
+    if (!(path.is_first && path.sink->pane_sun_apart))
+        add_pane_sun(&path, &lobes, &hit);
+    path.is_first = false;
     double diffuse = lobes.share[PP_LOBE_THROUGH_DIFFUSE].g;
     if (diffuse > 0.0) {
         struct pp_year_event event = event_of(&path, path.weight * diffuse / PP_PI);
-        event.at = (struct pp_lit_point){hit.point, pp_vec_scale(lobes.frame.z, -1.0),
-                                         pp_light_scene_parts_space(scene, &hit, true)};
+        event.at =
+            (struct pp_lit_point){hit.point, pp_vec_scale(lobes.frame.z, -1.0),
+                                  pp_light_scene_parts_space(walk->scene, &hit, true)};
         event.hit = &hit;
         path.sink->lit(path.sink->data, &event);
     }
@@ -193,13 +233,15 @@ static void follow(struct year_path *path)
             meeting == PP_MEETS_PART ? walk->scene->parts[hit.part].window : -1;
         if (window >= 0 && !hit.back && path->counted)
             lobes.share[PP_LOBE_STRAIGHT] = lobes.share[PP_LOBE_THROUGH_DIFFUSE] =
-                pp_rgb_grey(0.0);
+                lobes.share[PP_LOBE_THROUGH_GLOSS] = pp_rgb_grey(0.0);
         if (ends_known(path, &lobes, &hit))
             return;
 
         /* 3. Light on the surface from sun and openings. */
         if (window >= 0 && !hit.back)
             path->opening = window;
+        if (window >= 0)
+            add_pane_sun(path, &lobes, &hit);
         add_diffuse(path, &lobes, &hit);
 
         /* 4. Sample a direction wi from one of the lobes. */
@@ -233,8 +275,19 @@ static void follow(struct year_path *path)
 void pp_year_path_openings(struct pp_path_walk *walk, const struct pp_year_sink *sink,
                            const struct pp_lit_point *at)
 {
-    struct year_path path = {.walk = walk, .sink = sink, .opening = -1};
+    struct year_path path = {
+        .walk = walk, .sink = sink, .opening = -1, .is_first = true};
     aim(&path, at, 1.0);
+}
+
+void pp_year_path_pane_sun(struct pp_path_walk *walk, const struct pp_year_sink *sink,
+                           const struct pp_lit_point *at)
+{
+    struct year_path path = {.walk = walk, .sink = sink, .opening = -1};
+    struct pp_light_hit hit;
+    struct pp_lobes lobes;
+    if (aim_at_pane(&path, at, 1.0, &hit, &lobes))
+        add_pane_sun(&path, &lobes, &hit);
 }
 
 void pp_year_path_lobe(struct pp_path_walk *walk, const struct pp_year_sink *sink,

@@ -10,6 +10,9 @@
  *                                          surfaces with an exitance of their own
  *     lit          E += w Es(y)            Es illuminance of the sun on one side of a
  *                                          surface, at y
+ *     pane_sun     E += w f Es(y)          f: btdf of a scattering pane from the sun to the
+ *                                          class of leaving light (pane_scatter.h), y
+ *                                          outside of it
  *     pane         E += w M/pi             M exitance of a pane, if it emitted uniformly in
  *                                          place of the light that comes through it
  *
@@ -31,7 +34,8 @@ struct pp_year_event {
     bool straight;          /* for sky: reached directly, or through clear glass only */
     struct pp_vec3 u;       /* sky: direction */
     int far;                /* skyline: index */
-    struct pp_lit_point at; /* lit: one side of a surface */
+    struct pp_lit_point at; /* lit, pane_sun: one side of a surface */
+    int leaving;            /* pane_sun: class of the leaving light */
     const struct pp_light_hit *hit; /* lit and known: the surface */
 };
 
@@ -42,6 +46,11 @@ struct pp_year_sink {
     void (*horizontal)(void *data, const struct pp_year_event *event);
     void (*lit)(void *data, const struct pp_year_event *event);
     void (*pane)(void *data, const struct pp_year_event *event); /* NULL: not needed */
+    void (*pane_sun)(void *data, const struct pp_year_event *event); /* NULL: not
+                                                                      * needed */
+    bool
+        pane_sun_apart; /* pp_year_path_openings does not report the sunlight of the pane
+                          * at which it aims: pp_year_path_pane_sun does */
     /* Returns true if the irradiance of this inside surface is known. The path then
      * ends, and w times the irradiance is added to E. NULL: never known. */
     bool (*known)(void *data, const struct pp_year_event *event);
@@ -54,5 +63,10 @@ void pp_year_path_openings(struct pp_path_walk *walk, const struct pp_year_sink 
                            const struct pp_lit_point *at);
 void pp_year_path_lobe(struct pp_path_walk *walk, const struct pp_year_sink *sink,
                        const struct pp_lit_point *at);
+
+/* Samples the sunlight that scattering panes send directly to a point indoors, as
+ * pp_year_path_openings does, without a path outside. */
+void pp_year_path_pane_sun(struct pp_path_walk *walk, const struct pp_year_sink *sink,
+                           const struct pp_lit_point *at);
 
 #endif

@@ -9,7 +9,7 @@
 
 int pp_year_solve_columns(const struct pp_year_task *task)
 {
-    return task->column_count + PP_YEAR_OUTDOOR_CELLS + 1;
+    return task->column_count + PP_YEAR_OUTDOOR_CELLS + task->class_count + 1;
 }
 
 enum { BLOCK = 8, TERMS_MOST = 400 };
@@ -132,6 +132,10 @@ static void solve_block(const struct year_system *system, struct block_space *sp
             for (int k = 0; k < PP_YEAR_OUTDOOR_CELLS; k++)
                 batch->outdoor[row * PP_YEAR_OUTDOOR_CELLS + (size_t)k] =
                     space->D[g * per_group + task->column_count + k][p];
+            for (int k = 0; k < task->class_count; k++)
+                batch->classes[row * (size_t)task->class_count + (size_t)k] =
+                    space->D[g * per_group + task->column_count + PP_YEAR_OUTDOOR_CELLS
+                             + k][p];
             batch->by_pane[row] =
                 space->D[g * per_group + per_group - 1][p] / (float)PP_PI;
         }

@@ -13,8 +13,8 @@ enum pp_year_rows {
     PP_YEAR_ROWS_COUNT
 };
 
-/* Columns of D for each group: those of light, the outdoor cells, and the panes as
- * emitters, which are the last. */
+/* Columns of D for each group: those of light, the outdoor cells, the classes of light that
+ * leaves scattering panes, and the panes as emitters, which are the last. */
 int pp_year_solve_columns(const struct pp_year_task *task);
 
 /* Fills light, outdoor, inside and by_pane of the batch. of_cells, of_points: by

@@ -8,8 +8,8 @@
 static bool is_alike(const struct pp_opening *a, const struct pp_opening *b)
 {
     return a->face == b->face && pp_glass_is_same(&a->glass, &b->glass)
-           && a->frame_factor == b->frame_factor && a->maintenance == b->maintenance
-           && a->curtains == b->curtains;
+           && a->scatter == b->scatter && a->frame_factor == b->frame_factor
+           && a->maintenance == b->maintenance && a->curtains == b->curtains;
 }
 
 /* Transmittance of the opening for uniform light from all directions. */

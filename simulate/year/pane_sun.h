@@ -1,0 +1,41 @@
+/* pane_sun.h - sunlight that scattering panes send into a room, in every hour of a year.
+ *
+ * The panes of a group are alike. With Es the mean illuminance of the sun on their outside,
+ * and C the coefficient of a receiver for a class of leaving light (year_batch.h),
+ *
+ *     E = Es sum over classes of C btdf(sun, class)
+ */
+#ifndef PP_SIMULATE_YEAR_PANE_SUN_H
+#define PP_SIMULATE_YEAR_PANE_SUN_H
+
+#include "simulate/year/light_columns.h"
+#include "simulate/year/year_batch.h"
+
+struct pp_pane_sun {
+    int class_count, hours;
+    const struct pp_opening **panes; /* [group]: a scattering pane of it; NULL: none */
+    float *btdf;                     /* [group][hour][class]; 0 of other groups */
+};
+
+/* Most classes of any pane of the scene's world; 0: no pane scatters. */
+int pp_pane_sun_classes(const struct pp_light_scene *scene);
+
+/* Calculates the btdf for the sun of every hour. The caller clears *panes, even after a
+ * failure. PP_BAD_INPUT if the panes of a group differ. */
+enum pp_status pp_pane_sun_init(struct pp_pane_sun *panes,
+                                const struct pp_year_task *task,
+                                const struct pp_light_columns *light,
+                                struct pp_error *err);
+void pp_pane_sun_clear(struct pp_pane_sun *panes);
+
+/* Mean illuminance of the sun on the outside of a group's panes, in a randomisation. */
+double pp_pane_sun_lx(const struct pp_year_task *task,
+                      const struct pp_year_batch *batch, int group,
+                      const struct pp_perez_sky *sky);
+
+/* Sum over classes for a receiver with those coefficients: lx over the lx of sun on the
+ * outside of the panes. */
+float pp_pane_sun_share(const struct pp_pane_sun *panes, const float *coefficients,
+                        int group, int hour);
+
+#endif
