@@ -12,6 +12,7 @@
 #include "formats/radiance/write/rad_write.h"
 #include "formats/radiance/write/rad_numbers.h"
 #include "formats/radiance/write/rad_write_materials.h"
+#include "model/light/bsdf/bsdf_write.h"
 
 static const char materials_name[] = "materials.rad";
 static const char points_name[] = "points.pts";
@@ -40,6 +41,10 @@ const char *const pp_radiance_files[] = {"materials.rad",
                                          "daylight_factors.sh",
                                          "illuminances.sh",
                                          "scene.oct",
+                                         "pane_1.xml",
+                                         "pane_2.xml",
+                                         "pane_3.xml",
+                                         "pane_4.xml",
                                          NULL};
 
 /* Adds a file of the room to the directory. */
@@ -198,6 +203,30 @@ static enum pp_status add_scene(struct pp_output_directory *directory,
     return status;
 }
 
+/* Writes the data of scattering panes, with the losses of frame and dirt. */
+static enum pp_status add_pane_files(struct pp_output_directory *directory,
+                                     const char *folder, const struct pp_rad_room *rad,
+                                     struct pp_error *err)
+{
+    int written = 0;
+    for (int i = 0; i < rad->scene.material_count; i++) {
+        const struct pp_material *material = &rad->scene.materials[i];
+        int number = pp_rad_write_materials_pane(&rad->scene, i);
+        char name[32];
+        FILE *out;
+        if (number <= written)
+            continue;
+        snprintf(name, sizeof name, PP_RAD_PANE_FILE, number);
+        enum pp_status status = add_file(directory, folder, name, false, &out, err);
+        if (status != PP_OK)
+            return status;
+        pp_bsdf_write(out, material->scatter, material->clear_share * material->dirt,
+                      "pane of a room");
+        written = number;
+    }
+    return PP_OK;
+}
+
 /* True for a Perez sky, with or without its sun; the results are then in lux. */
 static bool is_of_moment(const struct pp_outside_light *light)
 {
@@ -221,6 +250,8 @@ enum pp_status pp_radiance_export(struct pp_output_directory *directory,
         status = add_scene(directory, folder, room, &rad, writer, sky_note, err);
         pp_rad_write_destroy(writer);
     }
+    if (status == PP_OK)
+        status = add_pane_files(directory, folder, &rad, err);
     if (status == PP_OK)
         status = add_script(directory, folder, &rad, external_lux,
                             is_of_moment(&room->light), err);

@@ -23,6 +23,9 @@ void pp_scene_description_clear(struct pp_scene_description *scene)
     free(scene->vertices);
     free(scene->materials);
     free(scene->patterns);
+    for (int i = 0; i < scene->pane_count; i++)
+        pp_measured_pane_release(scene->panes[i]);
+    free(scene->panes);
     pp_scene_description_init(scene);
 }
 
@@ -130,6 +133,18 @@ static enum pp_status check_plane(const struct pp_vec3 *corners, int count,
                        "plane",
                        uneven);
     return PP_OK;
+}
+
+enum pp_status pp_scene_description_add_pane(struct pp_scene_description *scene,
+                                             struct pp_measured_pane *pane,
+                                             struct pp_error *err)
+{
+    enum pp_status status = GROW(scene, panes, pane, 1, err);
+    if (status == PP_OK)
+        scene->panes[scene->pane_count++] = pane;
+    else
+        pp_measured_pane_release(pane);
+    return status;
 }
 
 enum pp_status pp_scene_description_add_polygon(struct pp_scene_description *scene,

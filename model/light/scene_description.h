@@ -10,6 +10,7 @@
 #define PP_MODEL_LIGHT_SCENE_DESCRIPTION_H
 
 #include "model/base/error.h"
+#include "model/light/bsdf/measured_pane.h"
 #include "model/light/material.h"
 #include "model/light/sky.h"
 #include "model/geometry/vec.h"
@@ -106,6 +107,8 @@ struct pp_scene_description {
     int material_count, material_space;
     struct pp_pattern *patterns;
     int pattern_count, pattern_space;
+    struct pp_measured_pane **panes; /* of materials that scatter */
+    int pane_count, pane_space;
 };
 
 void pp_scene_description_init(struct pp_scene_description *scene);
@@ -119,6 +122,12 @@ enum pp_status pp_scene_description_add_material(struct pp_scene_description *sc
 enum pp_status pp_scene_description_add_pattern(struct pp_scene_description *scene,
                                                 const struct pp_pattern *pattern,
                                                 int *index, struct pp_error *err);
+
+/* Adds a pane to the list, which takes over the caller's hold of it, even after a
+ * failure. */
+enum pp_status pp_scene_description_add_pane(struct pp_scene_description *scene,
+                                             struct pp_measured_pane *pane,
+                                             struct pp_error *err);
 
 /* Adds a polygon of count corners; repeated corners are left out. PP_BAD_INPUT for a
  * polygon without area, or uneven by more than a thousandth of its size. */

@@ -74,14 +74,18 @@ static enum pp_status allocate(struct light_scene_builder *b, struct pp_error *e
     }
     scene->materials =
         calloc((size_t)from->material_count + 1, sizeof *scene->materials);
+    scene->measured = calloc((size_t)from->pane_count + 1, sizeof *scene->measured);
     scene->patterns = calloc((size_t)from->pattern_count + 1, sizeof *scene->patterns);
     scene->parts = calloc(parts + 1, sizeof *scene->parts);
     scene->rounds = calloc(rounds + 1, sizeof *scene->rounds);
     scene->distants = calloc(distants + 1, sizeof *scene->distants);
     b->corners = malloc(((size_t)most_corners + 1) * sizeof *b->corners);
-    if (!scene->materials || !scene->patterns || !scene->parts || !scene->rounds
-        || !scene->distants || !b->corners)
+    if (!scene->materials || !scene->measured || !scene->patterns || !scene->parts
+        || !scene->rounds || !scene->distants || !b->corners)
         return pp_fail_memory(err);
+    for (int i = 0; i < from->pane_count; i++)
+        scene->measured[i] = pp_measured_pane_hold(from->panes[i]);
+    scene->measured_count = from->pane_count;
     scene->material_count = from->material_count;
     scene->pattern_count = from->pattern_count;
     if (from->material_count > 0)

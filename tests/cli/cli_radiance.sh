@@ -66,6 +66,17 @@ check "a glow alone" nothing "$(grep ring "$scratch/open"/*.rad)"
 check "in a scene like any other" grep -q "^oconv materials.rad" \
     "$scratch/open/daylight_factors.sh"
 
+panes=$(cd "$srcdir/examples/glazing" && pwd)/prismatic-office.xml
+check "a measured pane has its data beside it" export_to -o "$scratch/panes" "$panes"
+check "as aBSDF" grep -q "^5 pane_1.xml" "$scratch/panes/materials.rad"
+read_back() {
+    (cd "$scratch/panes" && "$pepperpot" import --points-file points.pts --error 2% -q \
+        materials.rad room.rad glazing.rad outside.rad sky.rad) >"$scratch/read" &&
+        awk '$2 == "2.500" { found = 1; exit !($6 > 4.2 && $6 < 4.9) } END { exit !found }' \
+            "$scratch/read"
+}
+check "and reads back with the same light" read_back
+
 check "without --to it is refused" refuses 2 "--to" export -o "$scratch/x" "$deep"
 check "and for other programs" refuses 2 "radiance" export --to dxf -o "$scratch/x" "$deep"
 check "without -o" refuses 2 "-o DIR" export --to radiance "$deep"

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "formats/radiance/rad_functions.h"
+#include "formats/radiance/read/rad_bsdf.h"
 #include "formats/radiance/read/rad_materials.h"
 #include "formats/radiance/read/rad_shapes.h"
 #include "formats/radiance/read/rad_sky.h"
@@ -157,7 +158,7 @@ static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
         struct pp_rad_reader *, const struct pp_rad_primitive *,
         const struct pp_rad_context *, bool *,
         struct pp_error *) = {pp_rad_shapes_read, pp_rad_functions_read,
-                              pp_rad_sky_read, pp_rad_materials_read};
+                              pp_rad_sky_read, pp_rad_bsdf_read, pp_rad_materials_read};
     enum pp_status status = read_strings(reader, primitive, err);
     if (status == PP_OK)
         status = read_numbers(reader, primitive, err);
@@ -172,8 +173,8 @@ static enum pp_status take_rad_primitive(struct pp_rad_reader *reader,
         "the type \"%.*s\" is not supported; expected a shape, a material, an alias, "
         "the brightfunc of gensky or a mixfunc of two sides. Shapes are polygon, "
         "sphere, bubble, cone, cup, cylinder, tube, ring and source. Materials are "
-        "plastic, metal, trans, plastic2, metal2, trans2, glass, light, glow, illum "
-        "and mirror",
+        "plastic, metal, trans, plastic2, metal2, trans2, glass, light, glow, illum, "
+        "mirror, BSDF and aBSDF",
         pp_rad_words_shown(primitive->type), primitive->type.text);
 }
 

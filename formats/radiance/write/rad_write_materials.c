@@ -225,6 +225,8 @@ static bool say(struct rad_primitive_text *said, const struct pp_material *m,
         return say_glass(said, m, m->diffuse);
     case PP_MATERIAL_AIR:
         return false;
+    case PP_MATERIAL_SCATTERING: /* written with its pair */
+        return true;
     }
     return false;
 }
@@ -295,6 +297,66 @@ static bool is_one_glazing(const struct pp_material *front,
     return front->kind == PP_MATERIAL_GLASS && pp_surface_materials_same(front, &other);
 }
 
+/* True for the two sides of one scattering pane. */
+static bool is_one_pane(const struct pp_material *front, const struct pp_material *back)
+{
+    return front->kind == PP_MATERIAL_SCATTERING && back->kind == PP_MATERIAL_SCATTERING
+           && front->scatter->id == back->scatter->id && !front->is_outside
+           && back->is_outside && front->clear_share == back->clear_share
+           && front->dirt == back->dirt;
+}
+
+static bool is_room_side(const struct pp_material *material)
+{
+    return material->kind == PP_MATERIAL_SCATTERING && !material->is_outside;
+}
+
+/* The first material whose pane has the same data and losses. */
+static int first_like(const struct pp_scene_description *scene, int material)
+{
+    const struct pp_material *own = &scene->materials[material];
+    for (int i = 0; i < material; i++) {
+        const struct pp_material *other = &scene->materials[i];
+        if (is_room_side(other) && other->scatter->id == own->scatter->id
+            && other->clear_share * other->dirt == own->clear_share * own->dirt)
+            return i;
+    }
+    return material;
+}
+
+int pp_rad_write_materials_pane(const struct pp_scene_description *scene, int material)
+{
+    int number = 0;
+    if (!is_room_side(&scene->materials[material]))
+        return 0;
+    int first = first_like(scene, material);
+    for (int i = 0; i <= first; i++)
+        number += is_room_side(&scene->materials[i]) && first_like(scene, i) == i;
+    return number;
+}
+
+/* A pane is one material of both sides. Its file has the transmission, with losses of
+ * frame and dirt; the numbers are the diffuse reflectances of room and outside. */
+static void write_pane(const struct pp_rad_writer *writer, int front, int back,
+                       const char *name, FILE *out)
+{
+    const struct pp_material *in = &writer->scene->materials[front];
+    const struct pp_material *outside = &writer->scene->materials[back];
+    double reflected[9] = {in->diffuse.r,      in->diffuse.g,      in->diffuse.b,
+                           outside->diffuse.r, outside->diffuse.g, outside->diffuse.b};
+    bool split = in->scatter->splits;
+    fprintf(out, "\nvoid %s %s\n%s" PP_RAD_PANE_FILE, split ? "aBSDF" : "BSDF", name,
+            split ? "5 " : "6 0 ", pp_rad_write_materials_pane(writer->scene, front));
+    const double up[3] = {in->grain.x, in->grain.y, in->grain.z};
+    for (int i = 0; i < 3; i++) {
+        char text[32];
+        pp_rad_numbers_text(up[i] + 0.0, text);
+        fprintf(out, " %s", text);
+    }
+    fputs(" .\n0\n", out);
+    pp_rad_numbers_write(out, reflected, 9);
+}
+
 bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
                                       const struct pp_rad_pair *pair)
 {
@@ -320,6 +382,8 @@ void pp_rad_write_materials_classify(struct pp_rad_writer *writer)
     for (int i = 0; i < writer->pair_count; i++) {
         const struct pp_rad_pair *pair = &writer->pairs[i];
         bool one = is_one_glazing(&scene->materials[pair->front],
+                                  &scene->materials[pair->back])
+                   || is_one_pane(&scene->materials[pair->front],
                                   &scene->materials[pair->back]);
         bool mirror = pp_rad_write_materials_is_mirror(writer, pair);
         (one ? writer->in_pairs : writer->on_its_own)[pair->front] = true;
@@ -337,6 +401,10 @@ static void write_pair(const struct pp_rad_writer *writer,
         struct rad_primitive_text said = {.strings = "0"};
         say_glass(&said, front, back->diffuse);
         write_said(&said, "void", name, out);
+        return;
+    }
+    if (is_one_pane(front, back)) {
+        write_pane(writer, pair->front, pair->back, name, out);
         return;
     }
     if (pair->name == pair->front)

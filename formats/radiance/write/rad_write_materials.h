@@ -7,6 +7,7 @@
 
 #include "model/base/error.h"
 #include "model/light/material.h"
+#include "model/light/scene_description.h"
 
 struct pp_rad_writer;
 struct pp_rad_pair;
@@ -14,6 +15,12 @@ struct pp_rad_pair;
 /* Writes all patterns and materials of the writer's scene. The caller checks the stream
  * for errors. */
 void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out);
+
+/* Number, from 1, of the file with the data of a scattering pane, for its material on the
+ * side of the room; 0 for other materials. Panes with equal data and losses share a
+ * file. */
+#define PP_RAD_PANE_FILE "pane_%d.xml"
+int pp_rad_write_materials_pane(const struct pp_scene_description *scene, int material);
 
 /* PP_BAD_INPUT if no Radiance type can describe the material. */
 enum pp_status pp_rad_write_materials_check(const struct pp_material *material,
