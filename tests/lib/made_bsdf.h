@@ -90,6 +90,8 @@ static inline double made_bsdf_prism(const struct pp_angle_basis *basis, int in,
 {
     struct pp_vec3 d = pp_angle_basis_direction(basis, in, 0.5, 0.5);
     struct pp_vec3 to = pp_angle_basis_direction(basis, out, 0.5, 0.5);
+    if (out == 0)
+        to.x = 0.0; /* the cap about the normal */
     double W = pp_angle_basis_projected(basis, out);
     double f = 0.1 / PP_PI * (to.x > 1e-9 ? 1.5 : to.x < -1e-9 ? 0.5 : 1.0);
     if (out == in)
