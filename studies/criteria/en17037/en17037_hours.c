@@ -15,20 +15,18 @@
 #include "studies/criteria/en17037/en17037_level.h"
 #include "studies/criteria/rules/rule_year.h"
 
-/* Adds the finding on an illuminance to be reached on a part of the plane; not judged
- * if there is a reason `why`. */
+/* Adds the finding on an illuminance to be reached on a part of the plane. */
 static enum pp_status add_hours_target(const struct pp_inquiry *inquiry, int level,
-                                       double lux, double part, const char *why,
+                                       double lux, double part,
                                        struct pp_finding_list *findings,
                                        struct pp_error *err)
 {
     char what[80];
+    struct pp_finding finding;
     snprintf(what, sizeof what, "%s: %g lx over %g %%", pp_en17037_level_names[level],
              lux, 100.0 * part);
-    struct pp_finding finding = pp_finding_not_judged(why ? why : "", "%s", what);
-    enum pp_status status =
-        why ? PP_OK : pp_rule_year_level(&finding, inquiry, lux, part, what, err);
-    finding.is_optional = level > 1;
+    enum pp_status status = pp_rule_year_level(&finding, inquiry, lux, part, what, err);
+    finding.is_optional = level > PP_EN17037_MINIMUM;
     return status == PP_OK ? pp_finding_list_add(findings, &finding, err) : status;
 }
 
@@ -39,17 +37,22 @@ static enum pp_status assess_hours(const struct pp_inquiry *inquiry,
     bool rooflights = pp_en17037_level_of_rooflights(inquiry->world);
     const char *why = pp_rule_year_missing(inquiry);
     enum pp_status status = PP_OK;
+    if (why) {
+        struct pp_finding none =
+            pp_finding_not_judged(why, "illuminances in half of the daylight hours");
+        return pp_finding_list_add(findings, &none, err);
+    }
     for (int level = 1; level <= PP_EN17037_HIGH && status == PP_OK; level++) {
         status = add_hours_target(inquiry, level, pp_en17037_level_target_lx[level],
                                   rooflights ? pp_en17037_level_nearly_all
                                              : pp_en17037_level_half,
-                                  why, findings, err);
+                                  findings, err);
         if (status == PP_OK && !rooflights)
             status =
                 add_hours_target(inquiry, level, pp_en17037_level_minimum_lx[level],
-                                 pp_en17037_level_nearly_all, why, findings, err);
+                                 pp_en17037_level_nearly_all, findings, err);
     }
-    if (status != PP_OK || why)
+    if (status != PP_OK)
         return status;
     char grid[PP_PLANE_GRID_WORDS], reached[PP_EN17037_LEVEL_WORDS];
     if (inquiry->year_grid)

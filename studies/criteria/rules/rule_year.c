@@ -27,7 +27,7 @@ const char *pp_rule_year_missing(const struct pp_inquiry *inquiry)
 {
     const struct pp_annual_sheet *year = inquiry->year;
     return !year ? "no year was simulated for this room; expected --weather FILE.epw, "
-                   "and no --by-hand"
+                   "no --by-hand, and space for points 0.5 m from the walls"
            : !year->finished           ? "the simulation of the year was interrupted"
            : year->receiver_count == 0 ? "no point of the grid is far enough from the "
                                          "walls"
