@@ -1,6 +1,6 @@
-/* draw_lesson.c - the pictures of docs/theory.md: the same light sampled directly and
- * found by chance, with about the same number of rays. Writes four PNG files to a
- * folder. */
+/* draw_lesson.c - the pictures of docs/theory.md and of docs/elements/material.md: the
+ * same light sampled directly and found by chance, with about the same number of rays;
+ * and a copper sphere by two models of reflection. Writes six PNG files to a folder. */
 #include <cairo.h>
 #include <math.h>
 #include <stdio.h>
@@ -195,6 +195,74 @@ static void window_pictures(const char *folder)
     pp_world_destroy(world);
 }
 
+/* ---- a copper sphere ---- */
+
+/* Optical constants, roughness and correlation length as in docs/elements/material.md,
+ * but smoother. */
+static const struct pp_rough_optics copper = {
+    {0.21, 1.04, 1.18}, {3.67, 2.59, 2.40}, {0.65, 0.55, 0.45}, 0.18, 3.0,
+    {0.0, 0.0, 0.0}};
+
+/* A sphere of that material on a table with two rows of tiles, over dark ground, under
+ * an overcast sky. */
+static struct pp_light_scene *sphere_on_table(struct pp_material metal)
+{
+    enum { TILES = 4 };
+    struct pp_scene_description from;
+    struct pp_light_scene *scene;
+    struct pp_error err;
+    int sky_pattern;
+    pp_scene_description_init(&from);
+    struct pp_pattern overcast = {
+        .kind = PP_PATTERN_SKY, .factor = PP_PI, .sky = pp_sky_overcast()};
+    must(pp_scene_description_add_pattern(&from, &overcast, &sky_pattern, &err), &err);
+    struct pp_material sky = pp_material_glow(pp_rgb(0.95, 1.0, 1.1));
+    sky.pattern = sky_pattern;
+    struct pp_shape dome = {.kind = PP_SHAPE_DISTANT,
+                            .material = add(&from, sky),
+                            .back_material = -1,
+                            .is.distant = {pp_vec(0.0, 0.0, 1.0), PP_PI / 2.0}};
+    must(pp_scene_description_add_shape(&from, &dome, NULL, &err), &err);
+    int ground = add(&from, pp_material_diffuse(pp_rgb(0.13, 0.15, 0.1)));
+    add_wall(&from, ground, pp_vec(-4e3, -4e3, -0.75), pp_vec(8e3, 0.0, 0.0),
+             pp_vec(0.0, 8e3, 0.0));
+    int tiles[2] = {add(&from, pp_material_diffuse(pp_rgb(0.75, 0.72, 0.66))),
+                    add(&from, pp_material_diffuse(pp_rgb(0.12, 0.17, 0.25)))};
+    for (int i = 0; i < TILES * TILES; i++)
+        add_wall(&from, tiles[(i % TILES + i / TILES) % 2],
+                 pp_vec(-0.8 + 0.4 * (i % TILES), -0.8 + 0.4 * (i / TILES), 0.0),
+                 pp_vec(0.4, 0.0, 0.0), pp_vec(0.0, 0.4, 0.0));
+    struct pp_shape ball = {.kind = PP_SHAPE_SPHERE,
+                            .material = add(&from, metal),
+                            .back_material = -1,
+                            .is.sphere = {pp_vec(0.0, 0.0, 0.4), 0.4}};
+    must(pp_scene_description_add_shape(&from, &ball, NULL, &err), &err);
+    must(pp_light_scene_of_description(&scene, &from, &err), &err);
+    pp_scene_description_clear(&from);
+    return scene;
+}
+
+static void sphere_pictures(const char *folder)
+{
+    static struct pp_rough_surface rough;
+    struct pp_error err;
+    must(pp_rough_surface_init(&rough, &copper, &err), &err);
+    struct view view =
+        view_of(pp_vec(1.2, -2.3, 0.7), pp_vec(0.0, 0.0, 0.42), 0.27, 0.55);
+    struct pp_radiance_options options = pp_radiance_state_defaults();
+    struct pp_light_scene *scene = sphere_on_table(pp_material_rough(&rough));
+    draw(folder, "copper-he-torrance", scene, NULL, &view, options, 64);
+    pp_light_scene_destroy(scene);
+
+    /* Ward's gloss with the slopes of the same facets, and the same reflectance for
+     * diffuse light. */
+    double slope = 2.0 * copper.roughness / copper.correlation;
+    scene = sphere_on_table(
+        pp_material_metal(pp_rough_surface_reflectance(&rough), 1.0, slope, slope));
+    draw(folder, "copper-ward", scene, NULL, &view, options, 64);
+    pp_light_scene_destroy(scene);
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) {
@@ -203,5 +271,6 @@ int main(int argc, char **argv)
     }
     lamp_pictures(argv[1]);
     window_pictures(argv[1]);
+    sphere_pictures(argv[1]);
     return 0;
 }
