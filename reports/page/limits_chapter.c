@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "model/light/rough/rough_finishes.h"
+
 /* True if any room was assessed by the criterion of that name. */
 static bool is_assessed(const struct pp_assessments *all, const char *criterion)
 {
@@ -19,6 +21,15 @@ static bool has_factors(const struct pp_assessments *all)
 {
     for (int i = 0; i < all->count; i++)
         if (all->list[i].has_factors)
+            return true;
+    return false;
+}
+
+/* True if the file of any room defines physically rough materials. */
+static bool has_rough_materials(const struct pp_assessments *all)
+{
+    for (int i = 0; i < all->count; i++)
+        if (pp_rough_finishes_count(all->list[i].room->world->materials) > 0)
             return true;
     return false;
 }
@@ -59,6 +70,12 @@ static void say_geometry(struct pp_document *document, const struct pp_assessmen
         "Surfaces are matt and evenly coloured, with the reflectances in the file. "
         "Losses for glass, frames and dirt are as in the file, and each is applied "
         "once. Curtains and blinds are open unless the file says otherwise.");
+    if (has_rough_materials(all))
+        pp_document_paragraph(
+            document, PP_TONE_PLAIN,
+            "Surfaces of a <material> of the file are not matt: simulated daylight "
+            "factors include their reflections, while hand methods use their "
+            "reflectance for diffuse light.");
 }
 
 static void say_daylight(struct pp_document *document, const struct pp_assessments *all)
