@@ -42,7 +42,8 @@ static const struct {
      " json text csv "},
     {"annual",
      " weather sun-shift leap-day blinds patches exact-sky hours days summer-time "
-     "illuminance lighting points room state error samples time seed ",
+     "illuminance lighting methods df explain when points room state error samples "
+     "time seed ",
      " json text csv "},
     {"report",
      " criteria for place median-diffuse room state vsc-point-french by-hand simulate "

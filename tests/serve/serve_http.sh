@@ -156,6 +156,11 @@ check "a wrong control is refused" answers 400 annual
 check "with the keys that it has" holds residual-light
 asks "$deep" "{\"weather\":\"$hash\",\"lighting\":[null]}"
 check "nor is null a control" answers 400 annual
+asks "$deep" "{\"weather\":\"$hash\",\"methods\":[\"doe2\",\"df-global\"],\"df\":\"iso-1\"}"
+check "annual accepts hand methods, and needs a whole year" answers 422 annual
+asks "$deep" "{\"weather\":\"$hash\",\"methods\":\"doe3\"}"
+check "a wrong hand method is refused" answers 400 annual
+check "with the nearest one" holds doe2
 asks "$deep" '{"points":[null]}'
 check "nor null a point" answers 400 df
 asks "$deep" "{\"weather\":\"$(printf '%064d' 0)\"}"
