@@ -79,7 +79,10 @@ static void put_lighting_line(const struct pp_annual_result *result, int k, FILE
     for (int i = 0; i < figures; i++)
         fputs(",,", out);
     pp_lighting_report_csv_control(sheet, k, out);
-    fputs(",yes\r\n", out);
+    fputs(",yes", out);
+    for (int i = pp_hand_year_report_csv_columns(&result->hand, sheet); i > 0; i--)
+        fputc(',', out);
+    fputs("\r\n", out);
 }
 
 enum pp_status pp_annual_csv(const struct pp_annual_results *results, FILE *out,

@@ -293,6 +293,15 @@ bool pp_hand_year_report_json_point(struct json_object *object,
 
 /* ---- CSV ---- */
 
+int pp_hand_year_report_csv_columns(const struct pp_hand_year_sheet *hand,
+                                    const struct pp_annual_sheet *sheet)
+{
+    if (hand->column_count == 0)
+        return 0;
+    /* An autonomy has a value and the ends of its likely range. */
+    return 1 + hand->column_count * (3 * sheet->illuminance_count + NAMES);
+}
+
 void pp_hand_year_report_csv_heading(const struct pp_hand_year_sheet *hand,
                                      const struct pp_annual_sheet *sheet, FILE *out)
 {

@@ -24,7 +24,11 @@ bool pp_hand_year_report_json_point(struct json_object *object,
                                     const struct pp_hand_year_sheet *hand,
                                     const struct pp_annual_sheet *sheet, int point);
 
-/* Writes the names of further columns, and the fields of a point (-1: the mean), each
+/* Number of further columns in CSV. */
+int pp_hand_year_report_csv_columns(const struct pp_hand_year_sheet *hand,
+                                    const struct pp_annual_sheet *sheet);
+
+/* Writes the names of these columns, and the fields of a point (-1: the mean), each
  * after a comma. */
 void pp_hand_year_report_csv_heading(const struct pp_hand_year_sheet *hand,
                                      const struct pp_annual_sheet *sheet, FILE *out);

@@ -109,6 +109,10 @@ check "on-off saves the daylight autonomy, dimming the continuous one" awk -F, '
     $3 == "point" || $3 == "average" { n++; good += ($39 - $7)^2 < 1e-12 && ($40 - $8)^2 < 1e-12 &&
         ($45 - $9)^2 < 1e-12 && ($46 - $10)^2 < 1e-12 && $45 > $39 && $39 > 1 && $45 < 99 }
     END { exit !(n == 3 && good == 3) }' "$scratch/out"
+run $weather -f csv --methods df-global --lighting dimmed "$room"
+check "lines of controls have as many fields as others" test "$(awk -F, '{ print NF }' \
+    "$scratch/out" | sort -u | wc -l)" -eq 1
+run $weather -f csv --lighting on-off --lighting dimmed "$room"
 check "the darkest point is the deeper one" awk -F, '
     $3 == "point" { saved = $45 } $3 == "lighting2" { exit ($45 - saved)^2 > 0.01 }' "$scratch/out"
 check "blinds save less light" awk 'NR == 1 { open = $1 } NR == 2 { closed = $1 }
