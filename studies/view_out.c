@@ -221,10 +221,12 @@ static enum pp_status add_opening_view(struct view_sum *sum, struct pp_view_out 
     return status;
 }
 
-/* True if the pane is measured and shows no clear picture of the outside. */
+/* True if the pane shows no clear picture of the outside: a blind, or a measured pane
+ * that scatters. */
 static bool is_blurred(const struct pp_opening *opening)
 {
-    return opening->measured && opening->measured->kind != PP_MEASURED_CLEAR;
+    return opening->blind
+           || (opening->measured && opening->measured->kind != PP_MEASURED_CLEAR);
 }
 
 enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world *world,

@@ -128,18 +128,34 @@ double pp_surface_materials_pane_from(const struct pp_opening *opening,
            * clean_share(opening);
 }
 
+/* Reflectance of what covers part of the pane, on that side. */
+static double cover_reflectance(const struct pp_world *world,
+                                const struct pp_opening *opening, bool inside)
+{
+    const struct pp_surface *face = &world->surfaces[opening->face];
+    return frame_reflectance(opening, inside ? face->front : face->back);
+}
+
+struct pp_material pp_surface_materials_glass(const struct pp_world *world,
+                                              const struct pp_opening *opening,
+                                              bool inside)
+{
+    struct pp_material material =
+        pp_material_glazing(&opening->glass, open_share(opening), clean_share(opening),
+                            cover_reflectance(world, opening, inside));
+    name(&material, "glazing", !inside);
+    return material;
+}
+
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int index,
                                              bool inside)
 {
     const struct pp_opening *opening = &world->openings[index];
-    const struct pp_surface *face = &world->surfaces[opening->face];
-    double frame = frame_reflectance(opening, inside ? face->front : face->back);
-    struct pp_material material =
-        opening->scatter
-            ? pp_material_scattering(opening->scatter, !inside, opening->up,
-                                     open_share(opening), clean_share(opening), frame)
-            : pp_material_glazing(&opening->glass, open_share(opening),
-                                  clean_share(opening), frame);
+    if (!opening->scatter)
+        return pp_surface_materials_glass(world, opening, inside);
+    struct pp_material material = pp_material_scattering(
+        opening->scatter, !inside, opening->up, open_share(opening),
+        clean_share(opening), cover_reflectance(world, opening, inside));
     name(&material, "glazing", !inside);
     return material;
 }
@@ -242,13 +258,6 @@ enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
     *materials = (struct pp_surface_materials){
         .sides = malloc(((size_t)count + 1) * sizeof *materials->sides)};
     enum pp_status status = materials->sides ? PP_OK : pp_fail_memory(err);
-    for (int i = 0; status == PP_OK && i < world->opening_count; i++)
-        if (world->openings[i].blind)
-            status = pp_fail(err, PP_BAD_INPUT,
-                             "%s %s has a blind, which simulations and exports do not "
-                             "cover; expected none",
-                             pp_world_kind(world, world->openings[i].line),
-                             world->openings[i].label);
     for (int i = 0; status == PP_OK && i < 2 * count; i++) {
         struct pp_material side = surface_side_material(world, i / 2, i % 2 == 0, look);
         status = find_material(materials, &side, &materials->sides[i / 2][i % 2], err);

@@ -42,6 +42,10 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int s
  */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
+/* The same of the glass alone, without a blind or other scattering. */
+struct pp_material pp_surface_materials_glass(const struct pp_world *world,
+                                              const struct pp_opening *opening,
+                                              bool inside);
 double pp_surface_materials_pane_straight(const struct pp_opening *opening,
                                           double cosine);
 double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,

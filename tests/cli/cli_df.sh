@@ -219,4 +219,17 @@ EOF
 check "a dark plane has no uniformity" sh -c "
     '$pepperpot' df -m exact --simulate --samples 4 '$scratch/closed.xml' |
         grep -E '^  traced .* -  +0%  +0%  +0%$'"
+
+# Sunlight that a blind scatters in a black room, by the integral of btdf times the sun's
+# illuminance over the window: 169.2 lx.
+cat >"$scratch/blind.xml" <<EOF
+<room version="1"><site ground="open" ground-reflectance="0"/>
+<plan width="4" depth="5" height="2.8"/><finishes floor="0" walls="0" ceiling="0"/>
+<window wall="south" left="0.9" sill="0.8" width="2.2" height="1.5" glazing="none">
+<blind slat-width="0.018" spacing="0.015" angle="-45" reflectance="0.6"/></window>
+<point x="2" y="2"/></room>
+EOF
+check "a blind scatters sunlight into the room" sh -c "
+    '$pepperpot' df -q --samples 64 --sky perez,700,150,40,160 --format csv \\
+        '$scratch/blind.xml' | awk -F, 'END { exit !(\$11 > 168 && \$11 < 170) }'"
 tap_done

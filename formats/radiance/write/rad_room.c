@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/radiance/write/rad_blind.h"
 #include "model/geometry/bounds.h"
 #include "model/geometry/clipper.h"
 #include "model/geometry/tolerance.h"
@@ -109,12 +110,34 @@ static enum pp_status add_surfaces(struct rad_room_builder *b, bool inside)
     return status;
 }
 
+/* Adds the glass of an opening with a blind, and the slats. */
+static enum pp_status add_blind(struct rad_room_builder *b,
+                                const struct pp_opening *opening)
+{
+    int sides[2] = {-1, -1};
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < 2 && status == PP_OK; i++) {
+        struct pp_material pane = pp_surface_materials_glass(b->world, opening, i == 0);
+        status = pp_scene_description_add_material(b->scene, &pane, &sides[i], b->err);
+    }
+    bool bare = opening->glass.panes == 0 && opening->frame_factor == 1.0
+                && opening->maintenance * opening->curtains == 1.0;
+    if (status == PP_OK && !bare)
+        status = add_polygon(b, opening->outer.vertices, opening->outer.count, sides[0],
+                             sides[1]);
+    return status == PP_OK ? pp_rad_blind_add(b->scene, opening, b->err) : status;
+}
+
 static enum pp_status add_panes(struct rad_room_builder *b)
 {
     enum pp_status status = PP_OK;
     for (int i = 0; i < b->world->opening_count && status == PP_OK; i++) {
         const struct pp_opening *opening = &b->world->openings[i];
         int front, back, pane = b->world->surface_count + i;
+        if (opening->blind) {
+            status = add_blind(b, opening);
+            continue;
+        }
         const struct pp_material *in = &b->materials.list[b->materials.sides[pane][0]];
         if (in->kind == PP_MATERIAL_GLASS && in->glass[0].panes == 0
             && in->clear_share == 1.0 && in->dirt == 1.0)

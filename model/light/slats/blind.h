@@ -1,9 +1,21 @@
-/* blind.h - transmittances of a blind for hand methods.
+/* blind.h - a blind with its glass, for simulations by direction and for hand methods.
  *
- * For even light from the sky's half and the ground's half of the outside, with
- * straight and scattered light (slat_cell.h). A method that multiplies its figures for
- * a window by one number uses their mean. A vertical window under the CIE overcast sky
- * receives 80 % of its light from the sky and 20 % from ground of reflectance 0.2:
+ * The light that passes straight is a ray (slats.h). Scattered light depends only on
+ * the profile angles p and q at which it arrives and leaves, because the slats are
+ * endless and Lambertian. With N(p, q) the share of the light that has passed the outer
+ * glass and leaves the blind in the bin of q, and d the bin's range of sin q,
+ *
+ *     btdf(in, out) = tau_outer(in) (2/pi) N(p, q) / d tau_inner(out)            (1)
+ *
+ * as light that leaves with one radiance over a bin has the flux pi/2 d times that. N is
+ * tabulated by 2.5 degrees of p. It includes the light that blind and glass reflect
+ * between them; the glass reflects by the mean reflectance of a bin. For light from the
+ * room to the outside, btdf(in, out) = btdf(-out, -in).
+ *
+ * Hand methods multiply by one number, the mean transmittance of the blind alone: that
+ * of even light from the sky's half and the ground's half of the outside. A vertical
+ * window under the CIE overcast sky receives 80 % of its light from the sky and 20 %
+ * from ground of reflectance 0.2:
  *
  *     horizontal slats in a vertical window:  0.8 sky + 0.2 ground
  *     vertical slats, and sloping windows:    that of even light from all directions
@@ -11,18 +23,38 @@
 #ifndef PP_MODEL_LIGHT_SLATS_BLIND_H
 #define PP_MODEL_LIGHT_SLATS_BLIND_H
 
+#include "model/light/glass.h"
+#include "model/light/pane_scatter.h"
 #include "model/light/slats/slat_cell.h"
+#include "model/light/slats/window_device.h"
+
+enum {
+    PP_BLIND_CELLS = 72,              /* of p, from -90 to 90 degrees */
+    PP_BLIND_BINS = PP_SLAT_BINS / 2, /* of q, the same */
+};
 
 struct pp_blind {
-    struct pp_slats slats;
-    double sky, ground, all; /* transmittances */
+    struct pp_pane_scatter scatter; /* data: this blind, which must not move */
+    struct pp_window_device device;
+    struct pp_glass glass;        /* both */
+    struct pp_glass outer, inner; /* panes before and behind the slats */
+
+    double through[PP_BLIND_CELLS + 1][PP_BLIND_BINS]; /* N at the ends of the cells */
+    /* For sampling: means of tau_outer over a cell and of tau_inner over a bin, and sums
+     * of N tau_outer d over the cells up to and including each. */
+    double outer_mean[PP_BLIND_CELLS], inner_mean[PP_BLIND_BINS];
+    double cumulative[PP_BLIND_BINS][PP_BLIND_CELLS];
+
+    double sky, ground, all; /* transmittances of the blind alone */
     double mean;             /* for hand methods */
     int holders;             /* number of openings that share it */
 };
 
-/* Makes the blind, with one holder. PP_BAD_INPUT if its slats touch each other. */
-enum pp_status pp_blind_create(struct pp_blind **blind, const struct pp_slats *slats,
-                               bool horizontal_in_vertical_window,
+/* Makes the blind of a device, with one holder. glass: clear, or none; for a blind
+ * between panes, at least two. PP_BAD_INPUT if its slats touch each other. */
+enum pp_status pp_blind_create(struct pp_blind **blind,
+                               const struct pp_window_device *device,
+                               const struct pp_glass *glass, bool upright,
                                struct pp_error *err);
 
 /* A holder less; the blind is freed after the last. NULL is allowed. */

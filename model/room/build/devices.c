@@ -22,55 +22,78 @@ static bool is_upright(const struct pp_opening *opening)
            && opening->slope_rad <= PP_PI - VERTICAL_FROM;
 }
 
-/* Blind of an earlier opening with the same slats; NULL if there is none. */
+/* Blind of an earlier opening with the same slats and glass; NULL if there is none. */
 static struct pp_blind *shared_blind(const struct pp_world *world,
                                      const struct pp_opening *opening)
 {
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *other = &world->openings[i];
-        if (other->blind && same_slats(&other->blind->slats, &opening->device.slats)
+        if (other->blind && same_slats(&other->device.slats, &opening->device.slats)
             && other->device.vertical == opening->device.vertical
+            && other->device.position == opening->device.position
+            && pp_glass_is_same(&other->glass, &opening->glass)
             && is_upright(other) == is_upright(opening))
             return other->blind;
     }
     return NULL;
 }
 
+/* Reason why a device cannot be combined with the glass; NULL if it can. */
+static const char *wrong_glass(const struct pp_opening *opening,
+                               const struct pp_opening_part *part)
+{
+    const struct pp_window_device *device = &part->device;
+    if (device->kind == PP_DEVICE_NONE || device->kind == PP_DEVICE_SCREEN)
+        return NULL;
+    if (part->glazing.measured)
+        return "measured glazing, which is for windows without; expected clear glass";
+    if (device->kind == PP_DEVICE_CURTAIN)
+        return NULL;
+    if (opening->glass.diffusing)
+        return "diffusing glass; expected clear glass";
+    if (device->position == PP_DEVICE_BETWEEN && opening->glass.panes < 2)
+        return opening->glass.panes == 1
+                   ? "one pane; expected two or more, as it is between the panes"
+                   : "no glass; expected two or more panes, as it is between them";
+    return NULL;
+}
+
 static enum pp_status put_blind(struct pp_resolver *r, struct pp_opening *opening,
-                                const struct pp_opening_part *part,
                                 struct pp_error *err)
 {
-    const struct pp_window_device *device = &opening->device;
     struct pp_error fault = {0};
-    if (device->position == PP_DEVICE_BETWEEN && opening->glass.panes < 2) {
-        pp_mistakes_add(r->mistakes, device->line,
-                        "blind: is between the panes, but the %s has %s; expected "
-                        "glazing of two or more panes",
-                        pp_opening_outline_word(part),
-                        opening->glass.panes == 1 ? "one pane" : "no glass");
-        return PP_OK;
-    }
     opening->blind = shared_blind(r->world, opening);
     if (opening->blind) {
         opening->blind->holders++;
-        return PP_OK;
+    } else {
+        enum pp_status status =
+            pp_blind_create(&opening->blind, &opening->device, &opening->glass,
+                            is_upright(opening), &fault);
+        if (status == PP_BAD_INPUT) {
+            pp_mistakes_add(r->mistakes, opening->device.line, "blind: %s",
+                            fault.message);
+            return PP_OK;
+        }
+        if (status != PP_OK)
+            return pp_fail(err, status, "%s", fault.message);
     }
-    enum pp_status status =
-        pp_blind_create(&opening->blind, &device->slats,
-                        !device->vertical && is_upright(opening), &fault);
-    if (status == PP_BAD_INPUT) {
-        pp_mistakes_add(r->mistakes, device->line, "blind: %s", fault.message);
-        return PP_OK;
-    }
-    return status == PP_OK ? PP_OK : pp_fail(err, status, "%s", fault.message);
+    opening->scatter = &opening->blind->scatter;
+    return PP_OK;
 }
 
 enum pp_status pp_devices_put(struct pp_resolver *r, struct pp_opening *opening,
                               const struct pp_opening_part *part, struct pp_error *err)
 {
+    const char *why = wrong_glass(opening, part);
     opening->device = part->device;
+    if (why) {
+        pp_mistakes_add(r->mistakes, part->device.line, "%s: the %s has %s",
+                        pp_window_device_word(part->device.kind),
+                        pp_opening_outline_word(part), why);
+        return PP_OK;
+    }
     if (part->device.kind == PP_DEVICE_BLIND)
-        return put_blind(r, opening, part, err);
+        return put_blind(r, opening, err);
     if (part->device.kind == PP_DEVICE_CURTAIN)
         opening->glass =
             pp_glass_diffusing(opening->glass.diffuse * part->device.transmittance);

@@ -1,0 +1,21 @@
+/* blind_scatter.h - the functions of a blind as a pane that scatters
+ * (model/light/pane_scatter.h), by equation (1) of blind.h. */
+#ifndef PP_MODEL_LIGHT_SLATS_BLIND_SCATTER_H
+#define PP_MODEL_LIGHT_SLATS_BLIND_SCATTER_H
+
+#include "model/light/slats/blind.h"
+
+/* Fills in the functions and the tables for sampling; `through` and the means are
+ * known. */
+void pp_blind_scatter_init(struct pp_blind *blind);
+
+/* Range of the sine of the profile angle in a bin of `count` from -90 to 90 degrees. */
+double pp_blind_scatter_range(int bin, int count);
+
+/* Mean over the directions of profile angle p of a function of the cosine of incidence,
+ * weighted by their light on the window's plane: (2/pi) integral of f(cos s cos p)
+ * cos^2 s ds. */
+double pp_blind_scatter_mean(double (*f)(const struct pp_glass *, double),
+                             const struct pp_glass *glass, double profile_rad);
+
+#endif
