@@ -112,6 +112,16 @@ struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal)
     return glass;
 }
 
+struct pp_glass pp_glass_absorbing(double normal)
+{
+    /* tau = (1 - rho)^2 a/(1 - rho^2 a^2), solved for a. */
+    static const double n = 1.52;
+    double rho = (n - 1.0) * (n - 1.0) / ((n + 1.0) * (n + 1.0));
+    double passed = (1.0 - rho) * (1.0 - rho), back = rho * normal;
+    double a = 2.0 * normal / (passed + sqrt(passed * passed + 4.0 * back * back));
+    return pp_glass_panes(1, n, fmax(0.0, -log(a)));
+}
+
 struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal)
 {
     return pp_glass_scaled(pp_glass_panes(panes, n, kl), normal);

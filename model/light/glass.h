@@ -43,6 +43,12 @@ struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal);
 /* As pp_glass_panes, scaled to the normal transmittance `normal`, in (0, 1]. */
 struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal);
 
+/* One clear pane of index 1.52 whose absorption gives that normal transmittance: glass
+ * tinted in its mass, and Radiance's `glass`. normal: above 0, at most
+ * PP_GLASS_ABSORBING_MOST, which a pane without absorption has. */
+#define PP_GLASS_ABSORBING_MOST 0.918
+struct pp_glass pp_glass_absorbing(double normal);
+
 /* Diffusing glazing; hemispherical transmittance in (0, 1]. */
 struct pp_glass pp_glass_diffusing(double transmittance);
 

@@ -110,11 +110,35 @@ static struct pp_glass glass_for(const struct pp_measured_pane *pane)
                : pp_glass_measured(pane->normal, pane->diffuse);
 }
 
+/* Glass tinted in its mass. */
+static bool absorbing_glass(struct pp_reader *r, struct pp_glass *glass,
+                            const struct pp_opening_form *form,
+                            const struct pp_xml_element *e)
+{
+    if (form->diffusing != 1 && form->transmittance <= PP_GLASS_ABSORBING_MOST) {
+        *glass = pp_glass_absorbing(form->transmittance);
+        return true;
+    }
+    if (form->diffusing == 1)
+        pp_mistakes_add(r->mistakes, e->line,
+                        "%s: absorbing and diffusing are both \"yes\"; expected only "
+                        "one of them",
+                        e->name);
+    else
+        pp_mistakes_add(r->mistakes, e->line,
+                        "%s: absorbing is \"yes\"; expected a transmittance of at most "
+                        "%g, which a pane without absorption has",
+                        e->name, PP_GLASS_ABSORBING_MOST);
+    return false;
+}
+
 /* Glass that the attributes describe; false, with a report, if they contradict each
  * other. */
 static bool glass_of(struct pp_reader *r, struct pp_glass *glass,
                      const struct pp_opening_form *form, const struct pp_xml_element *e)
 {
+    if (form->absorbing == 1)
+        return absorbing_glass(r, glass, form, e);
     if (!isnan(form->transmittance)) {
         *glass = form->diffusing == 1 ? pp_glass_diffusing(form->transmittance)
                                       : pp_glass_scaled(named_glass(r, "clear-single"),

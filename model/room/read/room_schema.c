@@ -156,6 +156,7 @@ LEAF(wall, "wall", wall_rows);
         {"glazing-file", &file_name, OR(NAN), IN(opening, glazing_file)},              \
         {"glazing-peak", &pp_room_values_peak, OR(0), IN(opening, peak)},              \
         {"diffusing", &pp_room_values_yes_no, OR(-1), IN(opening, diffusing)},         \
+        {"absorbing", &pp_room_values_yes_no, OR(-1), IN(opening, absorbing)},         \
         {"frame-factor", &pp_room_values_frame, OR(1), IN(opening, frame_factor)},     \
         {"maintenance", &pp_room_values_or_auto, OR(1), IN(opening, maintenance)},     \
         {"curtains", &pp_room_values_curtains, OR(1), IN(opening, curtains)},          \

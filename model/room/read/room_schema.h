@@ -172,6 +172,7 @@ struct pp_opening_form {
     const char *glazing;
     double transmittance, frame_factor, maintenance, curtains, reveal_m;
     int diffusing;            /* 0 no, 1 yes, -1 not given */
+    int absorbing;            /* the same */
     const char *glazing_file; /* NULL: not given */
     int peak;                 /* 0 ray, 1 patch */
 };

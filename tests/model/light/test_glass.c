@@ -28,6 +28,20 @@ static void one_and_two_panes_by_angle(void **state)
     }
 }
 
+/* Radiance's `glass` of normal transmittance 0.70 has a transmissivity of 0.762842 per
+ * passage at n 1.52. At 60 degrees cos r = sqrt(1 - 0.75/1.52^2) = 0.82182, a =
+ * 0.762842^(1/0.82182) = 0.719357; reflectances s 0.183438, p 0.001527: (0.488148
+ * + 0.717162)/2. */
+static void absorbing_glass_is_that_of_radiance(void **state)
+{
+    (void)state;
+    struct pp_glass glass = pp_glass_absorbing(0.7);
+    assert_near(exp(-glass.kl), 0.762842, 1e-6);
+    assert_near(pp_glass_transmittance(&glass, 1.0), 0.7, 1e-12);
+    assert_near(pp_glass_transmittance(&glass, 0.5), 0.602655, 2e-6);
+    assert_near(pp_glass_absorbing(PP_GLASS_ABSORBING_MOST).kl, 0.0, 1e-3);
+}
+
 static void diffuse_transmittances(void **state)
 {
     (void)state;
@@ -161,6 +175,7 @@ TEST_FILE
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_tabulated_law_is_the_law),
         cmocka_unit_test(one_and_two_panes_by_angle),
+        cmocka_unit_test(absorbing_glass_is_that_of_radiance),
         cmocka_unit_test(diffuse_transmittances),
         cmocka_unit_test(the_brs_pane_is_the_sum_over_its_angles),
         cmocka_unit_test(lossless_glass_keeps_all_light),
