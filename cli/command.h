@@ -52,6 +52,6 @@ extern const struct pp_command pp_command_new, pp_command_df, pp_command_chart,
     pp_command_render, pp_command_assess, pp_command_size, pp_command_availability,
     pp_command_validate, pp_command_export, pp_command_import, pp_command_atlas,
     pp_command_report, pp_command_compare, pp_command_annual, pp_command_serve,
-    pp_command_doctor;
+    pp_command_doctor, pp_command_glare;
 
 #endif

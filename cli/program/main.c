@@ -18,23 +18,12 @@
 #include "model/base/text.h"
 
 static const struct pp_command *const commands[] = {
-    &pp_command_new,
-    &pp_command_df,
-    &pp_command_chart,
-    &pp_command_render,
-    &pp_command_assess,
-    &pp_command_report,
-    &pp_command_size,
-    &pp_command_availability,
-    &pp_command_annual,
-    &pp_command_validate,
-    &pp_command_compare,
-    &pp_command_atlas,
-    &pp_command_export,
-    &pp_command_import,
-    &pp_command_serve,
-    &pp_command_doctor,
-    NULL,
+    &pp_command_new,    &pp_command_df,           &pp_command_chart,
+    &pp_command_render, &pp_command_assess,       &pp_command_report,
+    &pp_command_size,   &pp_command_availability, &pp_command_annual,
+    &pp_command_glare,  &pp_command_validate,     &pp_command_compare,
+    &pp_command_atlas,  &pp_command_export,       &pp_command_import,
+    &pp_command_serve,  &pp_command_doctor,       NULL,
 };
 
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands - 1 };

@@ -241,3 +241,12 @@ enum pp_status pp_position_place_receiver(struct pp_receiver *receiver,
                    "room",
                    place.x, place.y, place.z, fault);
 }
+
+struct pp_world_view pp_position_view(const struct pp_world *world, struct pp_vec3 eye,
+                                      double bearing_rad)
+{
+    return (struct pp_world_view){
+        .eye = eye,
+        .bearing_rad = bearing_rad,
+        .direction = pp_vec_at_bearing(bearing_rad - world->north_rad, 0.0)};
+}

@@ -29,6 +29,10 @@ bool pp_position_in_fitting(const struct pp_world *world, struct pp_vec3 point);
 const char *pp_position_receiver_fault(const struct pp_world *world,
                                        struct pp_vec3 position, struct pp_vec3 normal);
 
+/* A view without a name, from an eye that looks along that bearing. */
+struct pp_world_view pp_position_view(const struct pp_world *world, struct pp_vec3 eye,
+                                      double bearing_rad);
+
 /* The surfaces of a world near a box, for many receivers in the box. */
 struct pp_position_surfaces {
     int *list; /* indices, in order */

@@ -111,6 +111,9 @@ static void copy_parts(struct pp_room *room, bool *good)
         copy_text(&room->meshes[i].name, good);
     }
     COPY_LIST(room->receivers, room->receiver_count, good);
+    COPY_LIST(room->views, room->view_count, good);
+    for (int i = 0; i < room->view_count; i++)
+        copy_text(&room->views[i].name, good);
 }
 
 enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,

@@ -101,6 +101,9 @@ void pp_room_parts_clear(struct pp_room *room)
         pp_room_parts_clear_surface(&room->surfaces[i]);
     for (int i = 0; i < room->mesh_count; i++)
         pp_room_parts_clear_mesh(&room->meshes[i]);
+    for (int i = 0; i < room->view_count; i++)
+        free(room->views[i].name);
+    free(room->views);
     for (int i = 0; i < room->wall_kind_count; i++)
         free(room->wall_kinds[i].name);
     pp_rough_finishes_release(room->materials);

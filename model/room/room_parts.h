@@ -165,6 +165,13 @@ struct pp_receiver_part {
     int line;
 };
 
+/* An eye that looks along a horizontal line (world.h). */
+struct pp_view_part {
+    char *name; /* NULL: not given */
+    double x, y, z, bearing_rad;
+    int line;
+};
+
 enum pp_cover_kind { PP_DOOR, PP_DADO };
 
 /* A door or dado: part of a wall with another reflectance (build/covers.h). */
@@ -269,6 +276,8 @@ struct pp_room {
     int garden_count;
     struct pp_receiver_part *receivers;
     int receiver_count;
+    struct pp_view_part *views;
+    int view_count;
     int line;
 };
 

@@ -16,6 +16,7 @@
 #include "model/light/slats/blind.h"
 #include "model/room/build/place_openings.h"
 #include "model/room/build/receivers.h"
+#include "model/room/build/views.h"
 #include "model/room/build/resolve.h"
 #include "model/room/build/reveals.h"
 #include "model/room/build/watertight.h"
@@ -61,6 +62,9 @@ void pp_world_destroy(struct pp_world *world)
     free(world->blocks);
     free(world->fittings);
     free(world->receivers);
+    for (int i = 0; i < world->view_count; i++)
+        free(world->views[i].name);
+    free(world->views);
     free(world->name);
     free(world->ref);
     free(world->address);
@@ -330,8 +334,8 @@ static enum pp_status resolve_world(struct pp_resolver *r, struct pp_error *err)
         pp_build_facades,       pp_build_blocks,         pp_build_skylines,
         pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
         mark_inner_walls,       pp_build_shades,         resolve_gardens,
-        resolve_working_plane,  pp_build_receivers,      find_triangles,
-        pp_build_meshes,        resolve_self_occlusion};
+        resolve_working_plane,  pp_build_receivers,      pp_build_views,
+        find_triangles,         pp_build_meshes,         resolve_self_occlusion};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);

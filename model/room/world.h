@@ -205,6 +205,15 @@ struct pp_receiver {
     int line;
 };
 
+/* An eye that looks along a horizontal line, assessed for glare. */
+struct pp_world_view {
+    char *name; /* NULL: no name */
+    struct pp_vec3 eye;
+    double bearing_rad;       /* of the line of sight, clockwise from true north */
+    struct pp_vec3 direction; /* the same in the room's axes; unit */
+    int line;                 /* 0: not from the file */
+};
+
 enum pp_surroundings { PP_RURAL, PP_URBAN, PP_INDUSTRIAL };
 enum pp_work { PP_CLEAN, PP_DIRTY }; /* type of work in the room */
 /* Edition of the data for dirt on glass: for smoky towns, or for cleaner air. */
@@ -247,6 +256,8 @@ struct pp_world {
     int mesh_count;
     struct pp_garden *gardens;
     int garden_count;
+    struct pp_world_view *views;
+    int view_count;
 
     bool is_empty; /* no surfaces in the room except covers */
 

@@ -131,8 +131,9 @@ enum pp_status pp_moment_of_standard(struct pp_moment *moment,
     moment->sky =
         pp_perez_sky_of_standard(&standard, sun, of->direct_lx, of->diffuse_lx);
     snprintf(moment->words, sizeof moment->words,
-             "Sky %s with the given diffuse horizontal%s illuminance; sun as given",
-             of->name, of->direct_lx > 0.0 ? " and direct normal" : "");
+             "Sky %s with the given diffuse horizontal%s illuminance%s", of->name,
+             of->direct_lx > 0.0 ? " and direct normal" : "",
+             of->direct_lx > 0.0 ? "; sun as given" : "");
     return PP_OK;
 }
 

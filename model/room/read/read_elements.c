@@ -178,6 +178,22 @@ static void read_receiver(struct pp_reader *r, struct pp_room *room,
         room->receivers[room->receiver_count++] = part;
 }
 
+static void read_view(struct pp_reader *r, struct pp_room *room,
+                      const struct pp_xml_element *e)
+{
+    struct pp_view_form form = {0};
+    if (!pp_reader_fill_form(r, &form, &pp_rule_view, e)
+        || !PP_READER_RESERVE(r, room->views, room->view_count))
+        return;
+    room->views[room->view_count++] =
+        (struct pp_view_part){.name = pp_reader_copy_text(r, form.name),
+                              .x = form.x,
+                              .y = form.y,
+                              .z = form.z,
+                              .bearing_rad = form.bearing_rad,
+                              .line = e->line};
+}
+
 /* Adds a door or a dado. */
 static void add_cover(struct pp_reader *r, struct pp_room *room,
                       enum pp_cover_kind kind, const struct pp_element_rule *rule,
@@ -236,6 +252,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         {&pp_rule_partition, pp_read_fitting_partition},
         {&pp_rule_door, read_door},
         {&pp_rule_dado, read_dado},
+        {&pp_rule_view, read_view},
         {&pp_rule_working_plane, read_working_plane},
     };
     for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)

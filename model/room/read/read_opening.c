@@ -36,7 +36,8 @@ static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
     static const char *const pairs[][2] = {{"glazing", "transmittance"},
                                            {"glazing", "glazing-file"},
                                            {"transmittance", "glazing-file"},
-                                           {"diffusing", "glazing-file"}};
+                                           {"diffusing", "glazing-file"},
+                                           {"absorbing", "glazing-file"}};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
         if (has(e, pairs[i][0]) && has(e, pairs[i][1])) {
             pp_mistakes_add(r->mistakes, e->line,

@@ -412,6 +412,14 @@ static const struct pp_attribute_rule grid_rows[] = {
     {"margin", &pp_room_values_depth, OR(0.5), IN(receiver, margin_m)},
 };
 LEAF(grid, "grid", grid_rows);
+static const struct pp_attribute_rule view_rows[] = {
+    {"name", &text, OR(NAN), IN(view, name)},
+    {"x", &pp_room_values_coordinate, REQUIRED, IN(view, x)},
+    {"y", &pp_room_values_coordinate, REQUIRED, IN(view, y)},
+    {"z", &pp_room_values_coordinate, OR(1.2), IN(view, z)},
+    {"bearing", &pp_room_values_bearing, REQUIRED, IN(view, bearing_rad)},
+};
+LEAF(view, "view", view_rows);
 
 static const struct pp_attribute_rule room_rows[] = {
     {"units", &pp_room_values_unit_of_lengths, OR(0),
@@ -443,6 +451,7 @@ static const struct pp_child_rule room_children[] = {
     {&pp_rule_partition, 0, 0}, {&pp_rule_door, 0, 0},
     {&pp_rule_dado, 0, 0},      {&pp_rule_working_plane, 0, 1},
     {&pp_rule_point, 0, 0},     {&pp_rule_line, 0, 0},
+    {&pp_rule_grid, 0, 0},      {&pp_rule_view, 0, 0},
     {&pp_rule_grid, 0, 0},      {&pp_rule_material, 0, 0},
     {&pp_rule_project, 0, 1}, /* root element only */
 };

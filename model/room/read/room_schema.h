@@ -271,6 +271,11 @@ struct pp_receiver_form {
     double spacing_m, margin_m;
 };
 
+struct pp_view_form {
+    const char *name;
+    double x, y, z, bearing_rad;
+};
+
 extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_project, pp_rule_room, pp_rule_site, pp_rule_sky, pp_rule_plan,
     pp_rule_plan_vertex, pp_rule_envelope, pp_rule_face, pp_rule_vertex,
@@ -280,6 +285,6 @@ extern const struct pp_element_rule pp_rule_building, pp_rule_building_room,
     pp_rule_garden, pp_rule_block, pp_rule_footprint, pp_rule_surface, pp_rule_mesh,
     pp_rule_working_plane, pp_rule_wall, pp_rule_overhang, pp_rule_fin, pp_rule_balcony,
     pp_rule_shelf, pp_rule_blind, pp_rule_screen, pp_rule_curtain, pp_rule_point,
-    pp_rule_line, pp_rule_grid;
+    pp_rule_line, pp_rule_grid, pp_rule_view;
 
 #endif

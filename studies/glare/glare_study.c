@@ -1,0 +1,369 @@
+/* glare_study.c - see glare_study.h. */
+#include "studies/glare/glare_study.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "model/base/thread_pool.h"
+#include "simulate/scene/light_scene_of_world.h"
+#include "studies/glare/dgp.h"
+#include "studies/glare/glare_view.h"
+
+/* Cells across the field of view: 0.9 degrees at a moment, where results are printed by
+ * opening, and 1.8 degrees in the year. Halving them changes DGP by 0.001 and 0.003 at
+ * most in the views of the tests. */
+enum { SIDE_MOMENT = 128, SIDE_YEAR = 64, SURFACE_SAMPLES = 64 };
+
+const struct pp_glare_options pp_glare_options_default = {
+    .threshold_cd_m2 = 2000.0,
+    .annual = {.hours = {8.0, 18.0, 0x1F},
+               .illuminance_count = 1,
+               .illuminances_lx = {300.0},
+               .patches = 577,
+               .seed = 1}};
+
+struct glare_work {
+    struct pp_glare_sheet *sheet;
+    const struct pp_study_room *room;
+    const struct pp_moment *moment;
+    const struct pp_weather_year *year;
+    const struct pp_glare_options *options;
+    struct pp_light_scene *scene;
+    struct pp_thread_pool *pool;
+    struct pp_receiver *eyes;
+    struct pp_glare_view *views;
+    struct pp_receiver *surfaces; /* of all views, in order */
+    int surface_count;
+    int *first_surface;             /* by view */
+    struct pp_annual_sheet surface; /* illuminances at the surfaces */
+    struct pp_perez_sky *skies;     /* in the room's axes */
+    int sky_count;
+
+    int view; /* of the current hours */
+    struct hour_result {
+        double sum;
+        bool sun;
+        bool enough; /* false: out of memory */
+    } * results;     /* by sky */
+};
+
+/* ---- the field of view and the illuminances ---- */
+
+static enum pp_status make_views(struct glare_work *work, struct pp_error *err)
+{
+    int count = work->sheet->view_count;
+    int side = work->year ? SIDE_YEAR : SIDE_MOMENT, total = 0;
+    enum pp_status status = PP_OK;
+    for (int v = 0; v < count && status == PP_OK; v++) {
+        const struct pp_world_view *view = &work->sheet->views[v];
+        work->eyes[v] = (struct pp_receiver){
+            .position = view->eye, .normal = view->direction, .line = view->line};
+        status = pp_glare_view_init(&work->views[v], work->scene, &work->room->light,
+                                    &work->eyes[v], side, err);
+        work->first_surface[v] = total;
+        total += work->views[v].surface_count;
+    }
+    if (status != PP_OK)
+        return status;
+    work->surfaces = calloc((size_t)total + 1, sizeof *work->surfaces);
+    if (!work->surfaces)
+        return pp_fail_memory(err);
+    for (int v = 0; v < count; v++)
+        for (int k = 0; k < work->views[v].surface_count; k++)
+            work->surfaces[work->surface_count++] = work->views[v].surfaces[k];
+    return PP_OK;
+}
+
+static enum pp_status light_points(struct glare_work *work,
+                                   struct pp_annual_sheet *sheet,
+                                   const struct pp_receiver *points, int count,
+                                   const struct pp_annual_options *options,
+                                   struct pp_error *err)
+{
+    const struct pp_study_room *room = work->room;
+    if (work->moment)
+        return pp_moment_of_room(sheet, room->world, &room->light, points, count,
+                                 work->moment, options, err);
+    return pp_annual_of_room(sheet, room->world, &room->light, points, count, false,
+                             work->year, options, err);
+}
+
+/* Greatest relative standard error of the illuminances at the eyes. */
+static double worst_of(const struct pp_annual_sheet *sheet)
+{
+    double worst = 0.0;
+    for (int v = 0; v < sheet->receiver_count; v++) {
+        struct pp_annual_value lx = sheet->points[v].year_lxh;
+        if (lx.value > 0.0)
+            worst = fmax(worst, lx.std_error / lx.value);
+    }
+    return worst;
+}
+
+/* The eyes. At a moment by paths under the true sky and sun, which cost less than
+ * patches and cells for one hour and have no error but noise: from 1024 paths, twice as
+ * many until the target error is reached. */
+static enum pp_status light_eyes(struct glare_work *work, struct pp_error *err)
+{
+    enum { PATHS = 1024, PATHS_MOST = 16384 };
+    struct pp_annual_options options = work->options->annual;
+    struct pp_annual_sheet *sheet = &work->sheet->annual;
+    int count = work->sheet->view_count;
+    if (!work->moment)
+        return light_points(work, sheet, work->eyes, count, &options, err);
+    bool by_error = options.samples == 0;
+    double target = options.error > 0.0 ? options.error : 0.005;
+    options.exact_sky = true;
+    if (by_error)
+        options.samples = PATHS;
+    for (;;) {
+        enum pp_status status =
+            light_points(work, sheet, work->eyes, count, &options, err);
+        if (status != PP_OK || !by_error || options.samples >= PATHS_MOST
+            || !sheet->finished || worst_of(sheet) <= target)
+            return status;
+        options.samples *= 2;
+        pp_annual_sheet_clear(sheet);
+    }
+}
+
+static enum pp_status light_all(struct glare_work *work, struct pp_error *err)
+{
+    struct pp_annual_options options = work->options->annual;
+    enum pp_status status = light_eyes(work, err);
+    if (status != PP_OK || !work->sheet->annual.finished || work->surface_count == 0)
+        return status;
+    options.samples = SURFACE_SAMPLES;
+    options.error = 0.0;
+    options.watch = (struct pp_watch){.begin = NULL};
+    return light_points(work, &work->surface, work->surfaces, work->surface_count,
+                        &options, err);
+}
+
+/* Illuminances without direct sun of a view's surfaces, in one hour. */
+static void rest_of_hour(const struct glare_work *work, int view, int sky, float *rest)
+{
+    const struct pp_annual_sheet *sheet = &work->surface;
+    for (int k = 0; k < work->views[view].surface_count; k++) {
+        size_t at = (size_t)(work->first_surface[view] + k) * (size_t)work->sky_count
+                    + (size_t)sky;
+        rest[k] = sheet->lx[at] - sheet->sun_lx[at];
+    }
+}
+
+static float eye_lx(const struct glare_work *work, int view, int sky)
+{
+    return work->sheet->annual.lx[(size_t)view * (size_t)work->sky_count + (size_t)sky];
+}
+
+/* ---- a moment ---- */
+
+static enum pp_status judge_moment(struct glare_work *work, int view,
+                                   struct pp_error *err)
+{
+    struct pp_glare_moment *moment = &work->sheet->moments[view];
+    int openings = work->room->world->opening_count;
+    float rest[PP_GLARE_SURFACES_MOST];
+    moment->part_count = openings + 1;
+    moment->parts = calloc((size_t)openings + 1, sizeof *moment->parts);
+    if (!moment->parts)
+        return pp_fail_memory(err);
+    rest_of_hour(work, view, 0, rest);
+    moment->sum = pp_glare_view_sources(&work->views[view], &work->skies[0], rest,
+                                        work->options->threshold_cd_m2, moment->parts,
+                                        openings, &moment->sun);
+    moment->eye_lx = work->sheet->annual.points[view].year_lxh;
+    double lx = moment->eye_lx.value, se = moment->eye_lx.std_error;
+    moment->dgp.value = pp_dgp(lx, moment->sum);
+    moment->dgp.std_error =
+        fabs(pp_dgp(lx + se, moment->sum) - pp_dgp(fmax(lx - se, 0.0), moment->sum))
+        / 2.0;
+    return PP_OK;
+}
+
+/* ---- a year ---- */
+
+static bool sum_hour(void *data, int worker, int sky)
+{
+    (void)worker;
+    struct glare_work *work = data;
+    int openings = work->room->world->opening_count;
+    struct pp_glare_part *parts = malloc(((size_t)openings + 1) * sizeof *parts);
+    struct pp_glare_sun sun;
+    float rest[PP_GLARE_SURFACES_MOST];
+    if (!parts)
+        return false;
+    rest_of_hour(work, work->view, sky, rest);
+    work->results[sky] = (struct hour_result){
+        pp_glare_view_sources(&work->views[work->view], &work->skies[sky], rest,
+                              work->options->threshold_cd_m2, parts, openings, &sun),
+        false, true};
+    work->results[sky].sun = sun.visible;
+    free(parts);
+    return true;
+}
+
+/* A DGP and the occupied time with it. */
+struct dgp_time {
+    double dgp, hours;
+};
+
+static int falling(const void *a, const void *b)
+{
+    const struct dgp_time *x = a, *y = b;
+    return (x->dgp < y->dgp) - (x->dgp > y->dgp);
+}
+
+/* DGP that is exceeded in that share of the occupied hours; sorts the times. */
+static double dgp_exceeded(struct dgp_time *times, int count, double hours)
+{
+    double sum = 0.0;
+    qsort(times, (size_t)count, sizeof *times, falling);
+    for (int i = 0; i < count; i++) {
+        sum += times[i].hours;
+        if (sum > hours)
+            return times[i].dgp;
+    }
+    return 0.0;
+}
+
+/* Occupied hours with DGP above the limits, if all illuminances of the eye are
+ * multiplied by a factor. */
+static void hours_above(const struct glare_work *work, int view, double factor,
+                        double hours[PP_GLARE_LIMITS])
+{
+    const struct pp_annual_sheet *annual = &work->sheet->annual;
+    for (int i = 0; i < PP_GLARE_LIMITS; i++)
+        hours[i] = 0.0;
+    for (int h = 0; h < annual->hour_count; h++) {
+        int sky = annual->hours[h].sky;
+        if (sky < 0 || !(annual->hours[h].occupied_h > 0.0))
+            continue;
+        double dgp = pp_dgp(factor * eye_lx(work, view, sky), work->results[sky].sum);
+        for (int i = 0; i < PP_GLARE_LIMITS; i++)
+            if (dgp > pp_glare_sheet_limits[i])
+                hours[i] += annual->hours[h].occupied_h;
+    }
+}
+
+static enum pp_status judge_year(struct glare_work *work, int view,
+                                 struct pp_error *err)
+{
+    const struct pp_annual_sheet *annual = &work->sheet->annual;
+    struct pp_glare_year *year = &work->sheet->years[view];
+    struct dgp_time *times = calloc((size_t)annual->hour_count + 1, sizeof *times);
+    year->dgp = calloc((size_t)work->sky_count + 1, sizeof *year->dgp);
+    year->most_hour = -1;
+    work->view = view;
+    for (int t = 0; t < work->sky_count; t++)
+        work->results[t].enough = false;
+    pp_thread_pool_run(work->pool, 0, work->sky_count, sum_hour, work);
+    bool enough = times && year->dgp;
+    for (int t = 0; t < work->sky_count && enough; t++) {
+        enough = work->results[t].enough;
+        year->dgp[t] = (float)pp_dgp(eye_lx(work, view, t), work->results[t].sum);
+    }
+    if (!enough) {
+        free(times);
+        return pp_fail_memory(err);
+    }
+    int count = 0;
+    for (int h = 0; h < annual->hour_count; h++) {
+        const struct pp_annual_hour *hour = &annual->hours[h];
+        if (hour->sky < 0 || !(hour->occupied_h > 0.0))
+            continue;
+        times[count++] = (struct dgp_time){year->dgp[hour->sky], hour->occupied_h};
+        if (work->results[hour->sky].sun)
+            year->sun_h += hour->occupied_h;
+        if (year->dgp[hour->sky] > year->most) {
+            year->most = year->dgp[hour->sky];
+            year->most_hour = h;
+        }
+    }
+    year->exceeded_in_5 =
+        dgp_exceeded(times, count, PP_GLARE_SHARE * annual->occupied_h);
+    free(times);
+    struct pp_annual_value light = annual->points[view].year_lxh;
+    double step = light.value > 0.0 ? light.std_error / light.value : 0.0;
+    double middle[PP_GLARE_LIMITS], low[PP_GLARE_LIMITS], high[PP_GLARE_LIMITS];
+    hours_above(work, view, 1.0, middle);
+    hours_above(work, view, 1.0 - step, low);
+    hours_above(work, view, 1.0 + step, high);
+    for (int i = 0; i < PP_GLARE_LIMITS; i++)
+        year->above_h[i] =
+            (struct pp_annual_value){middle[i], fabs(high[i] - low[i]) / 2.0};
+    return PP_OK;
+}
+
+/* ---- both ---- */
+
+static enum pp_status prepare_glare(struct glare_work *work, struct pp_error *err)
+{
+    const struct pp_world *world = work->room->world;
+    size_t views = (size_t)work->sheet->view_count;
+    work->sky_count = work->moment ? 1 : work->year->sky_count;
+    work->eyes = calloc(views, sizeof *work->eyes);
+    work->views = calloc(views, sizeof *work->views);
+    work->first_surface = calloc(views, sizeof *work->first_surface);
+    work->skies = calloc((size_t)work->sky_count + 1, sizeof *work->skies);
+    work->results = calloc((size_t)work->sky_count + 1, sizeof *work->results);
+    if (work->moment)
+        work->sheet->moments = calloc(views, sizeof *work->sheet->moments);
+    else
+        work->sheet->years = calloc(views, sizeof *work->sheet->years);
+    if (!work->eyes || !work->views || !work->first_surface || !work->skies
+        || !work->results || !(work->sheet->moments || work->sheet->years))
+        return pp_fail_memory(err);
+    for (int t = 0; t < work->sky_count; t++)
+        work->skies[t] = pp_weather_year_turned(work->moment ? &work->moment->sky
+                                                             : &work->year->skies[t],
+                                                world->north_rad);
+    enum pp_status status =
+        pp_thread_pool_create(&work->pool, work->options->annual.threads, err);
+    if (status == PP_OK)
+        status = pp_light_scene_of_world_matt(&work->scene, world, err);
+    return status == PP_OK ? make_views(work, err) : status;
+}
+
+static void clear_glare(struct glare_work *work)
+{
+    for (int v = 0; work->views && v < work->sheet->view_count; v++)
+        pp_glare_view_clear(&work->views[v]);
+    pp_annual_sheet_clear(&work->surface);
+    pp_light_scene_destroy(work->scene);
+    pp_thread_pool_destroy(work->pool);
+    free(work->eyes);
+    free(work->views);
+    free(work->surfaces);
+    free(work->first_surface);
+    free(work->skies);
+    free(work->results);
+}
+
+enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
+                                  const struct pp_study_room *room,
+                                  const struct pp_world_view *views, int view_count,
+                                  const struct pp_moment *moment,
+                                  const struct pp_weather_year *year,
+                                  const struct pp_glare_options *options,
+                                  struct pp_error *err)
+{
+    *sheet = (struct pp_glare_sheet){.world = room->world,
+                                     .views = views,
+                                     .view_count = view_count,
+                                     .threshold_cd_m2 = options->threshold_cd_m2,
+                                     .is_year = !moment};
+    struct glare_work work = {.sheet = sheet,
+                              .room = room,
+                              .moment = moment,
+                              .year = moment ? NULL : year,
+                              .options = options};
+    enum pp_status status = prepare_glare(&work, err);
+    if (status == PP_OK)
+        status = light_all(&work, err);
+    for (int v = 0; v < view_count && status == PP_OK && sheet->annual.finished; v++)
+        status = moment ? judge_moment(&work, v, err) : judge_year(&work, v, err);
+    clear_glare(&work);
+    sheet->annual.receivers = NULL; /* they were the eyes */
+    return status;
+}

@@ -1,0 +1,35 @@
+/* glare_study.h - daylight glare probability of a room's views, at one moment or in the
+ * hours of a weather file.
+ *
+ * The illuminance at the eye is simulated as for other points (studies/year/annual.h);
+ * the sources are those of glare_view.h. Windows have no blinds.
+ */
+#ifndef PP_STUDIES_GLARE_GLARE_STUDY_H
+#define PP_STUDIES_GLARE_GLARE_STUDY_H
+
+#include "model/results/sheets/glare_sheet.h"
+#include "studies/study_room.h"
+#include "studies/year/moment.h"
+
+struct pp_glare_options {
+    double threshold_cd_m2;          /* luminance from which a surface is a source */
+    struct pp_annual_options annual; /* hours, samples, error, seed, threads, watch */
+};
+
+/* evalglare's threshold, and hours 8 to 18 on weekdays. */
+extern const struct pp_glare_options pp_glare_options_default;
+
+/* Height of the eye of a person who sits, m. */
+#define PP_GLARE_STUDY_EYE_M 1.2
+
+/* views: of the room, at least one; they must outlive *sheet. moment: NULL for the
+ * year. year: NULL for a moment. The caller clears *sheet, even after a failure. */
+enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
+                                  const struct pp_study_room *room,
+                                  const struct pp_world_view *views, int view_count,
+                                  const struct pp_moment *moment,
+                                  const struct pp_weather_year *year,
+                                  const struct pp_glare_options *options,
+                                  struct pp_error *err);
+
+#endif

@@ -1,0 +1,252 @@
+/* glare_view.c - see glare_view.h. */
+#include "studies/glare/glare_view.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "simulate/year/sun_on_surface.h"
+#include "studies/glare/dgp.h"
+
+/* Points of indoor surfaces: one in the middle of each block of rays, BLOCKS x BLOCKS
+ * of them. Normals that differ by less count as one. */
+enum { BLOCKS = 8, PLANES_MOST = 64 };
+_Static_assert(BLOCKS *BLOCKS == PP_GLARE_SURFACES_MOST, "one point for each block");
+static const double SAME_NORMAL = 1e-3;
+
+/* Distance (m) of a point on a surface from that surface. */
+static const double OFF_M = 1e-3;
+
+static bool is_outdoors(const struct pp_eye_ray *ray)
+{
+    return ray->end == PP_EYE_FACE || ray->end == PP_EYE_PANE
+           || (ray->end == PP_EYE_SURFACE && ray->at.space == PP_OUTDOORS);
+}
+
+static bool is_indoor_surface(const struct pp_eye_ray *ray)
+{
+    return ray->end == PP_EYE_SURFACE && ray->at.space != PP_OUTDOORS;
+}
+
+/* ---- the field of view ---- */
+
+static enum pp_status choose_surfaces(struct pp_glare_view *view, struct pp_error *err)
+{
+    const struct pp_eye_rays *rays = &view->rays;
+    int step = rays->side / BLOCKS;
+    view->surfaces = calloc(BLOCKS * BLOCKS, sizeof *view->surfaces);
+    int *tags = calloc(BLOCKS * BLOCKS, sizeof *tags);
+    if (!view->surfaces || !tags) {
+        free(tags);
+        return pp_fail_memory(err);
+    }
+    for (int b = 0; b < BLOCKS * BLOCKS; b++) {
+        int row = b / BLOCKS * step + step / 2, column = b % BLOCKS * step + step / 2;
+        const struct pp_eye_ray *ray = &rays->list[row * rays->side + column];
+        if (!is_indoor_surface(ray))
+            continue;
+        struct pp_vec3 at = pp_vec_add(ray->at.point, rays->centre);
+        tags[view->surface_count] = ray->tag;
+        view->surfaces[view->surface_count++] =
+            (struct pp_receiver){.position = pp_vec_along(at, OFF_M, ray->at.normal),
+                                 .normal = ray->at.normal};
+    }
+    /* The nearest point on the same surface, else the nearest of all. */
+    for (int i = 0; i < rays->count; i++) {
+        const struct pp_eye_ray *ray = &rays->list[i];
+        double nearest = INFINITY;
+        view->surface_of[i] = -1;
+        if (!is_indoor_surface(ray))
+            continue;
+        struct pp_vec3 at = pp_vec_add(ray->at.point, rays->centre);
+        for (int k = 0; k < view->surface_count; k++) {
+            double d = pp_vec_length(pp_vec_sub(view->surfaces[k].position, at))
+                       + (tags[k] == ray->tag ? 0.0 : 1e6);
+            if (d < nearest) {
+                nearest = d;
+                view->surface_of[i] = k;
+            }
+        }
+    }
+    free(tags);
+    return PP_OK;
+}
+
+/* Index of the plane with that normal; with too many, that of the most similar one. */
+static int plane_with(struct pp_glare_view *view, struct pp_vec3 normal)
+{
+    int best = 0;
+    double most = -2.0;
+    for (int i = 0; i < view->plane_count; i++) {
+        double like = pp_vec_dot(view->planes[i], normal);
+        if (like > most) {
+            most = like;
+            best = i;
+        }
+    }
+    if (most >= cos(SAME_NORMAL) || view->plane_count == PLANES_MOST)
+        return best;
+    view->planes[view->plane_count] = normal;
+    return view->plane_count++;
+}
+
+enum pp_status pp_glare_view_init(struct pp_glare_view *view,
+                                  const struct pp_light_scene *scene,
+                                  const struct pp_outside_light *light,
+                                  const struct pp_receiver *eye, int side,
+                                  struct pp_error *err)
+{
+    *view = (struct pp_glare_view){.scene = scene, .light = light, .eye = *eye};
+    enum pp_status status =
+        pp_eye_rays_init(&view->rays, scene, eye, side, light->ground_reflectance, err);
+    if (status != PP_OK)
+        return status;
+    size_t count = (size_t)view->rays.count;
+    view->indices = calloc(count, sizeof *view->indices);
+    view->surface_of = calloc(count, sizeof *view->surface_of);
+    view->plane_of = calloc(count, sizeof *view->plane_of);
+    view->planes = calloc(PLANES_MOST, sizeof *view->planes);
+    if (!view->indices || !view->surface_of || !view->plane_of || !view->planes)
+        return pp_fail_memory(err);
+    pp_sky_patches_init(&view->patches, 145, 0.0);
+    for (size_t i = 0; i < count; i++) {
+        const struct pp_eye_ray *ray = &view->rays.list[i];
+        view->indices[i] = pp_dgp_position_index(&view->rays.view, ray->u);
+        view->plane_of[i] = is_outdoors(ray) ? plane_with(view, ray->at.normal) : -1;
+    }
+    return choose_surfaces(view, err);
+}
+
+void pp_glare_view_clear(struct pp_glare_view *view)
+{
+    pp_eye_rays_clear(&view->rays);
+    free(view->indices);
+    free(view->surface_of);
+    free(view->plane_of);
+    free(view->surfaces);
+    free(view->planes);
+}
+
+/* ---- one hour ---- */
+
+/* Light outside in one hour. */
+struct outdoor_hour {
+    const struct pp_glare_view *view;
+    const struct pp_perez_sky *sky;
+    double open_lx; /* Eh of sky and sun */
+    double ground_cd_m2;
+    double plane_lx[PLANES_MOST]; /* sky and ground on the planes */
+};
+
+static void light_planes(struct outdoor_hour *hour)
+{
+    const struct pp_glare_view *view = hour->view;
+    for (int k = 0; k < view->plane_count; k++)
+        hour->plane_lx[k] =
+            PP_PI * hour->ground_cd_m2 * (1.0 - view->planes[k].z) / 2.0;
+    for (int i = 0; i < view->patches.count && view->plane_count > 0; i++) {
+        struct pp_vec3 u = pp_sky_patches_centre(&view->patches, i);
+        double lx = pp_perez_sky_luminance(hour->sky, u)
+                    * pp_sky_patches_solid_angle(&view->patches, i);
+        for (int k = 0; k < view->plane_count; k++)
+            hour->plane_lx[k] += lx * fmax(0.0, pp_vec_dot(view->planes[k], u));
+    }
+}
+
+static struct outdoor_hour hour_of(const struct pp_glare_view *view,
+                                   const struct pp_perez_sky *sky)
+{
+    struct outdoor_hour hour = {.view = view, .sky = sky, .open_lx = sky->diffuse_lx};
+    if (sky->sun.z > 0.0)
+        hour.open_lx += sky->direct_lx * sky->sun.z;
+    hour.ground_cd_m2 = view->light->ground_reflectance * hour.open_lx / PP_PI;
+    light_planes(&hour);
+    return hour;
+}
+
+static double sun_lx(const struct outdoor_hour *hour, const struct pp_eye_ray *ray)
+{
+    int opening;
+    if (!(hour->sky->direct_lx > 0.0))
+        return 0.0;
+    if (ray->end == PP_EYE_FACE)
+        return hour->sky->sun.z > 0.0
+                   ? hour->sky->direct_lx
+                         * fmax(0.0, pp_vec_dot(ray->at.normal, hour->sky->sun))
+                   : 0.0;
+    return hour->sky->direct_lx
+           * pp_sun_on_surface(hour->view->scene, &ray->at, hour->sky->sun, &opening);
+}
+
+/* Luminance of ray i, cd/m2. */
+static double luminance_of(const struct outdoor_hour *hour, int i, const float *rest_lx)
+{
+    const struct pp_glare_view *view = hour->view;
+    const struct pp_eye_ray *ray = &view->rays.list[i];
+    double lx = 0.0;
+    switch (ray->end) {
+    case PP_EYE_NOTHING:
+        return 0.0;
+    case PP_EYE_SKY:
+        return ray->transmittance * pp_perez_sky_luminance(hour->sky, ray->u);
+    case PP_EYE_GROUND:
+        return ray->transmittance * hour->ground_cd_m2;
+    case PP_EYE_FACE:
+    case PP_EYE_SURFACE:
+    case PP_EYE_PANE:
+        lx = sun_lx(hour, ray);
+        break;
+    }
+    if (view->plane_of[i] >= 0)
+        lx += hour->plane_lx[view->plane_of[i]];
+    else if (view->surface_of[i] >= 0)
+        lx += fmax(0.0, rest_lx[view->surface_of[i]]);
+    return ray->transmittance * (ray->reflectance * lx + ray->exitance * hour->open_lx)
+           / PP_PI;
+}
+
+static struct pp_glare_sun sun_seen(const struct pp_glare_view *view,
+                                    const struct pp_perez_sky *sky)
+{
+    struct pp_glare_sun sun = {.opening = -1};
+    if (!(sky->direct_lx > 0.0) || !(sky->sun.z > 0.0)
+        || !(pp_vec_dot(sky->sun, view->eye.normal) > 0.0))
+        return sun;
+    double share =
+        pp_eye_rays_to_sun(view->scene, view->eye.position, sky->sun, &sun.opening);
+    if (!(share > 0.0))
+        return sun;
+    double omega_sr = PP_GLARE_SUN_SR;
+    sun.visible = true;
+    sun.cd_m2 = share * sky->direct_lx / omega_sr;
+    sun.index = pp_dgp_position_index(&view->rays.view, sky->sun);
+    sun.sum = sun.cd_m2 * sun.cd_m2 * omega_sr / (sun.index * sun.index);
+    return sun;
+}
+
+double pp_glare_view_sources(const struct pp_glare_view *view,
+                             const struct pp_perez_sky *sky, const float *rest_lx,
+                             double threshold_cd_m2, struct pp_glare_part *parts,
+                             int opening_count, struct pp_glare_sun *sun)
+{
+    struct outdoor_hour hour = hour_of(view, sky);
+    double total = 0.0;
+    for (int k = 0; k <= opening_count; k++)
+        parts[k] = (struct pp_glare_part){0};
+    for (int i = 0; i < view->rays.count; i++) {
+        const struct pp_eye_ray *ray = &view->rays.list[i];
+        double L = luminance_of(&hour, i, rest_lx), P = view->indices[i];
+        if (!(L >= threshold_cd_m2))
+            continue;
+        struct pp_glare_part *part =
+            &parts[ray->opening >= 0 ? ray->opening : opening_count];
+        double omega_sr = view->rays.solid_angle_sr * ray->clear_share;
+        part->omega_sr += omega_sr;
+        part->light += L * omega_sr;
+        part->square += L * L * omega_sr;
+        part->sum += L * L * omega_sr / (P * P);
+    }
+    for (int k = 0; k <= opening_count; k++)
+        total += parts[k].sum;
+    *sun = sun_seen(view, sky);
+    return total + sun->sum;
+}

@@ -1,0 +1,67 @@
+#!/bin/sh
+# Glare of views at a moment and in a year, as text, JSON and CSV, and wrong input.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+# A year at Brussels with light from 9 to 16 h.
+awk 'BEGIN {
+    print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
+    print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
+    print "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"
+    split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
+    for (m = 1; m <= 12; m++)
+        for (d = 1; d <= days[m]; d++)
+            for (h = 1; h <= 24; h++) {
+                lit = h > 9 && h <= 16
+                printf "%d,%d,%d,%d,0,?,10,7.5,84,101000,0,0,315,%d,%d,%d,0,0,0\n",
+                    2001, m, d, h, lit ? 9999 : 0, lit ? 400 : 0, lit ? 150 : 0
+            }
+}' >"$scratch/year.epw"
+cat >"$scratch/room.xml" <<'EOF'
+<room version="1" name="Corner">
+  <site latitude="50.9" longitude="4.5"/>
+  <plan width="4" depth="5" height="2.8"/>
+  <window wall="south" left="0.5" sill="0.9" width="3" height="1.6" name="Big"/>
+  <view name="desk" x="2" y="3" bearing="180"/>
+  <view x="2" y="1" z="1.1" bearing="0"/>
+</room>
+EOF
+room=$scratch/room.xml
+sed '/<view/d' "$room" >"$scratch/blind.xml"
+sky="--sky iso-12,30,180,70000,12000"
+glare="glare --samples 64"
+year="glare --samples 16 -w $scratch/year.epw"
+
+check "text" shows "DGP 0." $glare $sky "$room"
+check "a view by its name" shows "View desk: eye at (2, 3, 1.2) m, looking to bearing 180" \
+    $glare $sky "$room"
+check "an opening by its name" shows "    Big " $glare $sky "$room"
+check "the threshold is said" shows "Sources have 2000 cd/m2" $glare $sky "$room"
+check "another threshold" shows "Sources have 5000 cd/m2" $glare $sky --threshold 5000 "$room"
+check "away from the window" shows '"class": "imperceptible"' $glare $sky -f json "$room"
+check "JSON" shows '"format": "pepperpot-glare-1"' $glare $sky -f json "$room"
+check "CSV" gives $glare $sky -f csv "$room"
+check "two views and a heading" test "$(wc -l <"$scratch/out")" -eq 3
+check "a view of the command line" shows "eye at (1, 2, 1.2) m, looking to bearing 90" \
+    $glare $sky --view 1,2,90 "$scratch/blind.xml"
+check "with a height" shows "eye at (1, 2, 1.7) m" $glare $sky --view 1,2,1.7,90 "$room"
+check "in an hour of the weather file" shows "2001-06-21 12:00" \
+    $glare -w "$scratch/year.epw" --when "2001-06-21 12:00" "$room"
+
+check "a year" shows "EN 17037: level" $year "$room"
+check "its hours" shows "8 to 18 h on all days, 3650 hours" $year "$room"
+check "its JSON" shows '"hours_above_0.45"' $year -f json "$room"
+# At night there is no glare: the level is high.
+check "a night shift has no glare" shows "EN 17037: level high" $year --hours 20-24 "$room"
+check "dark hours are occupied hours" shows '"occupied_hours": 3650' $year -f json "$room"
+
+check "no view" refuses 1 "has no view" $glare $sky "$scratch/blind.xml"
+check "no light" refuses 2 "expected --weather" glare "$room"
+check "a sky without light" refuses 2 "expected --weather" glare --sky overcast "$room"
+check "a view outside" refuses 1 "lies outside the room" $glare $sky --view 9,9,90 "$room"
+check "half a view" refuses 2 "X,Y,BEARING" $glare $sky --view 1,2 "$room"
+check "a view in words" refuses 2 "X,Y,BEARING" $glare $sky --view desk "$room"
+check "a threshold of nothing" refuses 2 "luminance from 1" $glare $sky --threshold 0 "$room"
+check "no file" refuses 2 "expected a room file" $glare $sky
+check "two periods" refuses 2 "expected one" $year --hours 8-12,13-17 "$room"
+tap_done

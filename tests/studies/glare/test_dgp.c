@@ -1,0 +1,71 @@
+/* Daylight glare probability and position index against values worked out outside the
+ * program. */
+#include "tests/lib/near.h"
+
+#include "studies/glare/dgp.h"
+
+/* A level view to that bearing, in axes with y to the north. */
+static struct pp_frame view_to(double bearing_deg)
+{
+    struct pp_vec3 z = pp_vec_at_bearing(bearing_deg * PP_RAD, 0.0);
+    return (struct pp_frame){pp_vec_cross(z, pp_vec(0.0, 0.0, 1.0)),
+                             pp_vec(0.0, 0.0, 1.0), z};
+}
+
+static double index_of(double view_deg, double bearing_deg, double altitude_deg)
+{
+    struct pp_frame view = view_to(view_deg);
+    return pp_dgp_position_index(
+        &view, pp_vec_at_bearing(bearing_deg * PP_RAD, altitude_deg * PP_RAD));
+}
+
+/* Suns in pictures that evalglare 3.06 of Radiance has read; 16 is its limit. */
+static void index_above_the_line_of_sight_is_guths(void **state)
+{
+    (void)state;
+    assert_near(index_of(200.0, 180.0, 30.0), 3.4439, 1e-4);
+    assert_near(index_of(200.0, 135.0, 20.0), 7.5760, 1e-4);
+    assert_near(index_of(120.0, 195.0, 40.0), 16.0, 0.0);
+    assert_near(index_of(77.0, 77.0, 0.0), 1.0, 1e-9);
+    assert_near(index_of(0.0, 180.0, 10.0), 16.0, 0.0);
+}
+
+/* s 30, t 0: tan B = 0.57735 x 1.15, B = 33.583, exp(0.21795 + 0.23684). */
+static void index_below_the_line_of_sight_is_iwatas(void **state)
+{
+    (void)state;
+    assert_near(index_of(0.0, 0.0, -30.0), 1.5758, 1e-4);
+    assert_true(index_of(0.0, 0.0, -30.0) < index_of(0.0, 0.0, 30.0));
+}
+
+/* (Ev, sum, DGP) of given views, from an independent calculation. */
+static void dgp_of_given_views(void **state)
+{
+    (void)state;
+    static const double given[][3] = {{7028.24, 3.64419e7, 0.6206},
+                                      {4481.44, 1.01909e7, 0.4598},
+                                      {1315.84, 1.50573e6, 0.2838},
+                                      {642.174, 0.0, 0.1977},
+                                      {989.459, 640639.0, 0.2562}};
+    for (int i = 0; i < 5; i++)
+        assert_near(pp_dgp(given[i][0], given[i][1]), given[i][2], 6e-5);
+}
+
+static void dgp_is_a_share_of_people(void **state)
+{
+    (void)state;
+    assert_near(pp_dgp(65425.7, 1e13), 1.0, 0.0);
+    assert_near(pp_dgp(0.0, 1e6), 0.0, 0.0);
+    assert_true(pp_dgp(1.0, 0.0) < 0.005);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(index_above_the_line_of_sight_is_guths),
+        cmocka_unit_test(index_below_the_line_of_sight_is_iwatas),
+        cmocka_unit_test(dgp_of_given_views),
+        cmocka_unit_test(dgp_is_a_share_of_people),
+    };
+    add_tests(tests, NULL, NULL);
+}

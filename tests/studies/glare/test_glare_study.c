@@ -1,0 +1,190 @@
+/* Daylight glare probability of views in two rooms, against path tracing and
+ * evalglare 3.06 outside the program, and against what is known on paper. */
+#include "tests/lib/near.h"
+#include "tests/lib/room_of.h"
+
+#include "studies/glare/glare_study.h"
+
+#define OPEN_ROOM                                                                      \
+    "<room version='1'><site ground='open'/>"                                          \
+    "<plan width='4' depth='6' height='3'/>"                                           \
+    "<finishes floor='0.2' walls='0.5' ceiling='0.7'/>"                                \
+    "<window wall='south' left='0.5' sill='0.9' width='3' height='1.8' "               \
+    "glazing='none' name='W'"
+
+#define GLAZED_ROOM                                                                    \
+    "<room version='1'><site ground='open'/>"                                          \
+    "<plan width='3.6' depth='5.4' height='2.8'/>"                                     \
+    "<finishes floor='0.3' walls='0.6' ceiling='0.8'/>"                                \
+    "<window wall='south' left='0.2' sill='0.8' width='3.2' height='1.8' "             \
+    "transmittance='0.7' absorbing='yes'/>"
+
+/* Skies of ISO type 12, and overcast skies. */
+static const struct pp_moment_standard skies[] = {
+    {"overcast", 0, PP_PI / 2.0, 0.0, 0.0, 20000.0},
+    {"iso-12", 12, 30.0 * PP_RAD, 180.0 * PP_RAD, 70000.0, 12000.0},
+    {"iso-12", 12, 15.0 * PP_RAD, 300.0 * PP_RAD, 40000.0, 8000.0},
+    {"overcast", 0, PP_PI / 2.0, 0.0, 0.0, 10000.0},
+};
+enum { OVERCAST, SUN, LOW_SUN, DARK };
+
+/* The caller clears the sheet and destroys the world. */
+static struct pp_world *study_of(struct pp_glare_sheet *sheet, const char *xml, int sky)
+{
+    struct pp_study_room room = {.file = "test"};
+    struct pp_moment moment;
+    struct pp_glare_options options = pp_glare_options_default;
+    room.world = pp_test_lit_world(&room.light, xml);
+    options.annual.samples = 256;
+    options.annual.threads = 1;
+    assert_int_equal(pp_moment_of_standard(&moment, &skies[sky], NULL), PP_OK);
+    assert_int_equal(pp_glare_study_run(sheet, &room, room.world->views,
+                                        room.world->view_count, &moment, NULL, &options,
+                                        NULL),
+                     PP_OK);
+    return room.world;
+}
+
+/* Ev and its standard error, DGP and sum of L^2 omega/P^2 without the sun, of a path
+ * tracer and of pictures by Radiance, both outside the program. DGP may differ by 0.01
+ * by the grouping of sources. */
+static void dgp_is_that_of_pictures(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *xml;
+        int sky;
+        double lx, se, dgp, sum;
+    } given[] = {
+        {OPEN_ROOM "/><view x='2' y='4' bearing='180'/></room>", OVERCAST, 1315.84, 1.2,
+         0.2838, 1.50573e6},
+        {OPEN_ROOM "/><view x='1' y='2' bearing='200'/></room>", OVERCAST, 2554.8, 2.1,
+         0.3303, 1.56869e6},
+        {OPEN_ROOM "/><view x='2' y='4' bearing='180'/></room>", SUN, 7028.24, 6.1,
+         0.6206, 3.64419e7},
+        {GLAZED_ROOM "<view x='1.8' y='3.5' z='1.25' bearing='180'/></room>", DARK,
+         642.174, 0.56, 0.1977, 0.0},
+        {GLAZED_ROOM "<view x='1.8' y='3.5' z='1.25' bearing='180'/></room>", LOW_SUN,
+         989.459, 0.73, 0.2562, 640639.0},
+    };
+    for (int i = 0; i < 5; i++) {
+        struct pp_glare_sheet sheet;
+        struct pp_world *world = study_of(&sheet, given[i].xml, given[i].sky);
+        const struct pp_glare_moment *moment = &sheet.moments[0];
+        double se = hypot(moment->eye_lx.std_error, given[i].se);
+        assert_near(moment->eye_lx.value, given[i].lx,
+                    fmax(3.0 * se, 0.005 * given[i].lx));
+        assert_near(moment->dgp.value, given[i].dgp, 0.005);
+        assert_near(moment->sum, given[i].sum, 0.02 * given[i].sum);
+        pp_glare_sheet_clear(&sheet);
+        pp_world_destroy(world);
+    }
+}
+
+/* Sources of the third view by evalglare: 14,517 cd/m2 over 0.2999 sr, and sunlit walls
+ * and floor of 2467 cd/m2 over 1.553 sr. Another view has the sun: the direct
+ * illuminance over the solid angle of its disc. */
+static void sources_are_those_of_evalglare(void **state)
+{
+    (void)state;
+    struct pp_glare_sheet sheet;
+    struct pp_world *world = study_of(
+        &sheet,
+        OPEN_ROOM "/><view x='2' y='4' bearing='180'/><view x='1' y='2' bearing='200'/>"
+                  "</room>",
+        SUN);
+    const struct pp_glare_moment *moment = &sheet.moments[0];
+    assert_int_equal(moment->part_count, 2);
+    assert_near(moment->parts[0].omega_sr, 0.2999, 0.01);
+    assert_near(pp_glare_sheet_luminance(&moment->parts[0]), 14517.0, 0.03 * 14517.0);
+    assert_near(moment->parts[1].omega_sr, 1.553, 0.03);
+    assert_near(pp_glare_sheet_luminance(&moment->parts[1]), 2467.0, 0.03 * 2467.0);
+    assert_false(moment->sun.visible);
+    const struct pp_glare_sun *sun = &sheet.moments[1].sun;
+    assert_true(sun->visible);
+    assert_int_equal(sun->opening, 0);
+    assert_near(sun->cd_m2, 70000.0 / 6.7967e-5, 1e5);
+    assert_near(sun->index, 3.4439, 1e-4);
+    assert_near(sheet.moments[1].dgp.value, 1.0, 0.0);
+    pp_glare_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
+static double sum_of(const char *xml, int sky)
+{
+    struct pp_glare_sheet sheet;
+    struct pp_world *world = study_of(&sheet, xml, sky);
+    double sum = sheet.moments[0].sum;
+    pp_glare_sheet_clear(&sheet);
+    pp_world_destroy(world);
+    return sum;
+}
+
+/* Glass of the same luminance over 0.7 of the solid angle; dirt dims the glass, so that
+ * the sum changes by its square. The sky is far above the threshold, and nothing else
+ * reaches it. */
+static void frames_take_solid_angle_and_dirt_takes_luminance(void **state)
+{
+    (void)state;
+    double clear =
+        sum_of(OPEN_ROOM "/><view x='2' y='4' bearing='180'/></room>", OVERCAST);
+    assert_relative(sum_of(OPEN_ROOM " frame-factor='0.7'/>"
+                                     "<view x='2' y='4' bearing='180'/></room>",
+                           OVERCAST),
+                    0.7 * clear, 1e-6);
+    assert_relative(sum_of(OPEN_ROOM " maintenance='0.9'/>"
+                                     "<view x='2' y='4' bearing='180'/></room>",
+                           OVERCAST),
+                    0.81 * clear, 1e-6);
+}
+
+/* An endless wall up to 60 degrees hides all sky that the eye sees; its own luminance
+ * stays below the threshold. In the sun a white one of 0.8 exceeds it. */
+static void obstructions_hide_the_sky_and_may_be_sources(void **state)
+{
+    (void)state;
+    static const char hidden[] = OPEN_ROOM "/><skyline wall='south' angle='60' "
+                                           "reflectance='0.1'/>"
+                                           "<view x='2' y='5' bearing='180'/></room>";
+    assert_near(sum_of(hidden, OVERCAST), 0.0, 0.0);
+    static const char far[] =
+        OPEN_ROOM "/><block x='-50' y='-42' width='100' depth='2' base='0' height='60' "
+                  "reflectance='0.8'/><view x='2' y='5' bearing='180'/></room>";
+    static const char near_wall[] =
+        OPEN_ROOM "/><block x='-50' y='-42' width='100' depth='2' base='0' height='60' "
+                  "reflectance='0.2'/><view x='2' y='5' bearing='180'/></room>";
+    assert_near(sum_of(near_wall, OVERCAST), 0.0, 0.0);
+    assert_true(sum_of(far, OVERCAST) > 0.0);
+}
+
+/* A diffusing pane without reflections outside has the luminance tau E/pi: under an
+ * overcast sky E is 0.396 + 0.1 of Eh. */
+static void a_diffusing_pane_is_one_even_source(void **state)
+{
+    (void)state;
+    struct pp_glare_sheet sheet;
+    struct pp_world *world = study_of(
+        &sheet,
+        "<room version='1'><site ground='open'/>"
+        "<plan width='4' depth='6' height='3'/>"
+        "<window wall='south' left='0.5' sill='0.9' width='3' height='1.8' "
+        "transmittance='0.9' diffusing='yes'/><view x='2' y='4' bearing='180'/></room>",
+        OVERCAST);
+    const struct pp_glare_part *part = &sheet.moments[0].parts[0];
+    assert_relative(pp_glare_sheet_luminance(part),
+                    0.9 * (0.396177 + 0.1) * 20000.0 / PP_PI, 0.01);
+    pp_glare_sheet_clear(&sheet);
+    pp_world_destroy(world);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(dgp_is_that_of_pictures),
+        cmocka_unit_test(sources_are_those_of_evalglare),
+        cmocka_unit_test(frames_take_solid_angle_and_dirt_takes_luminance),
+        cmocka_unit_test(obstructions_hide_the_sky_and_may_be_sources),
+        cmocka_unit_test(a_diffusing_pane_is_one_even_source),
+    };
+    add_tests(tests, NULL, NULL);
+}
