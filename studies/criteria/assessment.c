@@ -13,11 +13,10 @@
 #include "studies/criteria/capitals.h"
 #include "studies/criteria/factors.h"
 #include "studies/criteria/grid/plane_trace.h"
-#include "studies/criteria/grid/plane_year.h"
 #include "studies/criteria/pair_rooms.h"
 #include "studies/criteria/room_before.h"
 #include "studies/criteria/rules/rule_points.h"
-#include "studies/lighting/lighting_control.h"
+#include "studies/criteria/year/assessed_year.h"
 #include "studies/study_report.h"
 
 /* Marks the criteria named in a comma-separated list; NULL: all. */
@@ -80,6 +79,7 @@ static struct pp_inquiry inquiry_of(const struct pp_assessment *assessment,
         .sunshine = options->sunshine,
         .year = assessment->has_year ? &assessment->year : NULL,
         .year_grid = assessment->year_grid.count > 0 ? &assessment->year_grid : NULL,
+        .glare = assessment->has_glare ? &assessment->glare : NULL,
         .rules = options->rules,
         .points = assessment->point_list ? &assessment->points : NULL,
         .french_m = options->french_m,
@@ -295,7 +295,9 @@ static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
     for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++)
         chosen[i] &= pp_bearing_bears(criterion, world, !profile)
                      && (profile || options->withdrawn || !criterion->withdrawn)
-                     && (profile || !(criterion->of_year || criterion->of_plane_year));
+                     && (profile
+                         || !(criterion->of_year || criterion->of_plane_year
+                              || criterion->of_glare));
     return PP_OK;
 }
 
@@ -327,61 +329,11 @@ bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *pro
     for (int i = 0; pp_criteria_at(i); i++)
         if (chosen[i]
             && (pp_criteria_at(i)->of_year
-                || (optional && pp_criteria_at(i)->of_plane_year)))
+                || (optional
+                    && (pp_criteria_at(i)->of_plane_year
+                        || pp_criteria_at(i)->of_glare))))
             return true;
     return false;
-}
-
-/* True if a criterion needs the year at points of the plane: the rules', or that of
- * the plane's hours, unless another one needs it at the room's own points. */
-static bool needs_year_of_plane(const bool chosen[PP_CRITERIA_MOST],
-                                const struct pp_assess_options *options)
-{
-    bool of_plane = options->rules && options->rules->of_year;
-    const struct pp_criterion *criterion;
-    for (int i = 0; (criterion = pp_criteria_at(i)) != NULL; i++) {
-        if (chosen[i] && criterion->of_year)
-            return false;
-        of_plane |= chosen[i] && criterion->of_plane_year;
-    }
-    return of_plane;
-}
-
-/* Simulates the room's year if it is wanted, or a chosen criterion needs it, and
- * there is a weather file. */
-static enum pp_status simulate_year(struct pp_assessment *assessment,
-                                    const bool chosen[PP_CRITERIA_MOST],
-                                    const struct pp_assess_options *options,
-                                    struct pp_error *err)
-{
-    const struct pp_study_room *room = assessment->room;
-    bool of_plane = needs_year_of_plane(chosen, options);
-    if (!options->year || !options->study->simulate
-        || !(options->with_year || of_plane
-             || pp_assessment_needs_year(options->criteria, options->profile, false)))
-        return PP_OK;
-    struct pp_annual_options annual = pp_plane_year_options(options->study);
-    if (options->with_year) {
-        annual.lighting_count = PP_LIGHTING_CONTROL_IDEAL;
-        pp_lighting_control_ideal(annual.lighting, annual.illuminances_lx[0]);
-    }
-    enum pp_status status =
-        of_plane
-            ? pp_plane_year_grid(&assessment->year_grid, room->world, &options->grid,
-                                 options->rules && options->rules->of_sda, err)
-            : PP_OK;
-    if (status != PP_OK || (of_plane && assessment->year_grid.count == 0))
-        return status;
-    assessment->has_year = true;
-    status = of_plane ? pp_annual_of_room(&assessment->year, room->world, &room->light,
-                                          assessment->year_grid.receivers,
-                                          assessment->year_grid.count, true,
-                                          options->year, &annual, err)
-                      : pp_annual_of_study_room(&assessment->year, room, options->year,
-                                                &annual, err);
-    if (status == PP_OK)
-        assessment->report.finished &= assessment->year.finished;
-    return status;
 }
 
 /* Finds the room in the other states of its site. */
@@ -449,7 +401,10 @@ enum pp_status pp_assessment_judge(struct pp_assessment *assessment,
     bool chosen[PP_CRITERIA_MOST];
     enum pp_status status = choose_criteria(chosen, assessment, options, err);
     if (status == PP_OK)
-        status = simulate_year(assessment, chosen, options, err);
+        status = pp_assessed_year_simulate(
+            assessment, chosen,
+            pp_assessment_needs_year(options->criteria, options->profile, false),
+            options, err);
     if (status == PP_OK && assessment->points.receiver_count > 0
         && options->study->simulate) {
         status = pp_study_report_traced(&assessment->points, options->study,
@@ -491,6 +446,7 @@ void pp_assessment_clear(struct pp_assessment *assessment)
     pp_report_clear(&assessment->report);
     pp_plane_grid_clear(&assessment->grid);
     pp_annual_sheet_clear(&assessment->year);
+    pp_glare_sheet_clear(&assessment->glare);
     pp_plane_grid_clear(&assessment->year_grid);
     pp_report_clear(&assessment->points);
     free(assessment->point_list);

@@ -87,6 +87,8 @@ struct pp_assessment {
                                      * cell count 0 */
     struct pp_annual_sheet year;    /* if has_year; owned */
     bool has_year;
+    struct pp_glare_sheet glare; /* if has_glare; owned */
+    bool has_glare;
     bool by_clock; /* the simulation was stopped by the clock */
 };
 

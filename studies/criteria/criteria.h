@@ -23,6 +23,7 @@ extern const struct pp_criterion pp_criterion_uk_annex;
 extern const struct pp_criterion pp_criterion_rights_of_light;
 extern const struct pp_criterion pp_criterion_en17037_hours;
 extern const struct pp_criterion pp_criterion_leed;
+extern const struct pp_criterion pp_criterion_glare;
 
 /* All criteria, in the order of results; NULL at the end. index is at most one past the
  * last. */

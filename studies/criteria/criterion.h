@@ -17,6 +17,7 @@
 #include "studies/criteria/grid/plane_grid.h"
 #include "model/results/report.h"
 #include "model/results/sheets/annual_sheet.h"
+#include "model/results/sheets/glare_sheet.h"
 #include "model/room/world.h"
 
 struct pp_rule_set; /* rules/rule_table.h */
@@ -53,6 +54,8 @@ struct pp_inquiry {
                                       * world already has; NULL: none */
     const struct pp_report *points;  /* daylight factors at the rules' points; NULL: the
                                      * rules have none */
+    const struct pp_glare_sheet *glare; /* of the room's views in that year; NULL:
+                                         * none */
     const char *country; /* ISO 3166 code of the country whose rules apply; "":
                                 * unknown */
 };
@@ -73,6 +76,8 @@ struct pp_criterion {
                               * site */
     bool of_gardens;         /* is evaluated only with a room that has gardens */
     bool of_year;       /* judges by the inquiry's year; it is assessed only if named */
+    bool of_glare;      /* judges by the inquiry's glare; it is assessed only if named
+                         * or in a profile */
     bool of_plane_year; /* judges by the inquiry's year on a grid of the plane, if
                          * there is a weather file */
     bool of_factors;    /* judges by the inquiry's factors; else they may be NULL */

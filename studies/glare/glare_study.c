@@ -16,7 +16,7 @@ enum { SIDE_MOMENT = 128, SIDE_YEAR = 64, SURFACE_SAMPLES = 64 };
 
 const struct pp_glare_options pp_glare_options_default = {
     .threshold_cd_m2 = 2000.0,
-    .annual = {.hours = {8.0, 18.0, 0x1F},
+    .annual = {.hours = {8.0, 18.0, PP_ALL_DAYS},
                .illuminance_count = 1,
                .illuminances_lx = {300.0},
                .patches = 577,

@@ -16,7 +16,7 @@ struct pp_glare_options {
     struct pp_annual_options annual; /* hours, samples, error, seed, threads, watch */
 };
 
-/* evalglare's threshold, and hours 8 to 18 on weekdays. */
+/* evalglare's threshold, and hours 8 to 18 on all days. */
 extern const struct pp_glare_options pp_glare_options_default;
 
 /* Height of the eye of a person who sits, m. */

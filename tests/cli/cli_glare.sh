@@ -28,6 +28,7 @@ cat >"$scratch/room.xml" <<'EOF'
 EOF
 room=$scratch/room.xml
 sed '/<view/d' "$room" >"$scratch/blind.xml"
+sed '/<window/d' "$room" >"$scratch/dark.xml"
 sky="--sky iso-12,30,180,70000,12000"
 glare="glare --samples 64"
 year="glare --samples 16 -w $scratch/year.epw"
@@ -54,6 +55,19 @@ check "its JSON" shows '"hours_above_0.45"' $year -f json "$room"
 # At night there is no glare: the level is high.
 check "a night shift has no glare" shows "EN 17037: level high" $year --hours 20-24 "$room"
 check "dark hours are occupied hours" shows '"occupied_hours": 3650' $year -f json "$room"
+
+assess="assess --samples 16 -c glare"
+check "a criterion" shows "desk, minimum: hours with DGP" \
+    $assess -w "$scratch/year.epw" "$room"
+check "a view into the room meets all levels" shows "view 2, high" \
+    $assess -w "$scratch/year.epw" "$room"
+check "no verdict without weather" shows "no year was simulated" $assess "$room"
+check "no verdict without a view" shows "the room file has no view" \
+    $assess -w "$scratch/year.epw" "$scratch/blind.xml"
+check "it is a part of EN 17037" shows "protection from glare" assess --by-hand --for en17037 "$room"
+
+run $year -f json "$scratch/dark.xml"
+check "no glare without a window" grep -q '"dgp_max": 0,' "$scratch/out"
 
 check "no view" refuses 1 "has no view" $glare $sky "$scratch/blind.xml"
 check "no light" refuses 2 "expected --weather" glare "$room"

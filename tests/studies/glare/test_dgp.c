@@ -2,6 +2,7 @@
  * program. */
 #include "tests/lib/near.h"
 
+#include "model/results/sheets/glare_sheet.h"
 #include "studies/glare/dgp.h"
 
 /* A level view to that bearing, in axes with y to the north. */
@@ -59,6 +60,23 @@ static void dgp_is_a_share_of_people(void **state)
     assert_true(pp_dgp(1.0, 0.0) < 0.005);
 }
 
+/* 5 % of 3650 hours are 182.5. */
+static void levels_allow_5_per_cent_of_the_hours(void **state)
+{
+    (void)state;
+    struct pp_glare_year year = {.above_h = {{182.5, 0.0}, {90.0, 0.0}, {3.0, 0.0}}};
+    assert_string_equal(pp_glare_sheet_level(&year, 3650.0), "high");
+    year.above_h[0].value = 182.6;
+    assert_string_equal(pp_glare_sheet_level(&year, 3650.0), "medium");
+    year.above_h[1].value = 190.0;
+    assert_string_equal(pp_glare_sheet_level(&year, 3650.0), "minimum");
+    year.above_h[2].value = 183.0;
+    assert_string_equal(pp_glare_sheet_level(&year, 3650.0), "none");
+    assert_string_equal(pp_glare_sheet_class(0.3499), "imperceptible");
+    assert_string_equal(pp_glare_sheet_class(0.35), "perceptible");
+    assert_string_equal(pp_glare_sheet_class(0.45), "intolerable");
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -66,6 +84,7 @@ TEST_FILE
         cmocka_unit_test(index_below_the_line_of_sight_is_iwatas),
         cmocka_unit_test(dgp_of_given_views),
         cmocka_unit_test(dgp_is_a_share_of_people),
+        cmocka_unit_test(levels_allow_5_per_cent_of_the_hours),
     };
     add_tests(tests, NULL, NULL);
 }

@@ -177,6 +177,44 @@ static void a_diffusing_pane_is_one_even_source(void **state)
     pp_world_destroy(world);
 }
 
+/* A year of one occupied hour has the DGP of that moment, by patches, cells and a
+ * coarser field of view. It is above 0.45 in all of the time, and EN 17037 gives no
+ * level. */
+static void an_hour_of_the_year_has_the_glare_of_its_moment(void **state)
+{
+    (void)state;
+    static const char xml[] = OPEN_ROOM "/><view x='2' y='4' bearing='180'/></room>";
+    struct pp_glare_sheet sheet;
+    struct pp_moment moment;
+    struct pp_study_room room = {.file = "test"};
+    struct pp_glare_options options = pp_glare_options_default;
+    room.world = pp_test_lit_world(&room.light, xml);
+    options.annual.threads = 1;
+    assert_int_equal(pp_moment_of_standard(&moment, &skies[SUN], NULL), PP_OK);
+    struct pp_weather_hour hour = {.date = {3, 21},
+                                   .weekday = PP_WEEKDAY_UNKNOWN,
+                                   .start_h = 12.0,
+                                   .length_h = 1.0,
+                                   .known = true,
+                                   .lit = true};
+    struct pp_weather_year year = {.words = "one hour",
+                                   .count = 1,
+                                   .hours = &hour,
+                                   .sky_count = 1,
+                                   .skies = &moment.sky};
+    assert_int_equal(pp_glare_study_run(&sheet, &room, room.world->views, 1, NULL,
+                                        &year, &options, NULL),
+                     PP_OK);
+    const struct pp_glare_year *result = &sheet.years[0];
+    assert_near(result->dgp[0], 0.6206, 0.01);
+    assert_near(sheet.annual.occupied_h, 1.0, 0.0);
+    assert_near(result->above_h[PP_GLARE_LIMITS - 1].value, 1.0, 0.0);
+    assert_near(result->exceeded_in_5, result->dgp[0], 0.0);
+    assert_string_equal(pp_glare_sheet_level(result, 1.0), "none");
+    pp_glare_sheet_clear(&sheet);
+    pp_world_destroy(room.world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +223,7 @@ TEST_FILE
         cmocka_unit_test(frames_take_solid_angle_and_dirt_takes_luminance),
         cmocka_unit_test(obstructions_hide_the_sky_and_may_be_sources),
         cmocka_unit_test(a_diffusing_pane_is_one_even_source),
+        cmocka_unit_test(an_hour_of_the_year_has_the_glare_of_its_moment),
     };
     add_tests(tests, NULL, NULL);
 }
