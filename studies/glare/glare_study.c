@@ -31,15 +31,11 @@ struct glare_work {
     struct pp_light_scene *scene;
     struct pp_thread_pool *pool;
     struct pp_receiver *eyes;
-    struct pp_glare_view *views;
-    struct pp_receiver *surfaces; /* of all views, in order */
-    int surface_count;
-    int *first_surface;             /* by view */
-    struct pp_annual_sheet surface; /* illuminances at the surfaces */
-    struct pp_perez_sky *skies;     /* in the room's axes */
+    struct pp_perez_sky *skies; /* in the room's axes */
     int sky_count;
 
-    int view; /* of the current hours */
+    struct pp_glare_view view;      /* the current one */
+    struct pp_annual_sheet surface; /* illuminances at its surfaces */
     struct hour_result {
         double sum;
         bool sun;
@@ -48,31 +44,6 @@ struct glare_work {
 };
 
 /* ---- the field of view and the illuminances ---- */
-
-static enum pp_status make_views(struct glare_work *work, struct pp_error *err)
-{
-    int count = work->sheet->view_count;
-    int side = work->year ? SIDE_YEAR : SIDE_MOMENT, total = 0;
-    enum pp_status status = PP_OK;
-    for (int v = 0; v < count && status == PP_OK; v++) {
-        const struct pp_world_view *view = &work->sheet->views[v];
-        work->eyes[v] = (struct pp_receiver){
-            .position = view->eye, .normal = view->direction, .line = view->line};
-        status = pp_glare_view_init(&work->views[v], work->scene, &work->room->light,
-                                    &work->eyes[v], side, err);
-        work->first_surface[v] = total;
-        total += work->views[v].surface_count;
-    }
-    if (status != PP_OK)
-        return status;
-    work->surfaces = calloc((size_t)total + 1, sizeof *work->surfaces);
-    if (!work->surfaces)
-        return pp_fail_memory(err);
-    for (int v = 0; v < count; v++)
-        for (int k = 0; k < work->views[v].surface_count; k++)
-            work->surfaces[work->surface_count++] = work->views[v].surfaces[k];
-    return PP_OK;
-}
 
 static enum pp_status light_points(struct glare_work *work,
                                    struct pp_annual_sheet *sheet,
@@ -127,26 +98,36 @@ static enum pp_status light_eyes(struct glare_work *work, struct pp_error *err)
     }
 }
 
-static enum pp_status light_all(struct glare_work *work, struct pp_error *err)
+/* Finds the field of view and lights the points of its surfaces. */
+static enum pp_status begin_view(struct glare_work *work, int index,
+                                 struct pp_error *err)
 {
     struct pp_annual_options options = work->options->annual;
-    enum pp_status status = light_eyes(work, err);
-    if (status != PP_OK || !work->sheet->annual.finished || work->surface_count == 0)
-        return status;
+    enum pp_status status = pp_glare_view_init(
+        &work->view, work->scene, &work->room->light, &work->eyes[index],
+        work->year ? SIDE_YEAR : SIDE_MOMENT, err);
     options.samples = SURFACE_SAMPLES;
     options.error = 0.0;
     options.watch = (struct pp_watch){.begin = NULL};
-    return light_points(work, &work->surface, work->surfaces, work->surface_count,
-                        &options, err);
+    if (status == PP_OK && work->view.surface_count > 0)
+        status = light_points(work, &work->surface, work->view.surfaces,
+                              work->view.surface_count, &options, err);
+    return status;
 }
 
-/* Illuminances without direct sun of a view's surfaces, in one hour. */
-static void rest_of_hour(const struct glare_work *work, int view, int sky, float *rest)
+static void end_view(struct glare_work *work)
+{
+    pp_glare_view_clear(&work->view);
+    pp_annual_sheet_clear(&work->surface);
+    work->view = (struct pp_glare_view){.surface_count = 0};
+}
+
+/* Illuminances of the view's surfaces without direct sun, in one hour. */
+static void rest_of_hour(const struct glare_work *work, int sky, float *rest)
 {
     const struct pp_annual_sheet *sheet = &work->surface;
-    for (int k = 0; k < work->views[view].surface_count; k++) {
-        size_t at = (size_t)(work->first_surface[view] + k) * (size_t)work->sky_count
-                    + (size_t)sky;
+    for (int k = 0; k < work->view.surface_count; k++) {
+        size_t at = (size_t)k * (size_t)work->sky_count + (size_t)sky;
         rest[k] = sheet->lx[at] - sheet->sun_lx[at];
     }
 }
@@ -168,8 +149,8 @@ static enum pp_status judge_moment(struct glare_work *work, int view,
     moment->parts = calloc((size_t)openings + 1, sizeof *moment->parts);
     if (!moment->parts)
         return pp_fail_memory(err);
-    rest_of_hour(work, view, 0, rest);
-    moment->sum = pp_glare_view_sources(&work->views[view], &work->skies[0], rest,
+    rest_of_hour(work, 0, rest);
+    moment->sum = pp_glare_view_sources(&work->view, &work->skies[0], rest,
                                         work->options->threshold_cd_m2, moment->parts,
                                         openings, &moment->sun);
     moment->eye_lx = work->sheet->annual.points[view].year_lxh;
@@ -193,9 +174,9 @@ static bool sum_hour(void *data, int worker, int sky)
     float rest[PP_GLARE_SURFACES_MOST];
     if (!parts)
         return false;
-    rest_of_hour(work, work->view, sky, rest);
+    rest_of_hour(work, sky, rest);
     work->results[sky] = (struct hour_result){
-        pp_glare_view_sources(&work->views[work->view], &work->skies[sky], rest,
+        pp_glare_view_sources(&work->view, &work->skies[sky], rest,
                               work->options->threshold_cd_m2, parts, openings, &sun),
         false, true};
     work->results[sky].sun = sun.visible;
@@ -254,7 +235,6 @@ static enum pp_status judge_year(struct glare_work *work, int view,
     struct dgp_time *times = calloc((size_t)annual->hour_count + 1, sizeof *times);
     year->dgp = calloc((size_t)work->sky_count + 1, sizeof *year->dgp);
     year->most_hour = -1;
-    work->view = view;
     for (int t = 0; t < work->sky_count; t++)
         work->results[t].enough = false;
     pp_thread_pool_run(work->pool, 0, work->sky_count, sum_hour, work);
@@ -303,16 +283,14 @@ static enum pp_status prepare_glare(struct glare_work *work, struct pp_error *er
     size_t views = (size_t)work->sheet->view_count;
     work->sky_count = work->moment ? 1 : work->year->sky_count;
     work->eyes = calloc(views, sizeof *work->eyes);
-    work->views = calloc(views, sizeof *work->views);
-    work->first_surface = calloc(views, sizeof *work->first_surface);
     work->skies = calloc((size_t)work->sky_count + 1, sizeof *work->skies);
     work->results = calloc((size_t)work->sky_count + 1, sizeof *work->results);
     if (work->moment)
         work->sheet->moments = calloc(views, sizeof *work->sheet->moments);
     else
         work->sheet->years = calloc(views, sizeof *work->sheet->years);
-    if (!work->eyes || !work->views || !work->first_surface || !work->skies
-        || !work->results || !(work->sheet->moments || work->sheet->years))
+    if (!work->eyes || !work->skies || !work->results
+        || !(work->sheet->moments || work->sheet->years))
         return pp_fail_memory(err);
     for (int t = 0; t < work->sky_count; t++)
         work->skies[t] = pp_weather_year_turned(work->moment ? &work->moment->sky
@@ -322,20 +300,20 @@ static enum pp_status prepare_glare(struct glare_work *work, struct pp_error *er
         pp_thread_pool_create(&work->pool, work->options->annual.threads, err);
     if (status == PP_OK)
         status = pp_light_scene_of_world_matt(&work->scene, world, err);
-    return status == PP_OK ? make_views(work, err) : status;
+    for (size_t v = 0; v < views; v++) {
+        const struct pp_world_view *view = &work->sheet->views[v];
+        work->eyes[v] = (struct pp_receiver){
+            .position = view->eye, .normal = view->direction, .line = view->line};
+    }
+    return status;
 }
 
 static void clear_glare(struct glare_work *work)
 {
-    for (int v = 0; work->views && v < work->sheet->view_count; v++)
-        pp_glare_view_clear(&work->views[v]);
-    pp_annual_sheet_clear(&work->surface);
+    end_view(work);
     pp_light_scene_destroy(work->scene);
     pp_thread_pool_destroy(work->pool);
     free(work->eyes);
-    free(work->views);
-    free(work->surfaces);
-    free(work->first_surface);
     free(work->skies);
     free(work->results);
 }
@@ -360,9 +338,13 @@ enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
                               .options = options};
     enum pp_status status = prepare_glare(&work, err);
     if (status == PP_OK)
-        status = light_all(&work, err);
-    for (int v = 0; v < view_count && status == PP_OK && sheet->annual.finished; v++)
-        status = moment ? judge_moment(&work, v, err) : judge_year(&work, v, err);
+        status = light_eyes(&work, err);
+    for (int v = 0; v < view_count && status == PP_OK && sheet->annual.finished; v++) {
+        status = begin_view(&work, v, err);
+        if (status == PP_OK)
+            status = moment ? judge_moment(&work, v, err) : judge_year(&work, v, err);
+        end_view(&work);
+    }
     clear_glare(&work);
     sheet->annual.receivers = NULL; /* they were the eyes */
     return status;
