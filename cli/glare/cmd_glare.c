@@ -201,10 +201,11 @@ static enum pp_exit run_glare(void *values, char **files, int file_count)
     struct glare_options *options = values;
     struct pp_terminal_watch watch;
     struct pp_rooms rooms;
-    bool is_year = options->light.weather != NULL;
+    bool is_year = options->light.weather != NULL, strict = options->room.study.strict;
     options->room.study.watch = pp_watch_of_terminal(&watch, options->room.quiet);
-    enum pp_exit result = is_year ? pp_availability_options_load(&options->light)
-                                  : pp_moment_choice_load(&options->moment);
+    enum pp_exit result = is_year
+                              ? pp_availability_options_load(&options->light, strict)
+                              : pp_moment_choice_load(&options->moment, strict);
     if (result == PP_EXIT_DONE)
         result = pp_rooms_load(&rooms, "glare", files, file_count, &options->room);
     if (result != PP_EXIT_DONE)

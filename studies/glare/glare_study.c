@@ -318,6 +318,14 @@ static void clear_glare(struct glare_work *work)
     free(work->results);
 }
 
+int pp_glare_study_scattering(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].scatter)
+            return i;
+    return -1;
+}
+
 enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
                                   const struct pp_study_room *room,
                                   const struct pp_world_view *views, int view_count,
@@ -336,6 +344,13 @@ enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
                               .moment = moment,
                               .year = moment ? NULL : year,
                               .options = options};
+    int pane = pp_glare_study_scattering(room->world);
+    if (pane >= 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "%s %s has a pane that scatters light by direction, whose "
+                       "luminance is not calculated; expected clear or diffusing glass",
+                       pp_world_kind(room->world, room->world->openings[pane].line),
+                       room->world->openings[pane].label);
     enum pp_status status = prepare_glare(&work, err);
     if (status == PP_OK)
         status = light_eyes(&work, err);

@@ -22,7 +22,10 @@ extern const struct pp_glare_options pp_glare_options_default;
 /* Height of the eye of a person who sits, m. */
 #define PP_GLARE_STUDY_EYE_M 1.2
 
-/* views: of the room, at least one; they must outlive *sheet. moment: NULL for the
+/* Index of an opening whose pane scatters light by direction; -1: there is none. */
+int pp_glare_study_scattering(const struct pp_world *world);
+
+/* PP_BAD_INPUT if a pane scatters by direction. views: of the room, at least one; they must outlive *sheet. moment: NULL for the
  * year. year: NULL for a moment. The caller clears *sheet, even after a failure. */
 enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
                                   const struct pp_study_room *room,

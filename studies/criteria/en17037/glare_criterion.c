@@ -11,6 +11,7 @@
 
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/rules/rule_year.h"
+#include "studies/glare/glare_study.h"
 
 static enum pp_status add_view_levels(const struct pp_glare_sheet *glare, int view,
                                       struct pp_finding_list *findings,
@@ -48,6 +49,8 @@ static enum pp_status evaluate_glare(const struct pp_inquiry *inquiry,
         inquiry->world->view_count == 0
             ? "the room file has no view; expected <view x=\"2\" y=\"3\" "
               "bearing=\"180\"/>"
+        : pp_glare_study_scattering(inquiry->world) >= 0
+            ? "a pane scatters light by direction, whose luminance is not calculated"
         : !glare
             ? "no year was simulated; expected --weather FILE.epw, and no --by-hand"
         : !glare->annual.finished ? "the simulation of the year was interrupted"

@@ -91,7 +91,8 @@ enum pp_status pp_assessed_year_simulate(struct pp_assessment *assessment,
 {
     enum pp_status status = simulate_points(assessment, chosen, needed, options, err);
     if (status == PP_OK && options->year && options->study->simulate
-        && assessment->room->world->view_count > 0 && glare_is_chosen(chosen))
+        && assessment->room->world->view_count > 0 && glare_is_chosen(chosen)
+        && pp_glare_study_scattering(assessment->room->world) < 0)
         status = simulate_glare(assessment, options, err);
     return status;
 }
