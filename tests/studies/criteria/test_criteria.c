@@ -650,7 +650,7 @@ static void every_criterion_has_a_name_of_its_own(void **state)
         assert_true(pp_criteria_is_called(one, one->name));
         assert_true(one->title && one->source && one->summary && one->evaluate);
     }
-    assert_int_equal(count, 19);
+    assert_int_equal(count, 20);
 }
 
 TEST_FILE
