@@ -26,8 +26,7 @@ const char *pp_fitted_parts_refuses(const struct pp_world *world,
                                     const struct pp_opening *opening,
                                     const struct pp_receiver *receiver)
 {
-    struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
-    if (!(parts.upper.area_m2 > 0.0 && parts.lower.area_m2 > 0.0))
+    if (!pp_interior_is_split(world, opening->middle_z_m))
         return "has all surfaces of the room either above or below its centre";
     return pp_fitted_light_refuses(world, light, opening, receiver);
 }

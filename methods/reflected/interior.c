@@ -93,12 +93,11 @@ static struct pp_interior mean(struct sums sums)
     return (struct pp_interior){sums.area_m2, sums.reflecting_m2 / sums.area_m2};
 }
 
-/* Adds `share` times a polygon to the parts below and above z. */
-static void add_split(struct sums *lower, struct sums *upper,
-                      const struct pp_polygon *outline, double z, double share,
+/* Adds `share` times a polygon, of which below_m2 are below z, to both parts. */
+static void add_parts(struct sums *lower, struct sums *upper,
+                      const struct pp_polygon *outline, double below_m2, double share,
                       double reflectance)
 {
-    double below_m2 = area_below(outline, z);
     add_reflecting_area(lower, share * below_m2, reflectance);
     add_reflecting_area(upper, share * (outline->area_m2 - below_m2), reflectance);
 }
@@ -116,8 +115,9 @@ static void add_covers(struct sums *lower, struct sums *upper,
         const struct pp_surface *face = &world->surfaces[cover->owner];
         if (role != PP_ROLE_COUNT && face->role != role)
             continue;
-        add_split(lower, upper, &cover->outline, z, 1.0, cover->front);
-        add_split(lower, upper, &cover->outline, z, -1.0, face->front);
+        double below_m2 = area_below(&cover->outline, z);
+        add_parts(lower, upper, &cover->outline, below_m2, 1.0, cover->front);
+        add_parts(lower, upper, &cover->outline, below_m2, -1.0, face->front);
     }
 }
 
@@ -135,18 +135,21 @@ static struct pp_interior_parts split(const struct pp_world *world, double z,
         if (!surface->inside || surface->role == PP_COVER || of_face_left_out
             || of_well)
             continue;
-        add_split(&lower, &upper, &surface->outline, z, 1.0, surface->front);
+        double below_m2 = area_below(&surface->outline, z);
+        add_parts(&lower, &upper, &surface->outline, below_m2, 1.0, surface->front);
         if (surface->role == PP_FREE_SURFACE)
-            add_split(&lower, &upper, &surface->outline, z, 1.0, surface->back);
+            add_parts(&lower, &upper, &surface->outline, below_m2, 1.0, surface->back);
     }
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = world->openings + i;
         if (opening->face == left_out)
             continue;
-        add_split(&lower, &upper, &opening->inner, z, -1.0,
+        double below_m2 = area_below(&opening->inner, z);
+        add_parts(&lower, &upper, &opening->inner, below_m2, -1.0,
                   world->surfaces[opening->face].front);
         if (with_openings)
-            add_split(&lower, &upper, &opening->inner, z, 1.0, PP_OPENING_REFLECTANCE);
+            add_parts(&lower, &upper, &opening->inner, below_m2, 1.0,
+                      PP_OPENING_REFLECTANCE);
     }
     add_covers(&lower, &upper, world, z, PP_ROLE_COUNT, left_out);
     return (struct pp_interior_parts){mean(lower), mean(upper)};
@@ -187,15 +190,18 @@ struct pp_interior pp_interior_role_above(const struct pp_world *world,
     struct sums lower = {0}, upper = {0};
     for (int i = 0; i < world->face_count; i++)
         if (world->surfaces[i].role == role)
-            add_split(&lower, &upper, &world->surfaces[i].outline, z, 1.0,
+            add_parts(&lower, &upper, &world->surfaces[i].outline,
+                      area_below(&world->surfaces[i].outline, z), 1.0,
                       world->surfaces[i].front);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = world->openings + i;
         const struct pp_surface *face = world->surfaces + opening->face;
         if (face->role != role)
             continue;
-        add_split(&lower, &upper, &opening->inner, z, -1.0, face->front);
-        add_split(&lower, &upper, &opening->inner, z, 1.0, PP_OPENING_REFLECTANCE);
+        double below_m2 = area_below(&opening->inner, z);
+        add_parts(&lower, &upper, &opening->inner, below_m2, -1.0, face->front);
+        add_parts(&lower, &upper, &opening->inner, below_m2, 1.0,
+                  PP_OPENING_REFLECTANCE);
     }
     add_covers(&lower, &upper, world, z, role, -1);
     return mean(upper);
@@ -210,6 +216,34 @@ struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
                                                    double z, int left_out)
 {
     return split(world, z, left_out, true);
+}
+
+/* True if a face lies above z (`above`) or below it, and half of it is no opening. */
+static bool is_on_one_side(const struct pp_world *world, int face, double z, bool above)
+{
+    const struct pp_polygon *outline = &world->surfaces[face].outline;
+    double openings_m2 = 0.0;
+    for (int i = 0; i < outline->count; i++)
+        if (above ? outline->vertices[i].z <= z : outline->vertices[i].z >= z)
+            return false;
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].face == face)
+            openings_m2 += world->openings[i].inner.area_m2;
+    return openings_m2 < 0.5 * outline->area_m2;
+}
+
+bool pp_interior_is_split(const struct pp_world *world, double z)
+{
+    /* Most rooms have a floor and a ceiling, which need no sums over all surfaces. */
+    bool has_lower = false, has_upper = false;
+    for (int i = 0; i < world->face_count && !(has_lower && has_upper); i++) {
+        has_lower = has_lower || is_on_one_side(world, i, z, false);
+        has_upper = has_upper || is_on_one_side(world, i, z, true);
+    }
+    if (has_lower && has_upper)
+        return true;
+    struct pp_interior_parts parts = pp_interior_split(world, z);
+    return parts.upper.area_m2 > 0.0 && parts.lower.area_m2 > 0.0;
 }
 
 double pp_interior_section_m2(const struct pp_world *world, double z)

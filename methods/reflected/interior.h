@@ -52,6 +52,9 @@ struct pp_interior_parts {
  * split-flux formula. */
 struct pp_interior_parts pp_interior_split(const struct pp_world *world, double z);
 
+/* True if both parts have an area. */
+bool pp_interior_is_split(const struct pp_world *world, double z);
+
 /* The parts below and above `z` without the face `left_out`, its openings and their
  * reveals, other openings included: R_fw and R_cw of the BRE formula. */
 struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,

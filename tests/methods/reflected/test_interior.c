@@ -4,6 +4,7 @@
 #include "tests/lib/near.h"
 
 #include "tests/lib/box_room.h"
+#include "tests/lib/room_of.h"
 
 /* Sums of a dozen areas of some ten square metres. */
 #define ROUNDING 1e-13
@@ -124,6 +125,30 @@ static void area_below_a_cut_through_a_comb(void **state)
     assert_near(pp_interior_area_below(&comb, 7.0), 10.0, 0.0);
 }
 
+/* A glass ceiling and glass walls above 1.4 m leave nothing above but a strip. */
+static void a_room_is_split_if_both_parts_have_surfaces(void **state)
+{
+    (void)state;
+    struct pp_world *box = pp_test_world(
+        "<room version='1'><plan width='3.1' depth='4.3' height='2.6'/>"
+        "<window wall='south' left='0.4' sill='0.9' width='2' height='1.2'/></room>");
+    assert_true(pp_interior_is_split(box, 1.5));
+    assert_false(pp_interior_is_split(box, -0.2));
+    assert_false(pp_interior_is_split(box, 2.7));
+    pp_world_destroy(box);
+    struct pp_world *glass = pp_test_world(
+        "<room version='1'><plan width='3' depth='4' height='2.6'/>"
+        "<rooflight x='0' y='0' width='3' depth='4'/>"
+        "<window wall='south' left='0' sill='1.4' width='3' height='1.2'/>"
+        "<window wall='north' left='0' sill='1.4' width='3' height='1.2'/>"
+        "<window wall='east' left='0' sill='1.4' width='4' height='1.2'/>"
+        "<window wall='west' left='0' sill='1.4' width='4' height='1.2'/></room>");
+    assert_true(pp_interior_is_split(glass, 1.3));
+    struct pp_interior_parts parts = pp_interior_split(glass, 1.3);
+    assert_near(parts.upper.area_m2, 14.0 * 0.1, ROUNDING);
+    pp_world_destroy(glass);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -133,6 +158,7 @@ TEST_FILE
         cmocka_unit_test(other_walls_openings_count_with_a_tenth_in_the_bre_means),
         cmocka_unit_test(a_room_of_one_colour_is_that_colour_in_every_part),
         cmocka_unit_test(area_below_a_cut_through_a_comb),
+        cmocka_unit_test(a_room_is_split_if_both_parts_have_surfaces),
     };
     add_tests(tests, NULL, NULL);
 }
