@@ -244,23 +244,54 @@ static void draw_elevation_shades(struct elevation_drawing *drawing,
     cairo_stroke(drawing->cr);
 }
 
-/* Writes the name of the wall's room in its lower left corner, if it fits. */
+/* True if the box covers no window or door. */
+static bool is_free_of_openings(const struct elevation_drawing *drawing,
+                                const struct pp_room_plan *frame,
+                                const struct pp_site_elevation *elevation,
+                                const struct pp_elevation_wall *wall, struct pp_box box)
+{
+    for (int i = 0; i < elevation->window_count; i++)
+        if (pp_lettering_boxes_overlap(
+                box, window_box(frame, elevation,
+                                &drawing->sheet->site.windows[elevation->windows[i]])))
+            return false;
+    for (int i = 0; i < wall->door_count; i++) {
+        const struct pp_bounds2 *door = &wall->doors[i];
+        double x = pp_plan_frame_x(frame, door->low[0]),
+               y = pp_plan_frame_y(frame, door->high[1]);
+        struct pp_box place = {x, y, pp_plan_frame_x(frame, door->high[0]) - x,
+                               pp_plan_frame_y(frame, door->low[1]) - y};
+        if (pp_lettering_boxes_overlap(box, place))
+            return false;
+    }
+    return true;
+}
+
+/* Writes the name of the wall's room at its lower edge, as far left as it covers no
+ * opening, or else at its upper edge, if it fits. */
 static void name_elevation_room(struct elevation_drawing *drawing,
                                 const struct pp_room_plan *frame,
+                                const struct pp_site_elevation *elevation,
                                 const struct pp_elevation_wall *wall)
 {
-    const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0};
-    struct pp_bounds2 box = pp_region_bounds(&wall->outline);
-    double gap = 0.8 * drawing->style.scale;
-    double x = pp_plan_frame_x(frame, box.low[0]) + gap;
-    double y = pp_plan_frame_y(frame, box.low[1]) - 0.5 * gap;
-    if (wall->room
-        && x + gap
-                   + pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y,
-                                          wall->room)
-                         .width
-               < pp_plan_frame_x(frame, box.high[0]))
-        pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, wall->room);
+    struct pp_bounds2 extent = pp_region_bounds(&wall->outline);
+    double gap = 0.8 * drawing->style.scale, step = drawing->style.scale;
+    double right = pp_plan_frame_x(frame, extent.high[0]) - gap;
+    for (int top = 0; wall->room && top < 2; top++) {
+        const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0 - top};
+        double y = top ? pp_plan_frame_y(frame, extent.high[1]) + 0.5 * gap
+                       : pp_plan_frame_y(frame, extent.low[1]) - 0.5 * gap;
+        for (double x = pp_plan_frame_x(frame, extent.low[0]) + gap;; x += step) {
+            struct pp_box box = pp_lettering_measure(drawing->cr, &drawing->style, &set,
+                                                     x, y, wall->room);
+            if (!(x + box.width < right))
+                break;
+            if (!is_free_of_openings(drawing, frame, elevation, wall, box))
+                continue;
+            pp_lettering_draw(drawing->cr, &drawing->style, &set, x, y, wall->room);
+            return;
+        }
+    }
 }
 
 static void say_title(struct elevation_drawing *drawing,
@@ -298,7 +329,7 @@ static void draw_elevation(struct elevation_drawing *drawing,
                     &drawing->sheet->site.windows[elevation->windows[i]]);
     draw_elevation_shades(drawing, &frame, elevation);
     for (int i = 0; i < elevation->wall_count; i++)
-        name_elevation_room(drawing, &frame, &elevation->walls[i]);
+        name_elevation_room(drawing, &frame, elevation, &elevation->walls[i]);
     double ground = pp_plan_frame_y(&frame, drawing->sheet->site.ground_m);
     pp_style_line(cr, style->thick, PP_INK);
     cairo_move_to(cr, x - 2.0 * style->scale, ground);

@@ -100,6 +100,14 @@ cat >"$scratch/top.xml" <<'EOF'
 <room version="1"><plan width="4" depth="5" height="3"/>
   <rooflight x="1" y="1" width="1" depth="1"/></room>
 EOF
+# The name is in the title, but not on a wall that is all glass.
+sed '/<window/,/\/>/d; s|</room>|<window wall="south" left="0" sill="0" width="3" height="2.7"/></room>|' \
+    "$deep" >"$scratch/glass.xml"
+run chart elevation "$scratch/glass.xml" -o "$scratch/glass.pdf"
+names() {
+    ! command -v pdftotext >/dev/null || [ "$(words "$1" | grep -c "Deep office")" -eq "$2" ]
+}
+check "a room's name covers no window" names "$scratch/glass.pdf" 1
 check "no upright window, no elevation" refuses 1 "the room has no vertical windows" \
     chart elevation "$scratch/top.xml" -o "$scratch/no.svg"
 check "a site all the same" quietly chart site "$scratch/top.xml" -o "$scratch/top.svg"
