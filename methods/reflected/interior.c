@@ -94,9 +94,9 @@ static struct pp_interior mean(struct sums sums)
 }
 
 /* Adds `share` times a polygon, of which below_m2 are below z, to both parts. */
-static void add_parts(struct sums *lower, struct sums *upper,
-                      const struct pp_polygon *outline, double below_m2, double share,
-                      double reflectance)
+static void add_area_parts(struct sums *lower, struct sums *upper,
+                           const struct pp_polygon *outline, double below_m2,
+                           double share, double reflectance)
 {
     add_reflecting_area(lower, share * below_m2, reflectance);
     add_reflecting_area(upper, share * (outline->area_m2 - below_m2), reflectance);
@@ -116,8 +116,8 @@ static void add_covers(struct sums *lower, struct sums *upper,
         if (role != PP_ROLE_COUNT && face->role != role)
             continue;
         double below_m2 = area_below(&cover->outline, z);
-        add_parts(lower, upper, &cover->outline, below_m2, 1.0, cover->front);
-        add_parts(lower, upper, &cover->outline, below_m2, -1.0, face->front);
+        add_area_parts(lower, upper, &cover->outline, below_m2, 1.0, cover->front);
+        add_area_parts(lower, upper, &cover->outline, below_m2, -1.0, face->front);
     }
 }
 
@@ -136,20 +136,22 @@ static struct pp_interior_parts split(const struct pp_world *world, double z,
             || of_well)
             continue;
         double below_m2 = area_below(&surface->outline, z);
-        add_parts(&lower, &upper, &surface->outline, below_m2, 1.0, surface->front);
+        add_area_parts(&lower, &upper, &surface->outline, below_m2, 1.0,
+                       surface->front);
         if (surface->role == PP_FREE_SURFACE)
-            add_parts(&lower, &upper, &surface->outline, below_m2, 1.0, surface->back);
+            add_area_parts(&lower, &upper, &surface->outline, below_m2, 1.0,
+                           surface->back);
     }
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = world->openings + i;
         if (opening->face == left_out)
             continue;
         double below_m2 = area_below(&opening->inner, z);
-        add_parts(&lower, &upper, &opening->inner, below_m2, -1.0,
-                  world->surfaces[opening->face].front);
+        add_area_parts(&lower, &upper, &opening->inner, below_m2, -1.0,
+                       world->surfaces[opening->face].front);
         if (with_openings)
-            add_parts(&lower, &upper, &opening->inner, below_m2, 1.0,
-                      PP_OPENING_REFLECTANCE);
+            add_area_parts(&lower, &upper, &opening->inner, below_m2, 1.0,
+                           PP_OPENING_REFLECTANCE);
     }
     add_covers(&lower, &upper, world, z, PP_ROLE_COUNT, left_out);
     return (struct pp_interior_parts){mean(lower), mean(upper)};
@@ -190,18 +192,18 @@ struct pp_interior pp_interior_role_above(const struct pp_world *world,
     struct sums lower = {0}, upper = {0};
     for (int i = 0; i < world->face_count; i++)
         if (world->surfaces[i].role == role)
-            add_parts(&lower, &upper, &world->surfaces[i].outline,
-                      area_below(&world->surfaces[i].outline, z), 1.0,
-                      world->surfaces[i].front);
+            add_area_parts(&lower, &upper, &world->surfaces[i].outline,
+                           area_below(&world->surfaces[i].outline, z), 1.0,
+                           world->surfaces[i].front);
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = world->openings + i;
         const struct pp_surface *face = world->surfaces + opening->face;
         if (face->role != role)
             continue;
         double below_m2 = area_below(&opening->inner, z);
-        add_parts(&lower, &upper, &opening->inner, below_m2, -1.0, face->front);
-        add_parts(&lower, &upper, &opening->inner, below_m2, 1.0,
-                  PP_OPENING_REFLECTANCE);
+        add_area_parts(&lower, &upper, &opening->inner, below_m2, -1.0, face->front);
+        add_area_parts(&lower, &upper, &opening->inner, below_m2, 1.0,
+                       PP_OPENING_REFLECTANCE);
     }
     add_covers(&lower, &upper, world, z, role, -1);
     return mean(upper);
