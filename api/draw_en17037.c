@@ -37,9 +37,7 @@ static const struct {
      "Not required for the use of this room: it is recommended for dwellings, wards "
      "and "
      "play rooms."},
-    {"glare", "Protection from glare",
-     "The program has no criterion of glare. The standard limits the daylight glare "
-     "probability that is exceeded in 5 % of the hours of use to 0.45, 0.40, 0.35."},
+    {"glare", "Protection from glare", "The room file has no view."},
 };
 
 /* ---- findings in words ---- */

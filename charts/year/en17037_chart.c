@@ -94,6 +94,30 @@ static void fill_cells(const struct page_plot *plot, const struct pp_room_plan *
     cairo_set_antialias(cr, CAIRO_ANTIALIAS_DEFAULT);
 }
 
+/* Draws an arrow from the eye of each view along its line of sight. */
+static void draw_views(const struct page_plot *plot, const struct pp_room_plan *plan)
+{
+    const struct pp_world *world = plot->sheet->world;
+    double scale = plot->style.scale, length = 7.0 * scale;
+    for (int i = 0; i < world->view_count; i++) {
+        const struct pp_world_view *view = &world->views[i];
+        double x = pp_plan_frame_x(plan, view->eye.x);
+        double y = pp_plan_frame_y(plan, view->eye.y);
+        const double from[2] = {x, y};
+        const double to[2] = {x + length * view->direction.x,
+                              y - length * view->direction.y};
+        cairo_arc(plot->cr, x, y, 1.4 * scale, 0.0, 2.0 * PP_PI);
+        pp_style_grey(plot->cr, 1.0);
+        cairo_fill(plot->cr);
+        pp_style_line(plot->cr, 2.0 * plot->style.thick, 1.0);
+        cairo_move_to(plot->cr, from[0], from[1]);
+        cairo_line_to(plot->cr, to[0], to[1]);
+        cairo_stroke(plot->cr);
+        pp_style_marker(plot->cr, &plot->style, PP_DISC, x, y);
+        pp_style_arrow(plot->cr, &plot->style, from, to, 2.0 * scale, 0.8 * scale);
+    }
+}
+
 static enum pp_status draw_map_plan(const struct page_plot *plot,
                                     const struct pp_room_plan *fitted,
                                     const struct pp_en17037_map *map, struct pp_box box,
@@ -118,6 +142,7 @@ static enum pp_status draw_map_plan(const struct page_plot *plot,
     if (lattice.columns > 0)
         fill_cells(plot, &plan, map, &lattice);
     pp_room_plan_draw(plot->cr, &plot->style, &plan);
+    draw_views(plot, &plan);
     if (lattice.columns == 0)
         pp_lettering_draw_on_white(plot->cr, &plot->style, &none,
                                    box.x + 0.5 * box.width, box.y + 0.5 * box.height,

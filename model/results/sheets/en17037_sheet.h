@@ -9,7 +9,7 @@
 
 enum {
     PP_EN17037_PARTS = 5, /* daylight provision has two methods */
-    PP_EN17037_ROWS = 8,
+    PP_EN17037_ROWS = 12,
     PP_EN17037_MAPS = 2
 };
 

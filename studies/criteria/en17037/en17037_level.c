@@ -19,9 +19,11 @@ static const double level_rad = 15.0 * PP_RAD;
 static int level_of_finding(const struct pp_finding *finding)
 {
     for (int level = 1; level <= PP_EN17037_HIGH; level++) {
-        size_t length = strlen(pp_en17037_level_names[level]);
-        if (strncmp(finding->what, pp_en17037_level_names[level], length) == 0
-            && finding->what[length] == ':')
+        char start[16], later[24];
+        snprintf(start, sizeof start, "%s:", pp_en17037_level_names[level]);
+        snprintf(later, sizeof later, ", %s", start);
+        if (strncmp(finding->what, start, strlen(start)) == 0
+            || strstr(finding->what, later))
             return level;
     }
     return PP_EN17037_NONE;

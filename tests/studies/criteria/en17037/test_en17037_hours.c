@@ -83,6 +83,19 @@ static void undecided_levels_are_perhaps_reached(void **state)
     pp_finding_list_clear(&findings);
 }
 
+/* Views have a name before that of the level; the worst view decides. */
+static void levels_of_several_views_are_joined(void **state)
+{
+    (void)state;
+    struct pp_finding list[] = {
+        pp_finding_of(PP_FIGURE_SHARE, 0.01, 0.05, true, "desk, minimum: DGP"),
+        pp_finding_of(PP_FIGURE_SHARE, 0.03, 0.05, true, "desk, medium: DGP"),
+        pp_finding_of(PP_FIGURE_SHARE, 0.02, 0.05, true, "view 2, minimum: DGP"),
+        pp_finding_of(PP_FIGURE_SHARE, 0.07, 0.05, true, "view 2, medium: DGP")};
+    struct pp_finding_list findings = {.list = list, .count = 4};
+    assert_int_equal(pp_en17037_level_of(&findings).reached, PP_EN17037_MINIMUM);
+}
+
 static void without_a_year_nothing_is_judged(void **state)
 {
     (void)state;
@@ -103,6 +116,7 @@ TEST_FILE
         cmocka_unit_test(half_of_the_points_reach_the_median_of_their_illuminances),
         cmocka_unit_test(rooflights_need_the_target_nearly_everywhere),
         cmocka_unit_test(undecided_levels_are_perhaps_reached),
+        cmocka_unit_test(levels_of_several_views_are_joined),
         cmocka_unit_test(without_a_year_nothing_is_judged),
     };
     add_tests(tests, NULL, NULL);
