@@ -207,7 +207,7 @@ static void draw_table_row(const struct page_plot *plot, struct pp_box box, doub
                                               row->verdict};
     struct pp_lettering text = {.size = PP_TEXT_SMALL, .bold = row->decides};
     struct pp_lettering what = text;
-    what.width = 0.36 * box.width;
+    what.width = 0.41 * box.width;
     what.lines = 1;
     pp_lettering_draw(plot->cr, &plot->style, &what, box.x + 3.0 * plot->style.scale, y,
                       row->what);
