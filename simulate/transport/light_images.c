@@ -87,13 +87,12 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
         if (!pp_scatter_sample(&view->lobes, lobe, u[0], u[1], &to, &factor)
             || !pp_sample_openings_along(state, &there, view->window, to, sample))
             return false;
-        sample->weight =
-            pp_rgb_times(pp_rgb_times(sample->weight, view->lobes.share[lobe]), factor);
+        pp_sample_openings_scale(sample, pp_rgb_times(view->lobes.share[lobe], factor));
     } else if (!pp_sample_openings_aim(state, &there, view->window, u, sample)) {
         return false;
     }
-    sample->weight = pp_rgb_times(sample->weight, view->weight);
-    return !pp_rgb_is_black(sample->weight);
+    pp_sample_openings_scale(sample, view->weight);
+    return true;
 }
 
 bool pp_light_images_in_glass(struct pp_radiance_state *state,
@@ -133,6 +132,6 @@ bool pp_light_images_in_glass(struct pp_radiance_state *state,
                                        .depth = shading->depth};
     if (!pp_sample_openings_along(state, there, pair->window, ray.to, sample))
         return false;
-    sample->weight = pp_rgb_times(sample->weight, weight);
-    return !pp_rgb_is_black(sample->weight);
+    pp_sample_openings_scale(sample, weight);
+    return true;
 }

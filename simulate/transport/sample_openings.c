@@ -6,6 +6,7 @@
 
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
+#include "simulate/transport/light_sources.h"
 #include "simulate/transport/path_scatter.h"
 
 /* Up to this number all openings are sampled. Sampling one at random caused most of a
@@ -95,9 +96,30 @@ double pp_sample_openings_weight(struct pp_radiance_state *state,
                                     * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
+/* Light of emitters outside that a pane scatters to the eye at the start of the sample's
+ * ray. diffuse: its diffuse transmittance; lobes: its other lobes, NULL: none. */
+static struct pp_rgb sources_behind(struct pp_radiance_state *state,
+                                    const struct pp_shading_point *shading,
+                                    const struct pp_opening_sample *sample,
+                                    struct pp_rgb diffuse, const struct pp_lobes *lobes)
+{
+    if (state->scene->emitter_count == 0)
+        return pp_rgb_grey(0.0);
+    int vertex = pp_sample_openings_vertex(shading, sample->opening);
+    const struct pp_shading_point there = {.point = sample->ray.from,
+                                           .normal = sample->ray.off,
+                                           .space = PP_OUTDOORS,
+                                           .diffuse = diffuse,
+                                           .lobes = lobes,
+                                           .whole_gloss = true,
+                                           .vertex = pp_path_vertex_branch(vertex, 0),
+                                           .depth = shading->depth};
+    return pp_light_sources_next_event(state, &there);
+}
+
 /* Continues the ray to the outside by one of the lobes of a scattering pane; returns the
  * weight of light along it. */
-static struct pp_rgb leave_scattered(const struct pp_radiance_state *state,
+static struct pp_rgb leave_scattered(struct pp_radiance_state *state,
                                      const struct pp_shading_point *shading,
                                      const struct pp_light_part *part,
                                      struct pp_opening_sample *sample)
@@ -108,6 +130,8 @@ static struct pp_rgb leave_scattered(const struct pp_radiance_state *state,
     pp_scatter_init(&lobes, &state->scene->materials[part->material[0]], NULL,
                     part->normal, pp_vec_scale(sample->ray.to, -1.0));
     lobes.share[PP_LOBE_DIFFUSE] = pp_rgb_grey(0.0);
+    sample->sources = sources_behind(state, shading, sample,
+                                     lobes.share[PP_LOBE_THROUGH_DIFFUSE], &lobes);
     pp_sobol_sequence_draw(&state->sequence, state->index,
                            pp_sample_openings_vertex(shading, sample->opening), 3, u);
     enum pp_lobe lobe = pp_path_scatter_choose_lobe(&lobes, u[2], &weight);
@@ -130,10 +154,13 @@ static void leave(struct pp_radiance_state *state,
     struct pp_vec3 out = pp_vec_scale(part->normal, -1.0);
     struct pp_rgb transmittance = material->through_diffuse;
     sample->ray = (struct pp_light_ray){to->point, out, to->direction, PP_OUTDOORS};
+    sample->sources = pp_rgb_grey(0.0);
     if (material->kind == PP_MATERIAL_SCATTERING) {
         transmittance = leave_scattered(state, shading, part, sample);
     } else if (material->kind == PP_MATERIAL_TRANSLUCENT) {
         double u[2];
+        sample->sources =
+            sources_behind(state, shading, sample, material->through_diffuse, NULL);
         pp_sobol_sequence_draw(&state->sequence, state->index,
                                pp_sample_openings_vertex(shading, sample->opening), 2,
                                u);
@@ -142,7 +169,20 @@ static void leave(struct pp_radiance_state *state,
         transmittance =
             pp_scatter_regular_transmittance(material, pp_vec_dot(out, to->direction));
     }
+    sample->sources = pp_rgb_times(sample->weight, sample->sources);
     sample->weight = pp_rgb_times(sample->weight, transmittance);
+}
+
+static bool has_light(const struct pp_opening_sample *sample)
+{
+    return !pp_rgb_is_black(sample->weight)
+           || (!sample->on_side && !pp_rgb_is_black(sample->sources));
+}
+
+void pp_sample_openings_scale(struct pp_opening_sample *sample, struct pp_rgb by)
+{
+    sample->weight = pp_rgb_times(sample->weight, by);
+    sample->sources = pp_rgb_times(sample->sources, by);
 }
 
 /* True if a ray meets this pane first. Another pane in front makes it false, since
@@ -223,7 +263,7 @@ static bool sample_opening(struct pp_radiance_state *state,
         go_in(state->scene, &to, sample);
     if (!sample->on_side)
         leave(state, shading, &to, sample);
-    return !pp_rgb_is_black(sample->weight);
+    return has_light(sample);
 }
 
 bool pp_sample_openings_aim(struct pp_radiance_state *state,
@@ -271,7 +311,7 @@ bool pp_sample_openings_along(struct pp_radiance_state *state,
     sample->on_side = false;
     sample->weight = pp_rgb_grey(1.0);
     leave(state, shading, &there, sample);
-    return !pp_rgb_is_black(sample->weight);
+    return has_light(sample);
 }
 
 /* Index of the random numbers for directions to the first opening. */

@@ -17,9 +17,11 @@
 /* A direction to an opening, or to the mouth of its niche. */
 struct pp_opening_sample {
     int opening;
-    struct pp_light_ray ray;  /* leaves it to the outside */
-    struct pp_rgb weight;     /* BRDF, cosine and transmittance over density */
-    bool on_side;             /* true: the direction ends on a side of the niche, */
+    struct pp_light_ray ray; /* leaves it to the outside */
+    struct pp_rgb weight;    /* BRDF, cosine and transmittance over density */
+    struct pp_rgb sources; /* weighted light of emitters outside, such as the sun, that
+                               * a pane scatters; not included in the light along ray */
+    bool on_side;          /* true: the direction ends on a side of the niche, */
     struct pp_light_hit side; /* at this hit; the weight then contains no
                                * transmittance */
 };
@@ -60,6 +62,9 @@ bool pp_sample_openings_aim(struct pp_radiance_state *state,
 bool pp_sample_openings_along(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading, int opening,
                               struct pp_vec3 to, struct pp_opening_sample *sample);
+
+/* Multiplies the light of a sample that is not on a side. */
+void pp_sample_openings_scale(struct pp_opening_sample *sample, struct pp_rgb by);
 
 /* Vertex for the random numbers of events behind an opening. */
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening);

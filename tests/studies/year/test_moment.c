@@ -121,25 +121,23 @@ static void sunlight_on_a_level_point_is_by_the_sine(void **state)
     pp_world_destroy(world);
 }
 
-/* Another engine, the path tracer of pictures with the sun as a distant source, and the
- * ground and a block before the window lit by it. */
-static void pictures_have_the_same_light(void **state)
+/* Compares a moment at three points of a room with another engine: the path tracer of
+ * pictures, in which the sun is a distant source. */
+static void compare_with_pictures(const char *window_and_outside)
 {
-    (void)state;
+    char text[1024];
     struct pp_outside_light light;
     struct pp_annual_sheet sheet;
     struct pp_moment moment;
     struct pp_moment_irradiances of = golden;
     of.sun_altitude_rad = 40.0 * PP_RAD;
     of.sun_bearing_rad = 205.0 * PP_RAD;
-    struct pp_world *world = pp_test_lit_world(
-        &light,
-        "<room version='1' north='20'><site ground-reflectance='0.3'/>"
-        "<plan width='4' depth='6' height='3'/>"
-        "<window wall='south' left='0.5' sill='0.9' width='3' height='1.8' "
-        "glazing='clear-double'/><block x='-4' y='-12' width='6' depth='4' height='4' "
-        "reflectance='0.4'/><point x='2' y='1'/><point x='1' y='3'/>"
-        "<point x='3' y='5'/></room>");
+    snprintf(text, sizeof text,
+             "<room version='1' north='20'><site ground-reflectance='0.3'/>"
+             "<plan width='4' depth='6' height='3'/>%s<point x='2' y='1'/>"
+             "<point x='1' y='3'/><point x='3' y='5'/></room>",
+             window_and_outside);
+    struct pp_world *world = pp_test_lit_world(&light, text);
     assert_int_equal(pp_moment_of_irradiances(&moment, &of, NULL), PP_OK);
     const struct pp_annual_options options = {.samples = 256, .seed = 1};
     assert_int_equal(pp_moment_of_room(&sheet, world, &light, world->receivers,
@@ -180,6 +178,30 @@ static void pictures_have_the_same_light(void **state)
     pp_world_destroy(world);
 }
 
+#define WINDOW "<window wall='south' left='0.5' sill='0.9' width='3' height='1.8' "
+
+static void pictures_have_the_same_light_of_ground_and_block(void **state)
+{
+    (void)state;
+    compare_with_pictures(WINDOW
+                          "glazing='clear-double'/><block x='-4' y='-12' width='6' "
+                          "depth='4' height='4' reflectance='0.4'/>");
+}
+
+/* The sun shines on the pane, which sends half of it on in all directions. */
+static void pictures_have_the_sun_that_a_diffusing_pane_scatters(void **state)
+{
+    (void)state;
+    compare_with_pictures(WINDOW "transmittance='0.5' diffusing='yes'/>");
+}
+
+/* The slats keep out the direct sun and scatter a part of it. */
+static void pictures_have_the_sun_that_a_blind_scatters(void **state)
+{
+    (void)state;
+    compare_with_pictures(WINDOW "glazing='none'><blind angle='-45'/></window>");
+}
+
 /* Open ground, and a level roof of it: rho times sky and sun. */
 static void sunlit_ground_gives_back_its_share(void **state)
 {
@@ -204,7 +226,9 @@ TEST_FILE
         cmocka_unit_test(clock_without_a_zone_is_that_of_the_longitude),
         cmocka_unit_test(sun_below_the_horizon_does_not_shine),
         cmocka_unit_test(time_without_a_place_has_no_sun),
-        cmocka_unit_test(pictures_have_the_same_light),
+        cmocka_unit_test(pictures_have_the_same_light_of_ground_and_block),
+        cmocka_unit_test(pictures_have_the_sun_that_a_diffusing_pane_scatters),
+        cmocka_unit_test(pictures_have_the_sun_that_a_blind_scatters),
         cmocka_unit_test(sunlit_ground_gives_back_its_share),
         cmocka_unit_test(sunlight_on_a_level_point_is_by_the_sine),
     };
