@@ -291,20 +291,20 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
                                table->sun_count,    table->garden_count,
                                table->rights_count, table->other_count};
     char text[1024] = "Criteria:";
-    bool listed[PP_CRITERIA_MOST] = {false};
-    bool first = true;
+    const struct pp_criterion *listed[PP_CRITERIA_MOST];
+    int count = 0;
     for (int l = 0; l < LISTS; l++)
         for (int i = 0; i < counts[l]; i++) {
             const struct pp_criterion *criterion = lists[l][i].criterion;
             int place = 0;
-            while (pp_criteria_at(place) != criterion)
+            while (place < count && listed[place] != criterion)
                 place++;
-            if (!listed[place])
-                pp_text_append(text, sizeof text, "%s %s [%s]%s", first ? "" : ",",
-                               criterion->title, criterion->source,
-                               criterion->withdrawn ? " (withdrawn)" : "");
-            listed[place] = true;
-            first = false;
+            if (place < count || count == PP_CRITERIA_MOST)
+                continue;
+            pp_text_append(text, sizeof text, "%s %s [%s]%s", count > 0 ? "," : "",
+                           criterion->title, criterion->source,
+                           criterion->withdrawn ? " (withdrawn)" : "");
+            listed[count++] = criterion;
         }
     if (table->has_mirror_image)
         pp_text_append(text, sizeof text,

@@ -59,6 +59,8 @@ check "and is stated" shows "working plane 0.72 m above the floor" \
     assess --for green-star --by-hand overcast.xml
 check "points are those of the file" shows "least of 1 points, at 2.00, 3.00, 0.85 m" \
     assess --for de-asr-a3.4 --by-hand overcast.xml
+check "a table has them, too" shows "ASR A3.4" \
+    assess --for de-asr-a3.4 --by-hand --table overcast.xml
 check "simulated, too" shows "by simulation" \
     assess --for de-asr-a3.4 --error 5% overcast.xml
 sed 's/office/bathroom/' overcast.xml >bathroom.xml
