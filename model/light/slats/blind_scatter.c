@@ -94,11 +94,13 @@ static struct pp_vec3 reversed(struct pp_vec3 d)
 
 /* ---- the functions of the pane ---- */
 
+/* Light reflected between the panes before and behind the slats is in N. */
 static double blind_straight(const void *data, struct pp_vec3 in)
 {
     const struct pp_blind *blind = data;
     return pp_slats_straight(&blind->device.slats, profile_of(blind, in))
-           * pp_glass_transmittance(&blind->glass, fabs(in.z));
+           * pp_glass_transmittance(&blind->outer, fabs(in.z))
+           * pp_glass_transmittance(&blind->inner, fabs(in.z));
 }
 
 /* Of light that arrives from outside. */

@@ -121,6 +121,23 @@ static void without_glass_the_slats_remain(void **state)
     pp_blind_release(blind);
 }
 
+/* Between panes, light that is reflected from pane to pane passes slats on the way. It
+ * is scattered light in the tables, so the straight light is that of two panes without
+ * it: (1 - r)^2 of a pane that absorbs nothing and reflects r at both surfaces together.
+ */
+static void straight_light_between_panes_passes_each_pane_once(void **state)
+{
+    (void)state;
+    const struct pp_slats flat = {0.025, 0.02, 0.0, 0.0, 0.0, 0.0};
+    struct pp_blind *blind =
+        blind_of(flat, false, PP_DEVICE_BETWEEN, pp_glass_panes(2, 1.52, 0.0));
+    double surface = 0.52 / 2.52 * 0.52 / 2.52;
+    double passes = (1.0 - surface) / (1.0 + surface); /* 0.918 */
+    assert_near(blind->scatter.straight(blind, pp_vec(0.0, 0.0, 1.0)), passes * passes,
+                1e-9);
+    pp_blind_release(blind);
+}
+
 /* White slats and glass that absorbs nothing: even light from the room comes back or
  * passes. The little that passes twice through gaps by way of the glass is counted with
  * mean angles. */
@@ -154,6 +171,7 @@ TEST_FILE
         cmocka_unit_test(integrals_of_the_btdf_are_the_shares),
         cmocka_unit_test(samples_have_the_density_that_is_stated),
         cmocka_unit_test(without_glass_the_slats_remain),
+        cmocka_unit_test(straight_light_between_panes_passes_each_pane_once),
         cmocka_unit_test(white_slats_and_clear_glass_lose_nothing),
     };
     add_tests(tests, NULL, NULL);
