@@ -52,6 +52,14 @@ static bool has_scattering_pane(const struct pp_world *world)
     return false;
 }
 
+static bool has_screen(const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].device.kind == PP_DEVICE_SCREEN)
+            return true;
+    return false;
+}
+
 /* Reason why rooms of this kind are not in the atlas; NULL: the atlas has such
  * rooms. */
 static const char *why_not(const struct pp_world *world,
@@ -64,6 +72,7 @@ static const char *why_not(const struct pp_world *world,
            : has_contrasting_dado(world)     ? "the walls have a dado"
            : !plane_is_convex(&world->plane) ? "the plan is not convex"
            : has_scattering_pane(world)      ? "a pane scatters light by direction"
+           : has_screen(world)               ? "a window has a screen"
            : world->ground_is_open ? "the ground outside is treated as unshaded"
                                    : NULL;
 }

@@ -145,6 +145,10 @@ static void rooms_that_the_atlas_has_not_are_told_so(void **state)
         {"<room version='1'><site ground='open'/>" ROOM "</room>", "unshaded"},
         {"<room version='1'>" ROOM "<dado height='1.1' reflectance='0.27'/></room>",
          "dado"},
+        {"<room version='1'>" ROOM
+         "<window wall='north' left='1' sill='0.9' width='0.6' height='1'>"
+         "<screen openness='0.1'/></window></room>",
+         "screen"},
         {"<room version='1'><plan width='43' depth='61' height='2.9'/>"
          "<window wall='south' left='0.7' sill='0.9' width='2.3' height='1.7'/></room>",
          "the atlas covers"},
