@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "methods/allowance.h"
 #include "model/geometry/min_max.h"
 
 /* Threshold of sunshine [WMO8], W/m2. */
@@ -82,7 +83,7 @@ static bool facade_shares(double shares[4], const struct pp_hand_case *of)
         double turn = fmod(from / (0.5 * PP_PI) + 8.0, 4.0);
         int first = (int)turn % 4;
         double weight =
-            opening->outer.area_m2 * opening->frame_factor * opening->glass.diffuse;
+            opening->outer.area_m2 * pp_allowance_factor(PP_ALLOWS_NOTHING, opening);
         shares[first] += weight * (1.0 - (turn - floor(turn)));
         shares[(first + 1) % 4] += weight * (turn - floor(turn));
         all += weight;

@@ -1,4 +1,5 @@
 /* Hand methods for the year: each is exact in the weather that it assumes. */
+#include "studies/year/hand/hand_case.h"
 #include "tests/studies/year/hand/made_hand_year.h"
 
 static void compute_both(struct pp_hand_year_sheet *hand, struct pp_annual_sheet *sheet,
@@ -151,6 +152,30 @@ static void type_1_gives_less_light_to_the_back_of_the_room(void **state)
     assert_true(ratio > 0.85 && ratio < 0.97);
 }
 
+/* Equal windows to south, north and west, the north's behind a screen that is open by a
+ * quarter, the west's with half as much light by its dirt: shares 4 : 1 : 2. */
+static void orientations_count_by_the_light_that_their_windows_pass(void **state)
+{
+    (void)state;
+    static const char xml[] =
+        "<room version='1'><plan width='4' depth='4' height='3'/>"
+        "<window wall='south' left='1' sill='1' width='1' height='1' "
+        "maintenance='0.8'/>"
+        "<window wall='north' left='1' sill='1' width='1' height='1' maintenance='0.8'>"
+        "<screen openness='0.25'/></window>"
+        "<window wall='west' left='1' sill='1' width='1' height='1' maintenance='0.4'/>"
+        "<point x='2' y='2'/></room>";
+    struct pp_world *world = pp_test_world(xml);
+    const struct pp_hand_case of = {.world = world};
+    static const double shares[4] = {4.0 / 7.0, 0.0, 1.0 / 7.0, 2.0 / 7.0};
+    for (int i = 0; i < 4; i++) {
+        double values[4] = {0.0};
+        values[i] = 1.0;
+        assert_near(pp_hand_case_by_facade(&of, values), shares[i], 1e-9);
+    }
+    pp_world_destroy(world);
+}
+
 static void wrong_names_are_refused(void **state)
 {
     (void)state;
@@ -192,6 +217,7 @@ TEST_FILE
         cmocka_unit_test(clear_hours_at_a_node_are_those_of_doe2),
         cmocka_unit_test(single_clear_hours_are_those_of_monthly_methods),
         cmocka_unit_test(orientation_factor_follows_the_facade),
+        cmocka_unit_test(orientations_count_by_the_light_that_their_windows_pass),
         cmocka_unit_test(rule_scales_diffuse_light_by_orientation),
         cmocka_unit_test(type_1_gives_less_light_to_the_back_of_the_room),
         cmocka_unit_test(wrong_names_are_refused),
