@@ -7,6 +7,7 @@
 
 #include "model/base/array.h"
 #include "model/light/rough/rough_finishes.h"
+#include "model/light/slats/blind.h"
 
 static const char *surface_name(const struct pp_surface *surface)
 {
@@ -108,6 +109,12 @@ double pp_surface_materials_pane_straight(const struct pp_opening *opening,
 {
     return pp_glass_transmittance(&opening->glass, cosine) * open_share(opening)
            * clean_share(opening);
+}
+
+double pp_surface_materials_pane_even(const struct pp_opening *opening)
+{
+    double blind = opening->blind ? opening->blind->all : 1.0;
+    return opening->glass.diffuse * blind * open_share(opening) * clean_share(opening);
 }
 
 double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,

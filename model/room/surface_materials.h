@@ -48,6 +48,10 @@ struct pp_material pp_surface_materials_glass(const struct pp_world *world,
                                               bool inside);
 double pp_surface_materials_pane_straight(const struct pp_opening *opening,
                                           double cosine);
+/* Transmittance of the pane and its device for light of one radiance from all
+ * directions, straight and scattered. Reflections between blind and glass are
+ * neglected. */
+double pp_surface_materials_pane_even(const struct pp_opening *opening);
 double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
                                           double cosine);
 

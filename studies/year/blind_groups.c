@@ -5,18 +5,19 @@
 
 #include "model/room/surface_materials.h"
 
+static bool same_device(const struct pp_opening *a, const struct pp_opening *b)
+{
+    return a->device.kind == b->device.kind
+           && (a->device.kind != PP_DEVICE_SCREEN
+               || a->device.openness == b->device.openness);
+}
+
 static bool is_alike(const struct pp_opening *a, const struct pp_opening *b)
 {
     return a->face == b->face && pp_glass_is_same(&a->glass, &b->glass)
            && a->scatter == b->scatter && a->frame_factor == b->frame_factor
-           && a->maintenance == b->maintenance && a->curtains == b->curtains;
-}
-
-/* Transmittance of the opening for uniform light from all directions. */
-static double diffuse_transmittance(const struct pp_opening *opening)
-{
-    return pp_surface_materials_pane_straight(opening, 1.0)
-           / pp_glass_transmittance(&opening->glass, 1.0) * opening->glass.diffuse;
+           && a->maintenance == b->maintenance && a->curtains == b->curtains
+           && same_device(a, b);
 }
 
 enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
@@ -37,7 +38,8 @@ enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
             g--;
         if (g == groups->count) {
             groups->first[g] = i;
-            groups->transmittance[g] = diffuse_transmittance(&world->openings[i]);
+            groups->transmittance[g] =
+                pp_surface_materials_pane_even(&world->openings[i]);
             groups->count++;
         }
         groups->of_opening[i] = g;

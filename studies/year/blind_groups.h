@@ -13,14 +13,15 @@ enum { PP_BLIND_GROUPS_MOST = 16 };
 
 struct pp_blind_groups {
     int count;
-    int *of_opening;                 /* owned */
-    int first[PP_BLIND_GROUPS_MOST]; /* index of one opening of each group */
-    double
-        transmittance[PP_BLIND_GROUPS_MOST]; /* diffuse, of its panes without blinds */
+    int *of_opening;                            /* owned */
+    int first[PP_BLIND_GROUPS_MOST];            /* index of one opening of each group */
+    double transmittance[PP_BLIND_GROUPS_MOST]; /* of its panes and devices for even
+                                                 * light, without LM-83's blinds */
 };
 
-/* Openings of one face with the same glass, frame, dirt and curtains are a group; from
- * the 16th on, all others are one group. On success the caller clears *groups. */
+/* Openings of one face with the same glass, frame, dirt, curtains and device are a
+ * group; from the 16th on, all others are one group. On success the caller clears
+ * *groups. */
 enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
                                         const struct pp_world *world,
                                         struct pp_error *err);

@@ -1,5 +1,6 @@
 /* Figures of a point from its illuminances. */
 #include "tests/lib/near.h"
+#include "tests/lib/room_of.h"
 
 #include "studies/year/blind_groups.h"
 #include "studies/year/year_metrics.h"
@@ -85,6 +86,38 @@ static void blinds_close_for_more_than_two_per_cent(void **state)
     assert_true(pp_blind_groups_closes(1, 24));
 }
 
+/* Windows in one wall: bare, bare, screens of two opennesses, a blind. The closed blind
+ * of LM-83 is added to each: transmittances for even light are the products. */
+static void windows_with_their_own_devices_close_apart(void **state)
+{
+    (void)state;
+    static const char xml[] =
+        "<room version='1'><plan width='9' depth='5' height='2.8'/>"
+        "<window wall='south' left='0.3' sill='0.9' width='1' height='1.5'/>"
+        "<window wall='south' left='1.8' sill='0.9' width='1' height='1.5'/>"
+        "<window wall='south' left='3.3' sill='0.9' width='1' height='1.5'>"
+        "<screen openness='0.05'/></window>"
+        "<window wall='south' left='4.8' sill='0.9' width='1' height='1.5'>"
+        "<screen openness='0.3'/></window>"
+        "<window wall='south' left='6.3' sill='0.9' width='1' height='1.5'>"
+        "<blind slat-width='0.08' spacing='0.08' reflectance='0'/></window>"
+        "<point x='1' y='2'/></room>";
+    static const int groups_of[] = {0, 0, 1, 2, 3};
+    struct pp_world *world = pp_test_world(xml);
+    struct pp_blind_groups groups;
+    assert_int_equal(pp_blind_groups_of_world(&groups, world, NULL), PP_OK);
+    assert_int_equal(groups.count, 4);
+    for (int i = 0; i < 5; i++)
+        assert_int_equal(groups.of_opening[i], groups_of[i]);
+    assert_relative(groups.transmittance[1], 0.05 * groups.transmittance[0], 1e-12);
+    assert_relative(groups.transmittance[2], 0.3 * groups.transmittance[0], 1e-12);
+    /* Black slats as wide as their spacing, by crossed strings. */
+    assert_relative(groups.transmittance[3],
+                    (sqrt(2.0) - 1.0) * groups.transmittance[0], 1e-3);
+    pp_blind_groups_clear(&groups);
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -93,6 +126,7 @@ TEST_FILE
         cmocka_unit_test(the_median_is_of_daylight_hours),
         cmocka_unit_test(the_jackknife_is_that_of_a_mean),
         cmocka_unit_test(blinds_close_for_more_than_two_per_cent),
+        cmocka_unit_test(windows_with_their_own_devices_close_apart),
     };
     add_tests(tests, NULL, NULL);
 }
