@@ -99,9 +99,10 @@ void pp_finding_cells_wanted(char cell[PP_FINDING_CELL],
     cell[0] = '\0';
     if (isnan(finding->figure) || isnan(finding->wanted))
         return;
-    const char *sign = finding->at_most ? utf8 ? "\xe2\x89\xa4" : "<="
-                       : utf8           ? "\xe2\x89\xa5"
-                                        : ">=";
+    const char *sign = finding->at_most  ? utf8 ? "\xe2\x89\xa4" : "<="
+                       : finding->strict ? ">"
+                       : utf8            ? "\xe2\x89\xa5"
+                                         : ">=";
     snprintf(cell, PP_FINDING_CELL, "%s %.*g%s", sign, significant,
              pp_figure_scale(finding->kind) * finding->wanted,
              unit_of(finding->kind, utf8));

@@ -20,7 +20,7 @@
 #include "model/results/sheets/glare_sheet.h"
 #include "model/room/world.h"
 
-struct pp_rule_set; /* rules/rule_table.h */
+struct pp_rule_set; /* rules/rule_set.h */
 
 /* The room to be assessed, and the data for it. Nothing is owned. */
 struct pp_inquiry {

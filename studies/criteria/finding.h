@@ -40,6 +40,7 @@ struct pp_finding {
     struct pp_band_ends band; /* band of a hand figure, if known */
     double wanted;            /* the bound; NAN: none, the figure is only stated */
     bool at_most;             /* the bound is an upper one, else a lower one */
+    bool strict;              /* the figure must be greater than the lower bound */
     double reached_over; /* share of the plane on which the bound is reached; NAN: the
                           * criterion has no such share */
     double over_error;   /* standard error of reached_over, by noise and grid; NAN: not

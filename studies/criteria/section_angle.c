@@ -93,7 +93,8 @@ static double angle_of_polygon(const struct section_plane *section,
     return highest;
 }
 
-double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening)
+double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening,
+                        bool with_shades)
 {
     struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
     struct pp_vec3 ahead = pp_vec_unit(pp_vec(out.x, out.y, 0.0));
@@ -115,7 +116,7 @@ double pp_section_angle(const struct pp_world *world, const struct pp_opening *o
         bool own_skyline = surface->role == PP_SKYLINE
                            && world->skylines[surface->owner].face == opening->face;
         if (i != opening->face && surface->role != PP_REVEAL && !free_inside
-            && !own_facade && !own_skyline)
+            && !own_facade && !own_skyline && (with_shades || !surface->is_shade))
             highest = fmax(highest, angle_of_polygon(&section, &surface->outline));
     }
     return highest;

@@ -11,7 +11,9 @@
  * parts of the building, and overhangs over the window; obstructions beside the section
  * do not count. The angle that a room file gives a skyline is that from the outside,
  * whatever the depth of the reveal: [BR209] measures it there. The opening must be
- * vertical. */
-double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening);
+ * vertical. with_shades: false leaves out the surfaces marked is_shade (world.h), such
+ * as overhangs and balconies. */
+double pp_section_angle(const struct pp_world *world, const struct pp_opening *opening,
+                        bool with_shades);
 
 #endif

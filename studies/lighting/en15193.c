@@ -57,7 +57,7 @@ static double area_of_openings(const struct pp_world *world, double *I_O)
         const struct pp_polygon *inner = &opening->inner;
         double area =
             pp_vec_length(pp_polygon_area_vector(inner->vertices, inner->count));
-        double g = pp_section_angle(world, opening);
+        double g = pp_section_angle(world, opening, true);
         sum += area;
         seen += g < 60.0 * PP_RAD ? area * cos(1.5 * g) : 0.0;
     }

@@ -51,6 +51,12 @@ static enum pp_status judge_point(const struct pp_rule *rule,
                                   struct pp_error *err)
 {
     const char *why;
+    if (inquiry->world->opening_count == 0) {
+        struct pp_finding none = pp_finding_of(
+            PP_FIGURE_FACTOR, 0.0, 0.01 * rule->threshold, false, "%s", what);
+        pp_finding_note(&none, "the room has no openings");
+        return pp_finding_list_add(findings, &none, err);
+    }
     if (!inquiry->points || inquiry->points->receiver_count == 0)
         return add_unjudged(findings,
                             strcmp(rule->point, "file") == 0
@@ -106,9 +112,9 @@ static enum pp_status judge_share(const struct pp_rule *rule,
         pp_share_finding(&finding, &target, column, count, inquiry->grid, what, err);
     if (status == PP_OK && open) { /* no share is established: the share is stated */
         double over_share = finding.reached_over, error = finding.over_error;
-        finding = pp_finding_of(PP_FIGURE_SHARE, over_share, NAN, false,
-                                "share of the plane above %g %%, %s sky",
-                                rule->threshold, rule->sky);
+        finding =
+            pp_finding_of(PP_FIGURE_SHARE, over_share, NAN, false,
+                          "%s, above %g %%: share of the plane", what, rule->threshold);
         finding.std_error = error;
     }
     return status == PP_OK ? pp_finding_list_add(findings, &finding, err) : status;

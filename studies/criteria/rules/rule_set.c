@@ -100,9 +100,12 @@ static enum pp_status evaluate_rule(const struct pp_rule *rule,
             finding->verdict = PP_UNDECIDED;
             finding->confidence = NAN;
         }
-        if (strcmp(rule->bound, "above") == 0 && finding->verdict == PP_MET
-            && finding->figure <= finding->wanted * (1.0 + 1e-9))
+        finding->strict = strcmp(rule->bound, "above") == 0;
+        if (finding->strict && finding->verdict == PP_MET
+            && finding->figure <= finding->wanted * (1.0 + 1e-9)) {
             finding->verdict = PP_NOT_MET;
+            finding->confidence = NAN;
+        }
     }
     cite_rule(rule, findings, first);
     return status;

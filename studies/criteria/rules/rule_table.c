@@ -42,6 +42,7 @@ bool pp_rule_table_is_judged(const struct pp_rule *rule)
 /* Words of the column `use`, and the rooms that they mean. */
 #define USE(name) (1u << PP_USE_##name)
 #define LIVING_DINING (USE(LIVING_ROOM) | USE(DINING_ROOM))
+#define LIVING_ROOM (LIVING_DINING | USE(STUDIO))
 #define LIVING (LIVING_DINING | USE(LIVING_KITCHEN) | USE(STUDIO))
 #define HABITABLE (LIVING | USE(BEDROOM) | USE(STUDY))
 #define UNLIT (USE(BATHROOM) | USE(CIRCULATION) | USE(STORE))
@@ -55,7 +56,9 @@ static const struct {
     {"dwelling", HABITABLE | USE(KITCHEN), NULL},
     {"habitable", HABITABLE, "habitable room"},
     {"living", LIVING | USE(KITCHEN), "living area"},
-    {"not-living", NOT(LIVING | USE(BEDROOM)), "other room"},
+    {"living-room", LIVING_ROOM, "living room"},
+    {"not-living-room", NOT(LIVING_ROOM | USE(BEDROOM)), "other room"},
+    {"not-bedroom", NOT(USE(BEDROOM)), NULL},
     {"living-dining", LIVING_DINING, "living or dining room"},
     {"not-living-dining", NOT(LIVING_DINING), "other room"},
     {"bedroom", USE(BEDROOM), "bedroom"},
@@ -132,6 +135,12 @@ void pp_rule_table_words(char words[PP_RULE_WORDS], const struct pp_rule *rule)
     if (isfinite(rule->breaks))
         pp_text_append(words, PP_RULE_WORDS, ", %s",
                        rule->breaks > 0.0 ? "with one break" : "uninterrupted");
+    if (isfinite(rule->altitude_deg))
+        pp_text_append(words, PP_RULE_WORDS, ", sun above %g degrees",
+                       rule->altitude_deg);
+    if (isfinite(rule->plan_angle_deg))
+        pp_text_append(words, PP_RULE_WORDS, ", %g degrees or more to the glass",
+                       rule->plan_angle_deg);
     if (pp_rule_table_has(rule->sky))
         pp_text_append(words, PP_RULE_WORDS, ", %s sky", rule->sky);
 }

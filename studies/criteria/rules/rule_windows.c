@@ -11,7 +11,9 @@
 #include "studies/criteria/windows/vertical_sky.h"
 
 /* The illuminance at the centre of the window's outside from the sky, from obstructions
- * and from the ground, over Eh. */
+ * and from the ground, over Eh. An obstruction has a fixed share of the luminance of the
+ * sky that it hides, and the ground is lit as in the open. Both are too bright between
+ * high buildings, so only light from the sky can show that the rule is met. */
 static enum pp_status judge_vertical(const struct pp_rule *rule,
                                      const struct pp_inquiry *inquiry, const char *what,
                                      struct pp_finding_list *findings,
@@ -20,8 +22,9 @@ static enum pp_status judge_vertical(const struct pp_rule *rule,
     const struct pp_world *world = inquiry->world;
     enum pp_status status = PP_OK;
     if (world->opening_count == 0) {
-        struct pp_finding none =
-            pp_finding_not_judged("the room has no openings", "%s", what);
+        struct pp_finding none = pp_finding_of(
+            PP_FIGURE_FACTOR, 0.0, 0.01 * rule->threshold, false, "%s", what);
+        pp_finding_note(&none, "the room has no openings");
         return pp_finding_list_add(findings, &none, err);
     }
     for (int i = 0; i < world->opening_count && status == PP_OK; i++) {
@@ -42,6 +45,12 @@ static enum pp_status judge_vertical(const struct pp_rule *rule,
                               0.01 * rule->threshold, false, "%s: %s", words, what);
             pp_finding_note(&finding, "%.1f %% from the sky, %.1f %% reflected",
                             100.0 * outside.sky, 100.0 * outside.external);
+            if (finding.verdict == PP_MET
+                && outside.sky < finding.wanted * (1.0 - 1e-9)) {
+                finding.verdict = PP_UNDECIDED;
+                pp_finding_note(&finding,
+                                "; reflected light is overestimated between buildings");
+            }
         }
         finding.line = opening->line;
         status = pp_finding_list_add(findings, &finding, err);
@@ -59,21 +68,27 @@ static double glass_above_m2(const struct pp_opening *opening, double above_m)
     return pp_allowance_net_glass_m2(opening) * part_m2 / all_m2;
 }
 
+/* True if a window has a level shade outside, such as an overhang or a balcony. */
 static bool has_balconies(const struct pp_world *world)
 {
-    for (int i = 0; i < world->surface_count; i++)
-        if (world->surfaces[i].is_shade)
+    for (int i = 0; i < world->surface_count; i++) {
+        const struct pp_surface *surface = &world->surfaces[i];
+        if (surface->is_shade && !surface->inside
+            && fabs(surface->outline.normal.z) > 0.99)
             return true;
+    }
     return false;
 }
 
-/* Angle of the highest obstruction before a vertical opening (rad). */
+/* Angle of the highest obstruction before a vertical opening (rad), without the shades
+ * of windows. */
 static double highest_obstruction_rad(const struct pp_world *world)
 {
     double highest = 0.0;
     for (int i = 0; i < world->opening_count; i++)
         if (pp_vertical_sky_is_upright(&world->openings[i]))
-            highest = fmax(highest, pp_section_angle(world, &world->openings[i]));
+            highest =
+                fmax(highest, pp_section_angle(world, &world->openings[i], false));
     return highest;
 }
 

@@ -236,7 +236,8 @@ static enum pp_status find_angle(struct pp_finding *finding,
                                  const char *what, struct pp_error *err)
 {
     (void)err;
-    double angle = pp_section_angle(inquiry->world, &inquiry->world->openings[opening]);
+    double angle =
+        pp_section_angle(inquiry->world, &inquiry->world->openings[opening], true);
     *finding = pp_finding_of(PP_FIGURE_ANGLE, angle, ANGLE_WANTED, true, "%s", what);
     if (finding->verdict == PP_NOT_MET) {
         finding->verdict = PP_STATED;

@@ -123,6 +123,92 @@ static void an_open_window_has_a_vertical_daylight_factor_of_49_6(void **state)
     pp_finding_list_clear(&findings);
 }
 
+/* A wall hides the whole sky before a window: the rest of the vertical daylight factor
+ * is reflected, and that figure is too high between buildings. */
+static void reflected_light_alone_does_not_meet_a_vertical_factor(void **state)
+{
+    (void)state;
+    struct pp_finding_list findings = found_by_rules(
+        "hk-app-130", "kitchen",
+        "<site ground=\"open\" ground-reflectance=\"0.2\"/>" PLAN WINDOW(
+            0.95) "<block x=\"-500\" y=\"-3.2\" width=\"1000\" depth=\"0.2\" "
+                  "height=\"500\"/>");
+    assert_true(findings.list[0].figure > 0.1);
+    assert_int_equal(findings.list[0].verdict, PP_UNDECIDED);
+    assert_non_null(strstr(findings.list[0].note, "overestimated"));
+    pp_finding_list_clear(&findings);
+}
+
+/* A room without windows has no daylight. */
+static void a_room_without_windows_does_not_meet_a_rule(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"hk-app-130", "se-bbr", "no-tek17-cabin"};
+    for (int i = 0; i < 3; i++) {
+        struct pp_finding_list findings = found_by_rules(names[i], "bedroom", PLAN);
+        assert_near(findings.list[0].figure, 0.0, 0.0);
+        assert_int_equal(findings.list[0].verdict, PP_NOT_MET);
+        pp_finding_list_clear(&findings);
+    }
+}
+
+/* Below a level overhang there may be more floor, so 13.1 % of glass decides nothing; a
+ * fin adds no floor. Neither is an obstruction. */
+static void shades_of_windows_are_no_obstructions_in_norway(void **state)
+{
+    (void)state;
+    static const char *const shades[] = {"<overhang depth=\"0.9\"/>",
+                                         "<fin depth=\"0.3\"/>"};
+    static const enum pp_verdict verdicts[] = {PP_UNDECIDED, PP_MET};
+    for (int i = 0; i < 2; i++) {
+        char body[1024];
+        snprintf(body, sizeof body,
+                 PLAN "<window wall=\"south\" left=\"0.7\" sill=\"0.95\" "
+                      "width=\"2.6\" height=\"1.3\" maintenance=\"1\">%s</window>",
+                 shades[i]);
+        struct pp_finding_list findings =
+            found_by_rules("no-tek17-cabin", "living-room", body);
+        assert_near(findings.list[0].figure, 3.38 / 25.83, 1e-6);
+        assert_int_equal(findings.list[0].verdict, verdicts[i]);
+        pp_finding_list_clear(&findings);
+    }
+}
+
+/* Hours of sun are one of several conditions in Slovakia: enough of them prove
+ * nothing. */
+static void enough_sun_alone_does_not_meet_the_slovak_rule(void **state)
+{
+    (void)state;
+    struct pp_finding_list findings =
+        found_by_rules("sk-stn-734301", "living-room", SITE PLAN WINDOW(0.95));
+    assert_true(findings.list[0].figure > 1.5);
+    assert_int_equal(findings.list[0].verdict, PP_UNDECIDED);
+    pp_finding_list_clear(&findings);
+    findings = found_by_rules("sk-stn-734301", "living-room", SITE PLAN);
+    assert_int_equal(findings.list[0].verdict, PP_NOT_MET);
+    pp_finding_list_clear(&findings);
+}
+
+/* BREEAM 4a: one mean for each room, 2 % in kitchens and 1.5 % in living rooms. */
+static void a_kitchen_has_one_required_mean_and_a_bedroom_none(void **state)
+{
+    (void)state;
+    static const char *const uses[] = {"kitchen", "living-kitchen", "living-room"};
+    static const double wanted[] = {0.02, 0.02, 0.015};
+    for (int i = 0; i < 3; i++) {
+        struct pp_finding_list findings =
+            found_by_rules("breeam-4a", uses[i], PLAN WINDOW(0.95));
+        assert_int_equal(findings.count, 4); /* and two alternatives, and their sum */
+        assert_near(findings.list[0].wanted, wanted[i], 1e-12);
+        pp_finding_list_clear(&findings);
+    }
+    struct pp_finding_list findings =
+        found_by_rules("breeam-4a", "bedroom", PLAN WINDOW(0.95));
+    assert_int_equal(findings.count, 1);
+    assert_int_equal(findings.list[0].verdict, PP_NOT_JUDGED);
+    pp_finding_list_clear(&findings);
+}
+
 /* The finding of a rule of hours of sun in a room. */
 static struct pp_finding sun_finding(const struct pp_rule *rule, const char *body)
 {
@@ -298,6 +384,9 @@ static void the_table_of_rules_is_consistent(void **state)
         if (strncmp(rule->certainty, "recalled", 8) == 0)
             assert_false(pp_rule_table_is_judged(rule));
         judged += pp_rule_table_is_judged(rule);
+        /* The sDA of the simulated year is that of 300 lx. */
+        if (strcmp(rule->quantity, "sda") == 0 && pp_rule_table_is_judged(rule))
+            assert_near(rule->lux, 300.0, 0.0);
         assert_true(pp_rule_set_init(&set, rule->name));
         last = rule;
     }
@@ -318,6 +407,11 @@ TEST_FILE
         cmocka_unit_test(glass_below_0_8_m_does_not_count_in_norway),
         cmocka_unit_test(one_alternative_is_enough),
         cmocka_unit_test(an_open_window_has_a_vertical_daylight_factor_of_49_6),
+        cmocka_unit_test(reflected_light_alone_does_not_meet_a_vertical_factor),
+        cmocka_unit_test(a_room_without_windows_does_not_meet_a_rule),
+        cmocka_unit_test(shades_of_windows_are_no_obstructions_in_norway),
+        cmocka_unit_test(enough_sun_alone_does_not_meet_the_slovak_rule),
+        cmocka_unit_test(a_kitchen_has_one_required_mean_and_a_bedroom_none),
         cmocka_unit_test(grazing_sun_can_be_left_out),
         cmocka_unit_test(without_breaks_the_longest_interval_counts),
         cmocka_unit_test(the_worst_day_of_a_period_decides),
