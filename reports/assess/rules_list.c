@@ -14,7 +14,8 @@ enum { NAME_WIDTH = 26, ROW_INDENT = 4, NOTE_INDENT = 6 };
 
 static const char *state_of(const struct pp_rule *rule)
 {
-    return pp_rule_table_is_judged(rule)          ? "judged"
+    bool only_stated = strcmp(rule->quantity, "share-df") == 0 && isnan(rule->share);
+    return pp_rule_table_is_judged(rule)          ? only_stated ? "stated" : "judged"
            : strcmp(rule->quantity, "other") == 0 ? "not calculated"
                                                   : "not established";
 }
@@ -72,7 +73,8 @@ void pp_rules_list_csv(FILE *out)
     const struct pp_rule *rule;
     fputs(
         "name,country,scheme,edition,use,kind,openings,quantity,bound,threshold,share,"
-        "lux,sky,plane_m,point,from,to,altitude_deg,certainty,state,source,note\r\n",
+        "lux,sky,plane_m,point,from,to,altitude_deg,certainty,state,source,note,"
+        "above_m,sill_m,from_h,to_h,plan_angle_deg,obstruction_deg,breaks\r\n",
         out);
     for (int i = 0; (rule = pp_rule_table_at(i)) != NULL; i++) {
         const char *const before[] = {rule->name,     rule->country,  rule->scheme,
@@ -100,6 +102,13 @@ void pp_rules_list_csv(FILE *out)
             fputc(',', out);
             pp_format_csv_field(text_of(last[k]), out);
         }
+        pp_format_csv_number(rule->above_m, out);
+        pp_format_csv_number(rule->sill_m, out);
+        pp_format_csv_number(rule->from_h, out);
+        pp_format_csv_number(rule->to_h, out);
+        pp_format_csv_number(rule->plan_angle_deg, out);
+        pp_format_csv_number(rule->obstruction_deg, out);
+        pp_format_csv_number(rule->breaks, out);
         fputs("\r\n", out);
     }
 }
@@ -123,6 +132,18 @@ static struct json_object *row_object(const struct pp_rule *rule)
                 && pp_json_number(object, "lux", rule->lux)
                 && pp_json_text(object, "sky", text_of(rule->sky))
                 && pp_json_number(object, "plane_m", rule->plane_m)
+                && pp_json_text(object, "openings", rule->openings)
+                && pp_json_text(object, "point", text_of(rule->point))
+                && pp_json_text(object, "from", text_of(rule->from))
+                && pp_json_text(object, "to", text_of(rule->to))
+                && pp_json_number(object, "above_m", rule->above_m)
+                && pp_json_number(object, "sill_m", rule->sill_m)
+                && pp_json_number(object, "from_h", rule->from_h)
+                && pp_json_number(object, "to_h", rule->to_h)
+                && pp_json_number(object, "altitude_deg", rule->altitude_deg)
+                && pp_json_number(object, "plan_angle_deg", rule->plan_angle_deg)
+                && pp_json_number(object, "obstruction_deg", rule->obstruction_deg)
+                && pp_json_number(object, "breaks", rule->breaks)
                 && pp_json_text(object, "certainty", rule->certainty)
                 && pp_json_text(object, "state", state_of(rule))
                 && pp_json_text(object, "source", rule->source)

@@ -32,6 +32,12 @@ check "the list fits in 80 columns" nothing "$(too_wide)"
 check "as CSV it has a line for each row" sh -c \
     "'$pepperpot' assess --rules -f csv | grep -c , | grep -qx $(grep -vc '^#' "$tables/rules.csv")"
 check "as JSON it is valid" sh -c "'$pepperpot' assess --rules -f json | grep -q '\"format\": \"pepperpot-rules-1\"'"
+check "conditions of the sun are listed" sh -c \
+    "grep -A3 '^sk-stn-734301' out | tr -s ' \\n' ' ' |
+     grep -q 'above 5 degrees, 25 degrees or more to the glass'"
+check "a share without a bound is stated" sh -c "grep -A4 '^green-star ' out | grep -q ' stated; seen'"
+check "as CSV it has them, too" sh -c \
+    "'$pepperpot' assess --rules -f csv | grep '^sk-stn' | grep -q ',1.2,0.3,,,25,,.\$'"
 check "the list can be a file" quietly assess --rules -o rules.txt
 check "which has it all" sh -c "'$pepperpot' assess --rules | cmp - rules.txt"
 
@@ -57,6 +63,7 @@ check "the height of the working plane is the rule's" \
     test "$(figures green-star overcast.xml)" = "$(figures green-star low.xml)"
 check "and is stated" shows "working plane 0.72 m above the floor" \
     assess --for green-star --by-hand overcast.xml
+check "a strict bound is printed" shows "> 2 %" assess --for de-asr-a3.4 --by-hand overcast.xml
 check "points are those of the file" shows "least of 1 points, at 2.00, 3.00, 0.85 m" \
     assess --for de-asr-a3.4 --by-hand overcast.xml
 check "a table has them, too" shows "ASR A3.4" \
