@@ -43,6 +43,12 @@ check "and a comment" grep -q "# A gloss in place of a physically rough surface"
     "$scratch/gloss/materials.rad"
 "$pepperpot" export --to radiance --gloss --force -o "$scratch/gloss" "$room" 2>"$scratch/err"
 check "losses are reported" grep -q "its spike, and the change" "$scratch/err"
+sed -e 's/n="0.21 1.04 1.18" k="3.67 2.59 2.40"/n="1.5" diffuse="0.9"/' "$room" \
+    >"$scratch/varnish.xml"
+check "--gloss exports varnish on paint as plastic" "$pepperpot" export --to radiance \
+    --gloss --force -o "$scratch/gloss" "$scratch/varnish.xml"
+check "whose colour is at most 1" sh -c "grep -A 3 ' plastic floor' '$scratch/gloss/materials.rad' |
+    awk 'NR == 4 { found = \$2 > 0.9 && \$2 <= 1 && \$5 > 0 && \$5 < 0.1 } END { exit !found }'"
 check "an unknown material is refused" refuses 1 "or # and the name of a <material>" \
     df --set finishes.floor="#zinc" "$room"
 check "a material's attribute can be set" shows "and loses 0.0 % by roughness" \

@@ -101,19 +101,25 @@ static bool say_opaque(struct rad_primitive_text *said, const struct pp_material
                        bool both_sides)
 {
     bool twofold = m->roughness[0] != m->roughness[1];
+    struct pp_rgb gloss = m->gloss;
+    if (m->rough && !pp_rgb_is_black(m->diffuse)) /* the gloss of plastic is white */
+        gloss = pp_rgb_grey(pp_rgb_luminance(gloss));
     if (is_mirror(m) && !both_sides) {
         said->type = "mirror";
-        add_rgb(said, m->gloss);
+        add_rgb(said, gloss);
         return true;
     }
-    double specular = m->gloss.r;
+    double specular = gloss.r;
     double roughness = m->rough ? roughness_of(m->rough) : m->roughness[0];
-    if (is_grey(m->gloss) && specular < 1.0) {
+    if (is_grey(gloss) && specular < 1.0) {
         said->type = twofold ? "plastic2" : "plastic";
-        add_worked_rgb(said, pp_rgb_scale(m->diffuse, 1.0 / (1.0 - specular)));
+        struct pp_rgb colour = pp_rgb_scale(m->diffuse, 1.0 / (1.0 - specular));
+        add_worked_rgb(said, m->rough ? pp_rgb(fmin(colour.r, 1.0), fmin(colour.g, 1.0),
+                                               fmin(colour.b, 1.0))
+                                      : colour);
     } else {
-        struct pp_rgb colour = pp_rgb_add(m->diffuse, m->gloss);
-        specular = ratio_of(m->gloss, colour);
+        struct pp_rgb colour = pp_rgb_add(m->diffuse, gloss);
+        specular = ratio_of(gloss, colour);
         said->type = twofold ? "metal2" : "metal";
         add_worked_rgb(said, colour);
     }
