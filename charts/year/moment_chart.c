@@ -199,13 +199,20 @@ static void say_subtitle(char *text, size_t room, const struct pp_moment_plan *p
     const struct pp_annual_hour *hour = &plan->cells.hours[0];
     char plane[32];
     pp_style_metres(plane, sizeof plane, plan->cells.world->working_plane_m);
-    snprintf(text, room,
-             "Illuminance, simulated, on the working plane %s above the floor%s%s%s; "
-             "sun %.1f\u00b0 high, bearing %.1f\u00b0; outside %.0f\u00a0lx diffuse "
-             "horizontal, %.0f\u00a0lx direct normal",
-             plane, plan->when ? ", " : "", plan->when ? plan->when : "",
-             plan->when ? " (standard time)" : "", hour->sun_altitude_rad / PP_RAD,
-             hour->sun_bearing_rad / PP_RAD, hour->diffuse_lx, hour->direct_lx);
+    if (isnan(hour->sun_altitude_rad))
+        snprintf(text, room,
+                 "Illuminance, simulated, on the working plane %s above the floor; no "
+                 "sun; outside %.0f\u00a0lx diffuse horizontal",
+                 plane, hour->diffuse_lx);
+    else
+        snprintf(
+            text, room,
+            "Illuminance, simulated, on the working plane %s above the floor%s%s%s; "
+            "sun %.1f\u00b0 high, bearing %.1f\u00b0; outside %.0f\u00a0lx diffuse "
+            "horizontal, %.0f\u00a0lx direct normal",
+            plane, plan->when ? ", " : "", plan->when ? plan->when : "",
+            plan->when ? " (standard time)" : "", hour->sun_altitude_rad / PP_RAD,
+            hour->sun_bearing_rad / PP_RAD, hour->diffuse_lx, hour->direct_lx);
 }
 
 static int gather_moment_keys(struct pp_key *keys, const struct moment_drawing *drawing)

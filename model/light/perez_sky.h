@@ -66,6 +66,7 @@ struct pp_perez_sky {
     double gradation;  /* g: 2 for the CIE overcast sky, else 0 */
     bool intermediate; /* the luminance is (3), not (1) */
     struct pp_vec3 sun;
+    bool sunless;                 /* the sky has no sun; `sun` has no effect */
     double N;                     /* cd/m2 */
     double diffuse_lx, direct_lx; /* horizontal; normal to the sun */
     double clearness, brightness;

@@ -22,8 +22,7 @@ static const struct {
              {"illuminance", FIGURE(year_lxh)}};
 enum { PARTS = sizeof parts / sizeof *parts };
 
-static const char why_no_factor[] =
-    "daylight factors need a standard sky without sun, but this sky has a sun";
+static const char why_no_factor[] = "a moment has illuminances, not daylight factors";
 
 static struct pp_annual_value part_of(const struct pp_annual_figures *of, int part)
 {
@@ -48,12 +47,19 @@ enum pp_status pp_moment_report_text(const struct pp_annual_results *results,
         const struct pp_annual_hour *hour = &sheet->hours[0];
         fprintf(out, "%s", i > 0 ? "\n" : "");
         pp_print_title(sheet->world, results->list[i].file, out);
-        fprintf(out,
-                "  %s%s: illuminances in lux;\n  sun %.1f degrees high, bearing %.1f; "
-                "outside %.0f lx diffuse horizontal, %.0f lx direct normal.\n",
-                when ? when : "Given sky and sun", when ? ", standard time" : "",
-                hour->sun_altitude_rad / PP_RAD, hour->sun_bearing_rad / PP_RAD,
-                hour->diffuse_lx, hour->direct_lx);
+        if (isnan(hour->sun_altitude_rad))
+            fprintf(out,
+                    "  Given sky, without sun: illuminances in lux;\n  outside %.0f lx "
+                    "diffuse horizontal.\n",
+                    hour->diffuse_lx);
+        else
+            fprintf(out,
+                    "  %s%s: illuminances in lux;\n  sun %.1f degrees high, bearing "
+                    "%.1f; outside %.0f lx diffuse horizontal, %.0f lx direct "
+                    "normal.\n",
+                    when ? when : "Given sky and sun", when ? ", standard time" : "",
+                    hour->sun_altitude_rad / PP_RAD, hour->sun_bearing_rad / PP_RAD,
+                    hour->diffuse_lx, hour->direct_lx);
         fputs("  ", out);
         pp_print_wrapped(sheet->weather, 2, 2, width, out);
         for (int k = 0; k < sheet->warning_count; k++) {

@@ -40,8 +40,10 @@ static enum pp_status fill_hours(struct pp_annual_sheet *sheet,
             continue;
         const struct pp_perez_sky *sky = &year->skies[from->sky];
         double bearing = atan2(sky->sun.x, sky->sun.y);
-        to->sun_altitude_rad = asin(fmax(-1.0, fmin(1.0, sky->sun.z)));
-        to->sun_bearing_rad = bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing;
+        if (!sky->sunless) {
+            to->sun_altitude_rad = asin(fmax(-1.0, fmin(1.0, sky->sun.z)));
+            to->sun_bearing_rad = bearing < 0.0 ? bearing + 2.0 * PP_PI : bearing;
+        }
         to->diffuse_lx = sky->diffuse_lx;
         to->direct_lx = sky->sun.z > 0.0 ? sky->direct_lx : 0.0;
         sheet->daylit_h += from->length_h;

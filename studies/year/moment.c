@@ -130,6 +130,7 @@ enum pp_status pp_moment_of_standard(struct pp_moment *moment,
         return status;
     moment->sky =
         pp_perez_sky_of_standard(&standard, sun, of->direct_lx, of->diffuse_lx);
+    moment->sky.sunless = of->iso == 0 && !(of->direct_lx > 0.0);
     snprintf(moment->words, sizeof moment->words,
              "Sky %s with the given diffuse horizontal%s illuminance%s", of->name,
              of->direct_lx > 0.0 ? " and direct normal" : "",

@@ -231,6 +231,10 @@ check "its JSON names the sky" shows '"sky": "iso-12"' \
     df --samples 16 --sky iso-12,30,180,70000,12000 -f json "$room"
 check "an overcast sky in lux" shows "Sky overcast with the given diffuse horizontal illuminance" \
     df --samples 16 --sky overcast,20000 "$room"
+check "which has no sun" shows "Given sky, without sun" \
+    df --samples 16 --sky overcast,20000 "$room"
+check "nor in JSON" shows '"sun_altitude_deg": null' \
+    df --samples 16 --sky uniform,20000 -f json "$room"
 check "no such ISO sky" refuses 2 "iso-1 to iso-15" df --sky iso-16,30,180,70000,12000 "$room"
 check "an ISO sky without diffuse light" refuses 2 "iso-1 to iso-15" \
     df --sky iso-12,30,180,70000 "$room"

@@ -86,9 +86,10 @@ struct pp_annual_hour {
     double start_h, length_h; /* local standard time */
     double occupied_h;
     bool known;
-    double sun_altitude_rad, sun_bearing_rad; /* bearing clockwise from north */
-    double diffuse_lx, direct_lx;             /* horizontal; normal to the sun */
-    int sky;                                  /* index in lx and sun_lx; -1: dark */
+    double sun_altitude_rad,
+        sun_bearing_rad;          /* bearing clockwise from north; NAN: no sun */
+    double diffuse_lx, direct_lx; /* horizontal; normal to the sun */
+    int sky;                      /* index in lx and sun_lx; -1: dark */
 };
 
 /* Discretisation error of patches and cells: compared on a sample with paths under the
