@@ -20,6 +20,7 @@ static const double NEAR = 1.5;
 struct batch_work {
     const struct pp_year_task *task;
     struct pp_year_batch *batch;
+    int worker;
     struct pp_outdoor_cells outdoor;
     struct pp_path_walk walk;
     uint64_t seed;
@@ -195,6 +196,18 @@ static void place_suns(struct batch_work *work, int index)
     }
 }
 
+/* Ends a row of each matrix; PP_INTERRUPTED if the task shall not go on. */
+static enum pp_status end_row(const struct batch_work *work,
+                              struct pp_sparse_rows *rows, struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
+        status = pp_sparse_rows_end(&rows[k], err);
+    if (status == PP_OK && !work->task->goes_on(work->task->data, work->worker))
+        status = pp_fail(err, PP_INTERRUPTED, "interrupted");
+    return status;
+}
+
 static enum pp_status follow_cells(struct batch_work *work, struct pp_error *err)
 {
     const struct pp_year_task *task = work->task;
@@ -205,8 +218,7 @@ static enum pp_status follow_cells(struct batch_work *work, struct pp_error *err
     for (int c = 0; c < task->cells->count && status == PP_OK; c++) {
         if (work->batch->cell_has_point[c])
             follow_cell(work, c, places);
-        for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
-            status = pp_sparse_rows_end(&work->of_cells[k], err);
+        status = end_row(work, work->of_cells, err);
     }
     free(places);
     return status;
@@ -250,8 +262,7 @@ static enum pp_status follow_points(struct batch_work *work, struct pp_error *er
             work->walk.vertex = 0;
             follow_both(work, &at);
         }
-        for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
-            status = pp_sparse_rows_end(&work->of_points[k], err);
+        status = end_row(work, work->of_points, err);
     }
     return status;
 }
@@ -316,8 +327,7 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
             if (pp_vec_length(at.normal) > 0.0)
                 pp_year_path_lobe(&work->walk, &sink, &at);
         }
-        for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++)
-            status = pp_sparse_rows_end(&rows[k], err);
+        status = end_row(work, rows, err);
         /* Light that enters again through any opening. */
         const struct pp_sparse_rows *D = &rows[PP_YEAR_ROWS_D];
         for (int k = D->first[g]; status == PP_OK && k < D->first[g + 1]; k++) {
@@ -362,7 +372,7 @@ static enum pp_status make_space(struct pp_year_batch *batch,
 
 enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
                                   const struct pp_year_task *task, int index,
-                                  struct pp_error *err)
+                                  int worker, struct pp_error *err)
 {
     *batch = (struct pp_year_batch){.light = NULL};
     struct batch_work *work = calloc(1, sizeof *work);
@@ -370,6 +380,7 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
         return pp_fail_memory(err);
     work->task = task;
     work->batch = batch;
+    work->worker = worker;
     work->seed = pp_hash(task->seed, UINT64_C(0x9ea1) + (uint64_t)index);
     work->walk =
         (struct pp_path_walk){.scene = task->scene, .environment = task->environment};

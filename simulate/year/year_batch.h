@@ -51,6 +51,10 @@ struct pp_year_task {
     int point_paths;  /* from each receiver; a power of two */
     const struct pp_sobol *sobol;
     uint64_t seed;
+    /* False ends the calculation with PP_INTERRUPTED; called between rows, by each
+     * worker with its number. */
+    bool (*goes_on)(void *data, int worker);
+    void *data;
 };
 
 /* One randomisation. Rows of a receiver have an entry for every group and column. */
@@ -76,7 +80,7 @@ struct pp_year_batch {
 /* Calculates randomisation `index`; the caller clears *batch, even after a failure. */
 enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
                                   const struct pp_year_task *task, int index,
-                                  struct pp_error *err);
+                                  int worker, struct pp_error *err);
 void pp_year_batch_clear(struct pp_year_batch *batch);
 
 #endif

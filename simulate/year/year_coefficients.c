@@ -3,6 +3,7 @@
 #include "simulate/year/year_coefficients.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "model/base/array.h"
@@ -39,16 +40,24 @@ struct pp_year_coefficients {
     enum pp_status status[PP_YEAR_BATCHES]; /* status of each batch's task */
     bool (*goes_on)(void *data, double done);
     void *data;
+    double done; /* share of the batches; only worker 0 uses it */
+    atomic_bool stopped;
 };
 
-/* Worker 0 is the calling thread. */
+/* Worker 0 is the calling thread, which watches for all. */
+static bool year_goes_on(void *data, int worker)
+{
+    struct pp_year_coefficients *c = data;
+    if (worker == 0 && c->goes_on && !c->goes_on(c->data, c->done))
+        atomic_store(&c->stopped, true);
+    return !atomic_load(&c->stopped);
+}
+
 static bool batch_starts(struct pp_year_coefficients *c, int worker, int index)
 {
-    if (worker > 0 || !c->goes_on
-        || c->goes_on(c->data, (double)index / PP_YEAR_BATCHES))
-        return true;
-    c->status[index] = PP_INTERRUPTED;
-    return false;
+    if (worker == 0)
+        c->done = (double)index / PP_YEAR_BATCHES;
+    return year_goes_on(c, worker);
 }
 
 static bool make_batch(void *data, int worker, int index)
@@ -56,7 +65,8 @@ static bool make_batch(void *data, int worker, int index)
     struct pp_year_coefficients *c = data;
     if (!batch_starts(c, worker, index))
         return false;
-    c->status[index] = pp_year_batch_make(&c->batches[index], &c->task, index, NULL);
+    c->status[index] =
+        pp_year_batch_make(&c->batches[index], &c->task, index, worker, NULL);
     return c->status[index] == PP_OK;
 }
 
@@ -65,13 +75,11 @@ static enum pp_status for_batches(struct pp_year_coefficients *c,
                                   pp_thread_pool_work *work, struct pp_error *err)
 {
     pp_thread_pool_run(c->pool, 0, PP_YEAR_BATCHES, work, c);
-    bool stopped = false;
     for (int b = 0; b < PP_YEAR_BATCHES; b++)
-        if (c->status[b] == PP_INTERRUPTED)
-            stopped = true;
-        else if (c->status[b] != PP_OK)
+        if (c->status[b] != PP_OK && c->status[b] != PP_INTERRUPTED)
             return pp_fail_memory(err);
-    return stopped ? pp_fail(err, PP_INTERRUPTED, "interrupted") : PP_OK;
+    return atomic_load(&c->stopped) ? pp_fail(err, PP_INTERRUPTED, "interrupted")
+                                    : PP_OK;
 }
 
 enum pp_status pp_year_coefficients_create(
@@ -88,6 +96,7 @@ enum pp_status pp_year_coefficients_create(
     c->pool = pool;
     c->goes_on = options->goes_on;
     c->data = options->data;
+    atomic_init(&c->stopped, false);
     if (!pp_sky_patches_init(&c->patches, options->patches, scene->world->north_rad)) {
         free(c);
         return pp_fail(err, PP_BAD_INPUT,
@@ -110,7 +119,9 @@ enum pp_status pp_year_coefficients_create(
         .cell_paths = options->paths >= 4 ? options->paths / 4 : 1,
         .point_paths = options->paths,
         .sobol = &c->sobol,
-        .seed = options->seed};
+        .seed = options->seed,
+        .goes_on = year_goes_on,
+        .data = c};
     if (status == PP_OK && c->cells.count > PP_YEAR_CELLS_MOST)
         status = pp_fail(err, PP_BAD_INPUT,
                          "the interior of the room has %d surfaces; expected at most "
@@ -202,7 +213,9 @@ static bool light_batch(void *data, int worker, int b)
     list->first = calloc((size_t)c->light->count + 1, sizeof *list->first);
     c->status[b] = list->first ? PP_OK : pp_fail_memory(NULL);
     for (int t = 0; t < c->light->count && c->status[b] == PP_OK; t++) {
-        c->status[b] = add_suns_of_hour(c, b, &c->light->skies[t], list, &used);
+        c->status[b] = year_goes_on(c, worker)
+                           ? add_suns_of_hour(c, b, &c->light->skies[t], list, &used)
+                           : PP_INTERRUPTED;
         list->first[t + 1] = used;
     }
     return c->status[b] == PP_OK;
