@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "cli/interrupt.h"
 #include "cli/job.h"
 #include "cli/terminal.h"
 #include "cli/watch.h"
@@ -45,6 +46,9 @@ static enum pp_status compute_moment(void *data, struct pp_error *err)
         status = pp_moment_of_room(&run->results.list[i].sheet, room->world,
                                    &room->light, room->receivers, room->receiver_count,
                                    &moment, &options, err);
+        if (status == PP_OK && !run->results.list[i].sheet.finished)
+            status = pp_fail(err, PP_INTERRUPTED, "%s: interrupted",
+                             pp_read_file_title(room->file));
     }
     return status;
 }
@@ -76,6 +80,7 @@ enum pp_exit pp_moment_run(struct pp_moment_choice *choice,
                                  .format = format,
                                  .rooms = rooms,
                                  .results = {.several = rooms->several || array}};
+        pp_interrupt_watch();
         result = pp_job_run(
             &(struct pp_job){room->output, compute_moment, print_moment, NULL, &run});
         for (int i = 0; i < run.results.count; i++)
