@@ -188,7 +188,8 @@ static void say_left_out(const struct pp_rooms *rooms, bool gloss)
                        "deterioration of decorations in the internally reflected "
                        "component, so its daylight factors are higher",
                        file, world->decorations);
-        if (gloss && pp_rough_finishes_count(world->materials) > 0)
+        if (gloss && pp_rough_finishes_count(world->materials) > 0
+            && (i == 0 || strcmp(rooms->list[i].file, rooms->list[i - 1].file) != 0))
             pp_message("%.200s: each <material> becomes a metal or plastic with the "
                        "same reflectance for diffuse light; its spike, and the change "
                        "of its lobe with angle and wavelength, are lost",
