@@ -51,7 +51,7 @@ struct pp_rough_surface {
     double share[PP_ROUGH_ANGLES][PP_ROUGH_RADII + 1];
 };
 
-/* Fills the tables; this takes some 50 ms. Lengths must be greater than 0, roughness 0
+/* Fills the tables; this takes some 0.1 s. Lengths must be greater than 0, roughness 0
  * or more, n greater than 0, k 0 or more, a from 0 to 1. Fails only if memory runs
  * out. */
 enum pp_status pp_rough_surface_init(struct pp_rough_surface *surface,
