@@ -53,18 +53,11 @@ static bool year_goes_on(void *data, int worker)
     return !atomic_load(&c->stopped);
 }
 
-static bool batch_starts(struct pp_year_coefficients *c, int worker, int index)
-{
-    if (worker == 0)
-        c->done = (double)index / PP_YEAR_BATCHES;
-    return year_goes_on(c, worker);
-}
-
 static bool make_batch(void *data, int worker, int index)
 {
     struct pp_year_coefficients *c = data;
-    if (!batch_starts(c, worker, index))
-        return false;
+    if (worker == 0)
+        c->done = (double)index / PP_YEAR_BATCHES;
     c->status[index] =
         pp_year_batch_make(&c->batches[index], &c->task, index, worker, NULL);
     return c->status[index] == PP_OK;
@@ -206,8 +199,8 @@ static enum pp_status add_suns_of_hour(const struct pp_year_coefficients *c, int
 static bool light_batch(void *data, int worker, int b)
 {
     struct pp_year_coefficients *c = data;
-    if (!batch_starts(c, worker, b))
-        return false;
+    if (worker == 0)
+        c->done = (double)b / PP_YEAR_BATCHES;
     struct sun_list *list = &c->suns[b];
     int used = 0;
     list->first = calloc((size_t)c->light->count + 1, sizeof *list->first);
