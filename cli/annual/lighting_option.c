@@ -132,7 +132,7 @@ static enum pp_status read_lighting_blinds(struct pp_lighting_control *control,
 
 static const struct lighting_key keys[] = {
     {"power", AUTOMATIC | MANUAL, read_power},
-    {"target", AUTOMATIC, read_target},
+    {"target", AUTOMATIC | MANUAL, read_target},
     {"differential", ON_OFF, read_differential},
     {"steps", STEPPED, read_steps},
     {"residual-light", DIMMED, read_residual_light},

@@ -249,8 +249,8 @@ bool pp_hand_year_report_json(struct json_object *object,
     if (hand->column_count == 0 || !hand->finished)
         return true;
     struct json_object *list = json_object_new_array();
-    bool good = pp_json_text(object, "methods_factors", hand->words)
-                && pp_json_text(object, "methods_ranges", hand->ranges)
+    bool good = pp_json_text(object, "methods-factors", hand->words)
+                && pp_json_text(object, "methods-ranges", hand->ranges)
                 && pp_json_add(object, "methods", list);
     for (int i = 0; i < hand->column_count && good; i++)
         good = add_year_method(list, hand, sheet, &hand->columns[i]);

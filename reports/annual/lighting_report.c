@@ -77,9 +77,7 @@ static bool add_settings(struct json_object *object,
         return false;
     bool good = pp_json_text(object, "control", pp_lighting_control_name(control->kind))
                 && pp_json_text(object, "settings", words)
-                && pp_json_number(
-                    object, "target_lux",
-                    control->kind == PP_LIGHTING_MANUAL ? NAN : control->target_lx);
+                && pp_json_number(object, "target_lux", control->target_lx);
     if (!good) {
         json_object_put(point);
         return false;

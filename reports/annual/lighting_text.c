@@ -29,7 +29,8 @@ static double saved_error(const struct pp_annual_sheet *sheet, int k)
 
 static double saved_mean(const struct pp_annual_sheet *sheet, int k)
 {
-    return 100.0 * sheet->lighting[k].mean.value;
+    bool of_one = sheet->lighting[k].control.point > 0;
+    return of_one ? NAN : 100.0 * sheet->lighting[k].mean.value;
 }
 
 static double standard_percent(const struct pp_annual_sheet *sheet, int k)

@@ -87,8 +87,8 @@ const char *pp_lighting_control_words(char *text, size_t room,
     case PP_LIGHTING_MANUAL:
         snprintf(text, room,
                  "manual: on at arrival by Hunt's probability for the light at %s, off "
-                 "at departure",
-                 at);
+                 "at departure; EN 15193 for %g lx",
+                 at, t);
         break;
     }
     pp_text_append(text, room, "; %s",

@@ -38,7 +38,7 @@ lacks() {
 }
 check "and no other" lacks "adeline" $annual -m doe2 "$room"
 check "none by default" lacks "Hand methods" $annual "$room"
-check "JSON" shows '"methods_factors"' $annual -m df-global -f json "$room"
+check "JSON" shows '"methods-factors"' $annual -m df-global -f json "$room"
 check "likely ranges" shows "of 100 simulated figures" $annual -m df-global "$room"
 check "in JSON" shows '"da300-range"' $annual -m df-global -f json "$room"
 check "none for other hours" shows "no likely ranges: they are known for 8 to 18 h" $annual \

@@ -60,9 +60,9 @@ static void record_year(struct pp_steps *steps, const struct hand_sums *sums,
                    "useful daylight illuminance: 300 to %g lx", 3000.0);
     add_share_step(steps, "U_4", "100 t_c / t", figures->udi_above,
                    "useful daylight illuminance: above %g lx", 3000.0);
-    pp_steps_add_named(steps, PP_UNIT_COUNT, sums->lxh, "S",
-                       "sum of E times length over the occupied hours (lx h)");
-    pp_steps_add_worked(steps, PP_UNIT_LUX, figures->mean_lx, "E_m", "S / t",
+    pp_steps_add_named(steps, PP_UNIT_COUNT, sums->lxh / 1000.0, "S",
+                       "sum of E times hours, klx h");
+    pp_steps_add_worked(steps, PP_UNIT_LUX, figures->mean_lx, "E_m", "1000 S / t",
                         "mean illuminance");
 }
 
@@ -88,10 +88,11 @@ void pp_hand_figures_of(struct pp_hand_figures *figures, const struct pp_hand_ca
         if (!(hour->occupied_h > 0.0))
             continue;
         method->evaluate(of, tools, point, hour, &sheet, &states);
-        if (isnan(states.list[0].lx)) {
-            *figures = pp_hand_figures_none();
-            return;
-        }
+        for (int k = 0; k < states.count; k++)
+            if (isnan(states.list[k].lx)) {
+                *figures = pp_hand_figures_none();
+                return;
+            }
         for (int k = 0; k < states.count; k++)
             add_state(&sums, hour->occupied_h * states.list[k].share, states.list[k].lx,
                       illuminances_lx, illuminance_count);

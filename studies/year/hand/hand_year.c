@@ -87,8 +87,16 @@ static enum pp_status df_by_hand(struct hand_run *run, struct pp_error *err)
                          "one, such as exact+bre",
                          run->options->df, count);
     if (status == PP_OK) {
-        for (int x = 0; x < run->room->receiver_count; x++)
+        for (int x = 0; x < run->room->receiver_count && status == PP_OK; x++) {
             run->of.df[x] = found->points[x].value;
+            if (isnan(run->of.df[x]))
+                status = pp_fail(
+                    err, PP_BAD_INPUT,
+                    "--df %s gives no daylight factor: %s; expected another "
+                    "method",
+                    run->options->df,
+                    found->points[x].why ? found->points[x].why : "no reason known");
+        }
         snprintf(run->sheet->words, sizeof run->sheet->words,
                  "daylight factors by %s under the CIE overcast sky", found->name);
     }
@@ -122,14 +130,24 @@ static enum pp_status find_df(struct hand_run *run, struct pp_error *err)
     return status;
 }
 
+static bool has_range(double target_lx)
+{
+    return target_lx >= 200.0 && target_lx <= 750.0;
+}
+
 /* Reason why there are no likely ranges, as the end of a sentence; NULL: there are. */
 static const char *why_no_ranges(const struct hand_run *run)
 {
     const struct pp_working_hours *hours = &run->annual->hours;
-    return run->options->df || run->options->overcast != PP_STANDARD_OVERCAST
-               ? "they are known for daylight factors simulated under Moon and "
-                 "Spencer's "
-                 "sky only"
+    bool in_range = false;
+    for (int i = 0; i < run->annual->illuminance_count; i++)
+        in_range |= has_range(run->annual->illuminances_lx[i]);
+    return run->options->df ? "they are known for simulated daylight factors only"
+           : run->options->overcast != PP_STANDARD_OVERCAST
+               ? "they are known for the CIE overcast sky of Moon and Spencer only"
+           : !in_range ? "they are known for targets of 200 to 750 lx only"
+           : run->annual->summer.from.month > 0
+               ? "they are known for standard time only"
            : hours->from_h != 8.0 || hours->to_h != 18.0 || hours->days != PP_ALL_DAYS
                ? "they are known for 8 to 18 h on all days only"
            : pp_hand_case_facade(&run->of) < 0 ? "they are known for windows only"
@@ -152,7 +170,7 @@ static void set_ranges(const struct hand_run *run, struct pp_hand_column *column
     int facade = why_no_ranges(run) ? -1 : pp_hand_case_facade(&run->of);
     for (int i = 0; i < run->annual->illuminance_count; i++) {
         double lx = run->annual->illuminances_lx[i];
-        bool known = lx >= 200.0 && lx <= 750.0;
+        bool known = has_range(lx);
         struct pp_hand_interval range = pp_hand_range_of(
             column->name, known ? facade : -1, column->points[x].autonomy[i]);
         column->ranges[x].low[i] = range.low;
