@@ -138,7 +138,7 @@ static struct pp_interior_parts split(const struct pp_world *world, double z,
         double below_m2 = area_below(&surface->outline, z);
         add_area_parts(&lower, &upper, &surface->outline, below_m2, 1.0,
                        surface->front);
-        if (surface->role == PP_FREE_SURFACE)
+        if (surface->role == PP_FREE_SURFACE && !surface->is_of_fitting)
             add_area_parts(&lower, &upper, &surface->outline, below_m2, 1.0,
                            surface->back);
     }

@@ -54,10 +54,11 @@ struct pp_surface {
                                      * sides of blocks and free-standing surfaces.
                                      * NULL: grey and diffuse. Reflectance is that of
                                      * `front` */
-    int owner;     /* index of: a reveal's opening; a cover's wall (surface); a
+    int owner;          /* index of: a reveal's opening; a cover's wall (surface); a
                     * block; a facade; a skyline; the opening of a shade of this
                     * room. Else -1 */
-    bool is_door;  /* cover: door, not dado */
+    bool is_door;       /* cover: door, not dado */
+    bool is_of_fitting; /* face of a closed object in the room: nothing sees its back */
     bool is_shade; /* overhang, fin, balcony or shelf of a window, of this room or of
                     * another room in the same front */
     bool is_inner; /* wall: another room or building is behind it */

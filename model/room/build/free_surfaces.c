@@ -305,6 +305,7 @@ enum pp_status pp_build_free_surfaces_add(struct pp_resolver *r,
                                  .name = part->name,
                                  .owner = -1,
                                  .is_shade = part->is_shade,
+                                 .is_of_fitting = part->is_of_room,
                                  .line = part->line};
     if (pp_polygon_of(&surface.outline, part->vertices.list, part->vertices.count, err)
         != PP_OK)

@@ -37,6 +37,22 @@ static void worked_room_as_on_paper(void **state)
     assert_near(split.upper.reflectance, 0.59938, 5e-6);
 }
 
+/* A cupboard on the floor, 1.6 x 0.8 x 1.5 m: four sides and the top are seen, and
+ * nothing sees its inside. */
+static void a_cupboard_counts_with_its_outer_faces(void **state)
+{
+    (void)state;
+    struct pp_world *bare = pp_test_world(
+        "<room version='1'><plan width='4' depth='6' height='3'/></room>");
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan width='4' depth='6' height='3'/>"
+        "<furniture x='1' y='2' width='1.6' depth='0.8' height='1.5'/></room>");
+    assert_near(pp_interior_all(world).area_m2 - pp_interior_all(bare).area_m2,
+                2.0 * (1.6 + 0.8) * 1.5 + 1.6 * 0.8, 1e-9);
+    pp_world_destroy(world);
+    pp_world_destroy(bare);
+}
+
 static void parts_and_openings_make_up_the_whole(void **state)
 {
     (void)state;
@@ -153,6 +169,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(worked_room_as_on_paper),
+        cmocka_unit_test(a_cupboard_counts_with_its_outer_faces),
         cmocka_unit_test(parts_and_openings_make_up_the_whole),
         cmocka_unit_test(a_ceiling_is_above_its_own_rooflight),
         cmocka_unit_test(other_walls_openings_count_with_a_tenth_in_the_bre_means),
