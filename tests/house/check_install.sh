@@ -122,7 +122,7 @@ runs() {
             }
         done
         "$bin/pepperpot" --help >help &&
-            [ "$(sed -n '/^Commands:/,/^$/p' help | grep -c '^  ')" -eq 16 ]
+            [ "$(sed -n '/^Commands:/,/^$/p' help | grep -c '^  ')" -eq 17 ]
     )
 }
 
