@@ -127,8 +127,9 @@ static enum pp_status say_sun_path_foot(char *foot, size_t room,
     if (weather)
         pp_page_say(foot, room,
                     "Dots are the hours of the weather file with a direct normal "
-                    "irradiance above %g\u00a0W/m\u00b2; rings are those in which the "
-                    "sun is hidden. It reaches the window in %.0f of %.0f hours.",
+                    "irradiance above %g\u00a0W/m\u00b2; in those with a ring the "
+                    "sun is hidden. The sun reaches the window in %.0f of these %.0f "
+                    "hours.",
                     PP_SUNSHINE_W_M2, weather->visible_h, weather->all_h);
     if (weather && fabs(weather->latitude_rad - world->latitude_rad) > far_latitude_rad)
         pp_page_say(foot, room,

@@ -68,16 +68,20 @@ enum pp_status pp_depth_profile_find(struct pp_depth_profile *profile,
     profile->steps = calloc(sheet->receiver_count, sizeof *profile->steps);
     if (!profile->steps)
         return pp_fail_memory(err);
-    for (int i = 0; i < sheet->receiver_count; i++)
-        profile->steps[i] = (struct pp_depth_step){
-            .depth_m =
-                pp_vec_dot(pp_vec_sub(sheet->receivers[i].position, face->vertices[0]),
-                           face->normal),
+    for (int i = 0; i < sheet->receiver_count; i++) {
+        double depth_m = pp_vec_dot(
+            pp_vec_sub(sheet->receivers[i].position, face->vertices[0]), face->normal);
+        if (depth_m < 0.0)
+            continue;
+        profile->steps[profile->count++] = (struct pp_depth_step){
+            .depth_m = depth_m,
             .count = 1,
             .autonomy = sheet->points[i].autonomy_300.value,
             .blinds_autonomy = sheet->points[i].blinds_autonomy.value,
             .udi = sheet->points[i].udi_good.value};
-    profile->count = sheet->receiver_count;
+    }
+    if (profile->count == 0)
+        return PP_OK;
     qsort(profile->steps, profile->count, sizeof *profile->steps, by_depth);
     merge_steps(profile);
     return PP_OK;

@@ -16,11 +16,12 @@ struct pp_depth_step {
 };
 
 struct pp_depth_profile {
-    int count; /* 0: the room has no vertical window */
+    int count; /* 0: no vertical window, or no point in front of it */
     struct pp_depth_step *steps;
 };
 
-/* Distances are ascending; points within 5 cm of the first of a step belong to it.
+/* Distances are ascending; points behind the plane of the wall, as in an L-shaped room,
+ * are left out; points within 5 cm of the first of a step belong to it.
  * pp_depth_profile_clear clears it, also after a failure. PP_NO_MEMORY. */
 enum pp_status pp_depth_profile_find(struct pp_depth_profile *profile,
                                      const struct pp_annual_sheet *sheet,

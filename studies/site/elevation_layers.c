@@ -46,9 +46,9 @@ static int by_importance(const void *left, const void *right)
     const struct seen_wall *a = left, *b = right;
     if (a->has_windows != b->has_windows)
         return a->has_windows ? -1 : 1;
-    if (fabs(a->wall.front_m - b->wall.front_m) > OVERLAP_M)
-        return a->wall.front_m > b->wall.front_m ? -1 : 1;
-    return a->index - b->index;
+    long front =
+        lround(b->wall.front_m / OVERLAP_M) - lround(a->wall.front_m / OVERLAP_M);
+    return front != 0 ? (front > 0 ? 1 : -1) : a->index - b->index;
 }
 
 static enum pp_status add_seen(struct seen_walls *seen,
@@ -75,7 +75,19 @@ static enum pp_status add_seen(struct seen_walls *seen,
     return status;
 }
 
-/* Outer upright walls that face `way`, the most important first. */
+/* True if the wall is on one of the elevations. */
+static bool is_drawn(const struct pp_elevation_sheet *sheet, int room, int face)
+{
+    for (int i = 0; i < sheet->count; i++)
+        for (int k = 0; k < sheet->elevations[i].wall_count; k++)
+            if (sheet->elevations[i].walls[k].room_at == room
+                && sheet->elevations[i].walls[k].face == face)
+                return true;
+    return false;
+}
+
+/* Outer upright walls that face `way` and are on no elevation yet, the most important
+ * first. */
 static enum pp_status find_seen(struct seen_walls *seen,
                                 const struct pp_elevation_sheet *sheet,
                                 const struct pp_site_rooms *rooms, struct pp_vec3 way,
@@ -89,7 +101,8 @@ static enum pp_status find_seen(struct seen_walls *seen,
             struct pp_vec3 out = pp_placement_turn(
                 pp_vec_scale(face->outline.normal, -1.0), world->placement.rotate_rad);
             if (face->role == PP_WALL && !face->is_inner
-                && fabs(face->outline.normal.z) <= 0.02 && faces(out, way))
+                && fabs(face->outline.normal.z) <= 0.02 && faces(out, way)
+                && !is_drawn(sheet, r, i))
                 status = add_seen(seen, sheet, world, r, i, way, err);
         }
     }

@@ -80,7 +80,7 @@ if command -v pdftotext >/dev/null; then
             >"$scratch/turned.xml"
         quietly chart sun-path -w "$scratch/year.epw" -o "$scratch/sun.pdf" \
             "$scratch/turned.xml" &&
-            pdftotext "$scratch/sun.pdf" - | tr '\n' ' ' | grep -q "window in $2 of 2555 hours"
+            pdftotext "$scratch/sun.pdf" - | tr '\n' ' ' | grep -q "window in $2 of these 2555"
     }
     check "hours with sunshine that reach a window to the south" sunny 0.5 2555
     check "and none to the north" sunny 180.5 0

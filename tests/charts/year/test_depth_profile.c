@@ -5,16 +5,17 @@
 
 #include "tests/lib/room_of.h"
 
-enum { POINTS = 4 };
+enum { POINTS = 5 };
 
 /* Two points at 1 m and two at 3 m from the south wall, which has more glass than the
- * east wall; their autonomies are 0.9 and 0.7, 0.4 and 0.2. */
+ * east wall; their autonomies are 0.9 and 0.7, 0.4 and 0.2. A point behind the
+ * wall has no depth. */
 static void a_step_is_the_mean_over_the_points_at_its_distance(void **state)
 {
     (void)state;
     static const double at[POINTS][2] = {
-        {1.0, 3.0}, {1.0, 1.0}, {3.0, 1.0}, {3.0, 3.0}};
-    static const double autonomy[POINTS] = {0.2, 0.9, 0.7, 0.4};
+        {1.0, 3.0}, {1.0, 1.0}, {3.0, 1.0}, {3.0, 3.0}, {1.0, -1.0}};
+    static const double autonomy[POINTS] = {0.2, 0.9, 0.7, 0.4, 1.0};
     struct pp_world *world = pp_test_world(
         "<room version='1'><plan width='4' depth='5' height='3'/>"
         "<window wall='south' left='1' sill='1' width='2' height='1'/>"
