@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "model/geometry/bounds.h"
+#include "model/light/rough/rough_finishes.h"
 #include "studies/criteria/capitals.h"
 
 /* Distances from a country's capital, as angles. Places in the country are nearer than
@@ -71,6 +72,19 @@ static void doubt_panes(struct pp_mistakes *doubts, const struct pp_world *world
             pp_mistakes_add(doubts, world->openings[i].line, "%s: \"%.100s\": %s",
                             world->openings[i].label, pane->file ? pane->file : "",
                             pane->warnings[k]);
+    }
+}
+
+static void doubt_materials(struct pp_mistakes *doubts, const struct pp_world *world)
+{
+    for (int i = 0; i < pp_rough_finishes_count(world->materials); i++) {
+        const struct pp_rough_finish *material =
+            pp_rough_finishes_at(world->materials, i);
+        if (material->surface.lost > PP_DOUBTS_LOST_MOST)
+            pp_mistakes_add(doubts, material->line,
+                            "material \"%s\" is too steep for its model, which loses "
+                            "%.0f %% of the light",
+                            material->finish.name, 100.0 * material->surface.lost);
     }
 }
 
@@ -179,6 +193,7 @@ void pp_doubts_find(struct pp_mistakes *doubts, const struct pp_world *world,
     doubt_size(doubts, world);
     doubt_openings(doubts, world, alone);
     doubt_panes(doubts, world);
+    doubt_materials(doubts, world);
     doubt_site(doubts, world);
     doubt_outside(doubts, world, alone);
     if (alone)

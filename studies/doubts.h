@@ -15,11 +15,16 @@
  * maintenance is 0.5 [BRE309]. */
 #define PP_DOUBTS_FACTOR_LEAST 0.4
 
+/* A material that loses more of diffuse light by its roughness is too steep for its model
+ * (rough_surface.h). */
+#define PP_DOUBTS_LOST_MOST 0.2
+
 /* Adds a warning, with the line of the room file (0: the file as a whole), for
  *
  * - a room, block or mesh whose size suggests another unit;
  * - a frame factor or maintenance that looks like a loss;
  * - the data of a measured pane (bsdf.h);
+ * - a physically rough material with too steep slopes;
  * - latitude and longitude that lie near the site's country when swapped, and far from it
  *   as given;
  * - in a file of one room (alone): no opening, a block away from the room that lies behind

@@ -88,6 +88,20 @@ static void a_factor_that_is_a_loss_names_what_it_would_be(void **state)
                  "0.08 looks like the loss (maintenance would be 0.92)");
 }
 
+#define METAL(shape) "<material name='metal' n='1' k='6' " shape "/>"
+
+/* Roughness over correlation length is 0.2 at first, then 0.6. */
+static void a_material_is_too_steep_if_it_loses_much_light(void **state)
+{
+    (void)state;
+    assert_string_equal(
+        doubts_of(LONE(METAL("roughness='3' correlation-length='15'") PLAN WINDOW),
+                  true),
+        "");
+    assert_doubt(LONE(METAL("roughness='3' correlation-length='5'") PLAN WINDOW),
+                 "material \"metal\" is too steep for its model, which loses ");
+}
+
 static void swapped_coordinates_are_far_from_the_country(void **state)
 {
     (void)state;
@@ -147,6 +161,7 @@ TEST_FILE
         cmocka_unit_test(a_hall_of_100_by_300_m_is_no_mistake),
         cmocka_unit_test(a_room_without_a_window_is_dark),
         cmocka_unit_test(a_factor_that_is_a_loss_names_what_it_would_be),
+        cmocka_unit_test(a_material_is_too_steep_if_it_loses_much_light),
         cmocka_unit_test(swapped_coordinates_are_far_from_the_country),
         cmocka_unit_test(a_block_behind_every_window_hides_no_sky),
         cmocka_unit_test(a_skyline_needs_a_window_in_its_wall),
