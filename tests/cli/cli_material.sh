@@ -49,6 +49,15 @@ check "--gloss exports varnish on paint as plastic" "$pepperpot" export --to rad
     --gloss --force -o "$scratch/gloss" "$scratch/varnish.xml"
 check "whose colour is at most 1" sh -c "grep -A 3 ' plastic floor' '$scratch/gloss/materials.rad' |
     awk 'NR == 4 { found = \$2 > 0.9 && \$2 <= 1 && \$5 > 0 && \$5 < 0.1 } END { exit !found }'"
+same() { # 40 materials with the same optics; only the name differs
+    sed -n 1p "$room"
+    for i in $(seq 40); do sed -n 2,3p "$room" | sed "s/\"copper\"/\"m$i\"/"; done
+    sed '1,3d; s/#copper/#m1/' "$room"
+}
+same >"$scratch/many.xml"
+check "a file has at most 32 materials" refuses 1 "more than 32 materials" df "$scratch/many.xml"
+sed '66,81d' "$scratch/many.xml" >"$scratch/most.xml"
+check "and may have 32" shows "m32 reflects 0.641" df "$scratch/most.xml"
 check "an unknown material is refused" refuses 1 "or # and the name of a <material>" \
     df --set finishes.floor="#zinc" "$room"
 check "a material's attribute can be set" shows "and loses 0.0 % by roughness" \

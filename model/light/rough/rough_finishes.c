@@ -14,13 +14,29 @@ struct pp_rough_finishes {
     atomic_int holders;
 };
 
-static struct pp_rough_finish *make_finish(const char *name,
+/* Fills the tables, or copies those of a material with the same optics. */
+static enum pp_status make_surface(struct pp_rough_surface *surface,
+                                   const struct pp_rough_finishes *list,
+                                   const struct pp_rough_optics *optics,
+                                   struct pp_error *err)
+{
+    surface->optics = *optics;
+    for (int i = 0; i < list->count; i++)
+        if (pp_rough_surface_same(&list->list[i]->surface, surface)) {
+            *surface = list->list[i]->surface;
+            return PP_OK;
+        }
+    return pp_rough_surface_init(surface, optics, err);
+}
+
+static struct pp_rough_finish *make_finish(const struct pp_rough_finishes *list,
+                                           const char *name,
                                            const struct pp_rough_optics *optics,
                                            int line, struct pp_error *err)
 {
     struct pp_rough_finish *made = calloc(1, sizeof *made);
     char *copy = strdup(name);
-    if (!made || !copy || pp_rough_surface_init(&made->surface, optics, err) != PP_OK) {
+    if (!made || !copy || make_surface(&made->surface, list, optics, err) != PP_OK) {
         free(made);
         free(copy);
         return NULL;
@@ -51,7 +67,7 @@ enum pp_status pp_rough_finishes_add(struct pp_rough_finishes **list, const char
             return pp_fail_memory(err);
         atomic_init(&(*list)->holders, 1);
     }
-    struct pp_rough_finish *made = make_finish(name, optics, line, err);
+    struct pp_rough_finish *made = make_finish(*list, name, optics, line, err);
     if (!made)
         return pp_fail_memory(err);
     enum pp_status status =

@@ -33,6 +33,13 @@ static const double usual_um[3] = {0.65, 0.55, 0.45};
 static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
 {
     struct pp_material_form form;
+    if (pp_rough_finishes_count(r->materials) >= PP_ROOM_MATERIALS_MOST) {
+        pp_mistakes_add(r->mistakes, e->line,
+                        "material: the file has more than %d materials; expected at "
+                        "most %d",
+                        PP_ROOM_MATERIALS_MOST, PP_ROOM_MATERIALS_MOST);
+        return;
+    }
     if (!pp_reader_fill_form(r, &form, &pp_rule_material, e)
         || !material_is_possible(r, &form, e->line))
         return;

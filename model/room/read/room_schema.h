@@ -73,7 +73,8 @@ struct pp_element_rule {
 enum {
     PP_ROOM_POINTS_MOST = 100000,
     PP_ROOM_VERTICES_MOST = 1000,
-    PP_ROOM_PLACED_MOST = 200 /* each obstructs all others */
+    PP_ROOM_MATERIALS_MOST = 32, /* each takes 0.1 s to prepare */
+    PP_ROOM_PLACED_MOST = 200    /* each obstructs all others */
 };
 
 /* A reflectance, and its finish if it was given by name. */
