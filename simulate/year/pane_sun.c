@@ -17,24 +17,12 @@ int pp_pane_sun_classes(const struct pp_light_scene *scene)
     return most;
 }
 
-static enum pp_status find_panes(struct pp_pane_sun *panes,
-                                 const struct pp_year_task *task, struct pp_error *err)
+static void find_panes(struct pp_pane_sun *panes, const struct pp_year_task *task)
 {
     const struct pp_world *world = task->scene->world;
-    for (int i = 0; i < world->opening_count; i++) {
-        const struct pp_opening **of = &panes->panes[task->group_of_opening[i]];
-        if (*of && (*of)->scatter != world->openings[i].scatter)
-            return pp_fail(
-                err, PP_BAD_INPUT,
-                "the room has more than %d kinds of windows, some with panes "
-                "that scatter light by direction; expected fewer kinds",
-                task->group_count);
-        *of = &world->openings[i];
-    }
-    for (int g = 0; g < task->group_count; g++)
-        if (panes->panes[g] && !panes->panes[g]->scatter)
-            panes->panes[g] = NULL;
-    return PP_OK;
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].scatter)
+            panes->panes[task->group_of_opening[i]] = &world->openings[i];
 }
 
 enum pp_status pp_pane_sun_init(struct pp_pane_sun *panes,
@@ -51,8 +39,8 @@ enum pp_status pp_pane_sun_init(struct pp_pane_sun *panes,
     panes->btdf = calloc(groups * (size_t)light->count * classes + 1, sizeof(float));
     if (!panes->panes || !panes->btdf)
         return pp_fail_memory(err);
-    enum pp_status status = find_panes(panes, task, err);
-    for (size_t g = 0; g < groups && status == PP_OK; g++)
+    find_panes(panes, task);
+    for (size_t g = 0; g < groups; g++)
         for (int t = 0; t < light->count && panes->panes[g]; t++) {
             const struct pp_perez_sky *sky = &light->skies[t];
             float *btdf =
@@ -62,7 +50,7 @@ enum pp_status pp_pane_sun_init(struct pp_pane_sun *panes,
                 btdf[k] =
                     (float)pp_sun_on_surface_scattered(panes->panes[g], sky->sun, k);
         }
-    return status;
+    return PP_OK;
 }
 
 void pp_pane_sun_clear(struct pp_pane_sun *panes)

@@ -21,7 +21,7 @@ struct pp_pane_sun {
 int pp_pane_sun_classes(const struct pp_light_scene *scene);
 
 /* Calculates the btdf for the sun of every hour. The caller clears *panes, even after a
- * failure. PP_BAD_INPUT if the panes of a group differ. */
+ * failure. */
 enum pp_status pp_pane_sun_init(struct pp_pane_sun *panes,
                                 const struct pp_year_task *task,
                                 const struct pp_light_columns *light,

@@ -36,7 +36,9 @@ struct pp_year_coefficients;
 
 /* PP_INTERRUPTED: goes_on has returned false; here and in pp_year_coefficients_light.
  * scene: of a world, with diffuse finishes only. group_of_opening: group of each
- * opening, 0 to group_count - 1, at most PP_YEAR_GROUPS_MOST groups. All arguments, the
+ * opening, 0 to group_count - 1, at most PP_YEAR_GROUPS_MOST groups; openings of a
+ * group that scatter light by direction must be alike, and in one face, and none of it
+ * may be clear. All arguments, the
  * receivers and the pool must outlive *coefficients. */
 enum pp_status pp_year_coefficients_create(
     struct pp_year_coefficients **coefficients, const struct pp_light_scene *scene,

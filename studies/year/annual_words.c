@@ -120,6 +120,21 @@ static void say_blinds(struct pp_annual_sheet *sheet,
                  PP_BLIND_GROUPS_TRANSMITTANCE);
 }
 
+/* Warns if blinds close together only because there are many kinds of windows. */
+static void warn_of_grouping(struct pp_annual_sheet *sheet,
+                             const struct pp_blind_groups *groups)
+{
+    char text[PP_ANNUAL_WORDS];
+    if (!sheet->has_blinds || groups->grouping == PP_BLIND_GROUPS_BY_KIND)
+        return;
+    snprintf(text, sizeof text,
+             "the room has more than %d kinds of windows, so the blinds of %s close "
+             "together, except those of panes that scatter light by direction",
+             PP_BLIND_GROUPS_MOST,
+             groups->grouping == PP_BLIND_GROUPS_BY_FACE ? "each wall" : "all windows");
+    warn(sheet, text);
+}
+
 static void name_groups(struct pp_annual_sheet *sheet, const struct pp_world *world,
                         const struct pp_blind_groups *groups)
 {
@@ -132,8 +147,13 @@ static void name_groups(struct pp_annual_sheet *sheet, const struct pp_world *wo
                            : face->role == PP_FLOOR   ? "floor"
                                                       : "wall";
         int count = 0;
-        for (int i = 0; i < world->opening_count; i++)
-            count += groups->of_opening[i] == g;
+        for (int i = 0; i < world->opening_count; i++) {
+            if (groups->of_opening[i] != g)
+                continue;
+            count++;
+            if (world->openings[i].face != opening->face)
+                wall = "several walls";
+        }
         if (count == 1 && opening->name)
             snprintf(sheet->groups[g].name, sizeof sheet->groups[g].name, "%s: %s",
                      wall, opening->name);
@@ -191,6 +211,7 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
     say_period(sheet, options, clock);
     say_blinds(sheet, options);
     name_groups(sheet, world, groups);
+    warn_of_grouping(sheet, groups);
     return PP_OK;
 }
 

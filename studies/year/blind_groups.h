@@ -11,17 +11,26 @@ enum { PP_BLIND_GROUPS_MOST = 16 };
 /* Diffuse transmittance of a closed blind. */
 #define PP_BLIND_GROUPS_TRANSMITTANCE 0.2
 
-struct pp_blind_groups {
-    int count;
-    int *of_opening;                            /* owned */
-    int first[PP_BLIND_GROUPS_MOST];            /* index of one opening of each group */
-    double transmittance[PP_BLIND_GROUPS_MOST]; /* of its panes and devices for even
-                                                 * light, without LM-83's blinds */
+/* Openings of one kind are in one face and have the same glass, frame, dirt, curtains and
+ * device. If there are too many kinds, openings that do not scatter light by direction are
+ * grouped with less detail. */
+enum pp_blind_grouping {
+    PP_BLIND_GROUPS_BY_KIND,
+    PP_BLIND_GROUPS_BY_FACE,   /* those of one face are a group */
+    PP_BLIND_GROUPS_ALL_PLAIN, /* all are one group */
 };
 
-/* Openings of one face with the same glass, frame, dirt, curtains and device are a
- * group; from the 16th on, all others are one group. On success the caller clears
- * *groups. */
+struct pp_blind_groups {
+    int count;
+    enum pp_blind_grouping grouping;
+    int *of_opening;                            /* owned */
+    int first[PP_BLIND_GROUPS_MOST];            /* index of one opening of each group */
+    double transmittance[PP_BLIND_GROUPS_MOST]; /* of panes and devices for even light,
+                                                 * without LM-83's blinds: mean by area */
+};
+
+/* On success the caller clears *groups. PP_BAD_INPUT if there are too many kinds of
+ * openings that scatter light by direction. */
 enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
                                         const struct pp_world *world,
                                         struct pp_error *err);

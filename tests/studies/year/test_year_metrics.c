@@ -118,6 +118,67 @@ static void windows_with_their_own_devices_close_apart(void **state)
     pp_world_destroy(world);
 }
 
+/* World of a room with `south` windows in one wall and `west` in another, each with its
+ * own transmittance, and `blinds` in the north, each with its own tilt. */
+static struct pp_world *room_of_many(int south, int west, int blinds)
+{
+    char xml[8000];
+    int used = snprintf(xml, sizeof xml,
+                        "<room version='1'><plan width='40' depth='40' height='3'/>"
+                        "<point x='1' y='2'/>");
+    for (int i = 0; i < south + west; i++)
+        used +=
+            snprintf(xml + used, sizeof xml - (size_t)used,
+                     "<window wall='%s' left='%d' sill='1' width='1' height='1' "
+                     "transmittance='%g' maintenance='1'/>",
+                     i < south ? "south" : "west", 1 + 2 * (i % 18), 0.3 + 0.01 * i);
+    for (int i = 0; i < blinds; i++)
+        used += snprintf(xml + used, sizeof xml - (size_t)used,
+                         "<window wall='north' left='%d' sill='1' width='1' height='1'>"
+                         "<blind angle='%d'/></window>",
+                         1 + 2 * i, i);
+    snprintf(xml + used, sizeof xml - (size_t)used, "</room>");
+    return pp_test_world(xml);
+}
+
+static void many_kinds_of_windows_close_by_wall(void **state)
+{
+    (void)state;
+    struct pp_world *world = room_of_many(10, 7, 2);
+    struct pp_blind_groups groups;
+    assert_int_equal(pp_blind_groups_of_world(&groups, world, NULL), PP_OK);
+    assert_int_equal(groups.grouping, PP_BLIND_GROUPS_BY_FACE);
+    assert_int_equal(groups.count, 4);
+    for (int i = 0; i < 19; i++)
+        assert_int_equal(groups.of_opening[i], i < 10 ? 0 : i < 17 ? 1 : i - 15);
+    double sum = 0.0; /* of equal areas */
+    for (int i = 0; i < 10; i++)
+        sum += world->openings[i].glass.diffuse * world->openings[i].frame_factor;
+    assert_relative(groups.transmittance[0], sum / 10.0, 1e-9);
+    pp_blind_groups_clear(&groups);
+    pp_world_destroy(world);
+}
+
+static void scattering_windows_keep_their_own_groups_or_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        int south, west, blinds;
+        enum pp_status status;
+    } rooms[] = {{0, 0, 16, PP_OK}, {3, 3, 15, PP_OK}, {1, 0, 16, PP_BAD_INPUT}};
+    for (size_t k = 0; k < sizeof rooms / sizeof *rooms; k++) {
+        struct pp_world *world =
+            room_of_many(rooms[k].south, rooms[k].west, rooms[k].blinds);
+        struct pp_blind_groups groups;
+        assert_int_equal(pp_blind_groups_of_world(&groups, world, NULL),
+                         rooms[k].status);
+        if (rooms[k].status == PP_OK)
+            assert_int_equal(groups.count, 16);
+        pp_blind_groups_clear(&groups);
+        pp_world_destroy(world);
+    }
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -127,6 +188,8 @@ TEST_FILE
         cmocka_unit_test(the_jackknife_is_that_of_a_mean),
         cmocka_unit_test(blinds_close_for_more_than_two_per_cent),
         cmocka_unit_test(windows_with_their_own_devices_close_apart),
+        cmocka_unit_test(many_kinds_of_windows_close_by_wall),
+        cmocka_unit_test(scattering_windows_keep_their_own_groups_or_are_refused),
     };
     add_tests(tests, NULL, NULL);
 }
