@@ -29,6 +29,7 @@ bool pp_angle_basis_add_ring(struct pp_angle_basis *basis, double low_rad,
     int n = basis->ring_count;
     double before = n > 0 ? basis->rings[n - 1].high_rad : 0.0;
     if (n == PP_ANGLE_BASIS_RINGS_MOST || patches < 1
+        || (patches > 1 && patches % 2 == 1)
         || patches > PP_ANGLE_BASIS_PATCHES_MOST - basis->count
         || !(fabs(low_rad - before) < SAME) || !(high_rad > low_rad + SAME)
         || !(high_rad < 0.5 * PP_PI + SAME))

@@ -40,7 +40,8 @@ struct pp_angle_basis {
 bool pp_angle_basis_named(struct pp_angle_basis *basis, const char *name);
 
 /* Adds the next ring of a basis that is initially zero; false if it does not begin where
- * the previous one ends (the first at 0), or if there are too many patches. */
+ * the previous one ends (the first at 0), if there are too many patches, or if their number
+ * is odd and not 1: no patch is then opposite another. */
 bool pp_angle_basis_add_ring(struct pp_angle_basis *basis, double low_rad,
                              double high_rad, int patches);
 

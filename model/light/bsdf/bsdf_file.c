@@ -100,10 +100,13 @@ static enum pp_status find_basis(const struct bsdf_reader *r,
         if (strcmp(text_of(defined, "AngleBasisName"), name) == 0)
             return read_rings(basis, defined)
                        ? PP_OK
-                       : refuse(r, defined,
-                                "the rings of the angle basis are not understood; "
-                                "expected AngleBasisBlocks whose ThetaBounds follow "
-                                "each other from 0 to 90, with at most 1024 patches");
+                       : refuse(
+                           r, defined,
+                           "the rings of the angle basis are not understood; "
+                           "expected AngleBasisBlocks whose ThetaBounds follow "
+                           "each other from 0 to 90 and whose nPhis is 1 or even, as "
+                           "every patch needs an opposite one, with at most 1024 "
+                           "patches");
     if (pp_angle_basis_named(basis, name))
         return PP_OK;
     return pp_fail(r->err, PP_BAD_INPUT,

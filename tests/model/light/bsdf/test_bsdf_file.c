@@ -274,11 +274,27 @@ static void wrong_files_are_refused_with_a_line(void **state)
     }
 }
 
+/* A turn by half of 3 patches would end between two of them. */
+static void every_patch_of_a_ring_has_an_opposite_one(void **state)
+{
+    (void)state;
+    struct pp_angle_basis basis = {.count = 0};
+    assert_true(pp_angle_basis_add_ring(&basis, 0.0, 0.1, 1));
+    assert_false(pp_angle_basis_add_ring(&basis, 0.1, 0.7, 3));
+    assert_true(pp_angle_basis_add_ring(&basis, 0.1, 0.7, 6));
+    for (int i = 1; i < 7; i++) {
+        struct pp_vec3 d = pp_angle_basis_direction(&basis, i, 0.5, 0.5);
+        assert_int_equal(pp_angle_basis_opposite(&basis, i),
+                         pp_angle_basis_find(&basis, pp_vec(-d.x, -d.y, d.z)));
+    }
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(patches_of_klems_fill_the_hemisphere),
         cmocka_unit_test(a_ring_begins_with_a_patch_centred_on_azimuth_0),
+        cmocka_unit_test(every_patch_of_a_ring_has_an_opposite_one),
         cmocka_unit_test(the_grid_divides_the_hemisphere_evenly),
         cmocka_unit_test(a_lambertian_pane_transmits_alike_from_all_directions),
         cmocka_unit_test(a_prism_transmits_more_of_light_that_travels_down),
