@@ -156,7 +156,7 @@ static enum pp_measured_kind kind_of(const struct pp_measured_pane *pane)
 {
     static const double CLEAR = 0.98, LAMBERTIAN = 0.05;
     const struct pp_measured_way *way = &pane->into_room;
-    if (pane->straight_diffuse > CLEAR * pane->diffuse)
+    if (pane->straight_diffuse > CLEAR * pane->diffuse && pane->normal > 0.0)
         return PP_MEASURED_CLEAR;
     double apart = PP_PI * pane->straight_diffuse; /* of the integral of f W W */
     for (int out = 0; out < way->out.count; out++)
@@ -184,10 +184,10 @@ static enum pp_status fill_pane(struct pp_measured_pane *pane,
         front, pp_angle_basis_find(&front->in, pp_vec(0.0, 0.0, 1.0)));
     pane->diffuse = pp_bsdf_block_hemispherical(front);
     pane->straight_diffuse = mean_over(&pane->into_room.in, pane->into_room.straight);
-    if (!(pane->normal > 0.0) || !(pane->diffuse > 0.0))
+    if (!(pane->diffuse > 0.0))
         return pp_fail(err, PP_BAD_INPUT,
-                       "the glazing system transmits no light at normal incidence; "
-                       "expected a transmittance above 0");
+                       "the glazing system transmits no light; expected a "
+                       "transmittance above 0");
     pane->kind = kind_of(pane);
     memcpy(pane->name, bsdf->name, sizeof pane->name);
     memcpy(pane->warnings, bsdf->warnings, sizeof pane->warnings);

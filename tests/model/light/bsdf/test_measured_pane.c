@@ -48,6 +48,28 @@ static void unscattered_light_is_split_off(void **state)
     pp_measured_pane_release(pane);
 }
 
+/* Louvres that hide the view straight ahead: no light at normal incidence, 0.8 from all
+ * other directions. The patch about the normal has sin^2 of 9 degrees of the hemisphere's
+ * projected solid angle. */
+static double selective(const struct pp_angle_basis *basis, int in, int out)
+{
+    return in > 0 ? clear(basis, in, out) : 0.0;
+}
+
+static void a_pane_can_be_opaque_at_normal_incidence(void **state)
+{
+    (void)state;
+    struct pp_measured_pane *pane = made_pane(selective, true);
+    double sine = sin(9.0 * PP_RAD);
+    assert_near(pane->normal, 0.0, 0.0);
+    assert_near(pane->diffuse, 0.8 * (1.0 - sine * sine), 1e-6);
+    assert_near(pane->scatter.straight(pane, DOWN), 0.8, 1e-6);
+    assert_near(pane->scatter.straight(pane, pp_vec(0.0, 0.0, 1.0)), 0.0, 0.0);
+    /* No clear glass is like it. */
+    assert_int_equal(pane->kind, PP_MEASURED_SCATTERING);
+    pp_measured_pane_release(pane);
+}
+
 /* Means over a fine grid of samples against sums over all patches. */
 static void samples_have_the_density_that_they_state(void **state)
 {
@@ -155,6 +177,7 @@ TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unscattered_light_is_split_off),
+        cmocka_unit_test(a_pane_can_be_opaque_at_normal_incidence),
         cmocka_unit_test(samples_have_the_density_that_they_state),
         cmocka_unit_test(radiance_under_an_even_sky_sums_over_arriving_light),
         cmocka_unit_test(panes_are_told_apart_by_their_light),
