@@ -40,14 +40,9 @@ static struct pp_blind *shared_blind(const struct pp_world *world,
 
 /* Reason why a device cannot be combined with the glass; NULL if it can. */
 static const char *wrong_glass(const struct pp_opening *opening,
-                               const struct pp_opening_part *part)
+                               const struct pp_window_device *device)
 {
-    const struct pp_window_device *device = &part->device;
-    if (device->kind == PP_DEVICE_NONE || device->kind == PP_DEVICE_SCREEN)
-        return NULL;
-    if (part->glazing.measured)
-        return "measured glazing, which is for windows without; expected clear glass";
-    if (device->kind == PP_DEVICE_CURTAIN)
+    if (device->kind != PP_DEVICE_BLIND)
         return NULL;
     if (opening->glass.diffusing)
         return "diffusing glass; expected clear glass";
@@ -84,7 +79,7 @@ static enum pp_status put_blind(struct pp_resolver *r, struct pp_opening *openin
 enum pp_status pp_devices_put(struct pp_resolver *r, struct pp_opening *opening,
                               const struct pp_opening_part *part, struct pp_error *err)
 {
-    const char *why = wrong_glass(opening, part);
+    const char *why = wrong_glass(opening, &part->device);
     opening->device = part->device;
     if (why) {
         pp_mistakes_add(r->mistakes, part->device.line, "%s: the %s has %s",
