@@ -66,6 +66,5 @@ const char *pp_method_refuses_opening(const struct pp_method *method,
     if (why || !scatters || method->any_pane)
         return why;
     return "has a measured pane that scatters light by direction, but the method is "
-           "for "
-           "clear or diffusing glass";
+           "for clear or diffusing glass";
 }

@@ -106,7 +106,8 @@ struct pp_method {
     /* Reason why the method does not cover this opening for this receiver (NULL for the
      * room), as the static end of a sentence that begins with "window W1" ("is not
      * vertical, but the method covers only vertical windows"), or NULL if the method
-     * covers the opening. NULL function: it covers all. Called by pp_method_refuses. */
+     * covers the opening. NULL function: it covers all. Called by
+     * pp_method_refuses_opening. */
     const char *(*refuses)(const struct pp_world *world,
                            const struct pp_outside_light *light,
                            const struct pp_opening *opening,

@@ -172,7 +172,7 @@ static void divide_glass(struct pp_blind *blind, const struct pp_glass *glass)
             pp_glass_transmittance, &blind->inner, bin_middle(QUARTER + j));
 }
 
-/* FNV-1a of the tables, which determine the pane with the slats. */
+/* FNV-1a of slats, glass and position, which determine the tables. */
 static uint64_t hash_of_blind(const struct pp_blind *blind)
 {
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
