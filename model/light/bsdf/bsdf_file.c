@@ -104,9 +104,8 @@ static enum pp_status find_basis(const struct bsdf_reader *r,
                            r, defined,
                            "the rings of the angle basis are not understood; "
                            "expected AngleBasisBlocks whose ThetaBounds follow "
-                           "each other from 0 to 90 and whose nPhis is 1 or even, as "
-                           "every patch needs an opposite one, with at most 1024 "
-                           "patches");
+                           "each other from 0 to 90, with at most 1024 patches. nPhis "
+                           "must be 1 or even, as every patch needs an opposite one");
     if (pp_angle_basis_named(basis, name))
         return PP_OK;
     return pp_fail(r->err, PP_BAD_INPUT,
