@@ -240,6 +240,24 @@ enum pp_status pp_availability_options_check(const struct pp_year_options *optio
     return PP_OK;
 }
 
+const char *pp_availability_options_typed(const struct pp_year_options *options)
+{
+    const struct pp_year_options *usual = &pp_year_options_default;
+    bool hours = options->hours.count > usual->hours.count;
+    for (int i = 0; i < options->hours.count && !hours; i++)
+        hours = options->hours.list[i].from_h != usual->hours.list[i].from_h
+                || options->hours.list[i].to_h != usual->hours.list[i].to_h;
+    bool lux = options->illuminances.count != usual->illuminances.count;
+    for (int i = 0; i < options->illuminances.count && !lux; i++)
+        lux = options->illuminances.lx[i] != usual->illuminances.lx[i];
+    bool summer = options->summer.of_file || options->summer.time.from.month;
+    return hours                          ? "--hours"
+           : options->days != usual->days ? "--days"
+           : summer                       ? "--summer-time"
+           : lux                          ? "--illuminance"
+                                          : NULL;
+}
+
 /* ---- the light ---- */
 
 /* Warns if solar time at the longitude differs from the time zone by more than 3 h: one

@@ -19,6 +19,10 @@ extern const struct pp_option pp_illuminance_options[];
 enum pp_status pp_availability_options_check(const struct pp_year_options *options,
                                              struct pp_error *err);
 
+/* First option among --hours, --days, --summer-time and --illuminance whose value
+ * is not the default; NULL: none. Static. */
+const char *pp_availability_options_typed(const struct pp_year_options *options);
+
 /* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options, bool strict);
 /* Finds the median of the diffuse illuminance over the brightest 4380 hours and the

@@ -304,6 +304,12 @@ static enum pp_status check_light(const struct pp_year_options *light,
                            "the chart %s needs a weather file and a room file; "
                            "expected --weather FILE.epw",
                            kind->name);
+        const char *time = pp_availability_options_typed(light);
+        if (kind == &pp_draw_en17037 && time)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "the page of EN 17037 has the hours of the standard; "
+                           "expected no %s",
+                           time);
         return pp_availability_options_check(light, err);
     }
     if (!kind->outside)

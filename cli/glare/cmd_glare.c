@@ -32,6 +32,9 @@ static const char about[] =
     "file; "
     "- is standard input.";
 
+/* Target error of a moment without --error or --samples. */
+static const double moment_error = 0.005;
+
 /* A view as typed. */
 struct typed_view {
     struct pp_vec3 eye;
@@ -128,6 +131,7 @@ static enum pp_status compute_glare_room(struct glare_run *run, int index,
                 : options->light.summer.time;
     glare.annual.samples = (int)study->samples;
     glare.annual.error = study->error;
+    glare.annual.strict = study->strict;
     glare.annual.seed = study->seed;
     glare.annual.threads = study->threads;
     glare.annual.watch = study->watch;
@@ -315,6 +319,10 @@ static enum pp_status check_glare_options(void *values, char **files, int file_c
                            options->light.hours.count);
         options->light.weather = options->moment.weather;
         options->moment.weather = NULL;
+        if (study->error > 0.0 && study->samples > 0)
+            return pp_fail(err, PP_BAD_INPUT,
+                           "--error and --samples both determine when the simulation "
+                           "stops; expected only one of them");
         return pp_availability_options_check(&options->light, err);
     }
     status = pp_moment_choice_settle(&options->moment, &options->room, err);
@@ -322,6 +330,14 @@ static enum pp_status check_glare_options(void *values, char **files, int file_c
         status = pp_fail(err, PP_BAD_INPUT,
                          "expected --weather FILE.epw, or a --sky with its light, such "
                          "as overcast,20000");
+    const char *of_year = pp_availability_options_typed(&options->light);
+    if (status == PP_OK && of_year)
+        status =
+            pp_fail(err, PP_BAD_INPUT,
+                    "%s is for a year; expected --weather without --when, or no %s",
+                    of_year, of_year);
+    if (!(study->error > 0.0) && study->samples == 0)
+        study->error = moment_error;
     return status == PP_OK ? pp_room_options_settle(&options->room, err) : status;
 }
 

@@ -108,6 +108,7 @@ static enum pp_status begin_view(struct glare_work *work, int index,
         work->year ? SIDE_YEAR : SIDE_MOMENT, err);
     options.samples = SURFACE_SAMPLES;
     options.error = 0.0;
+    options.strict = false; /* the weather is that of the eyes */
     options.watch = (struct pp_watch){.begin = NULL};
     if (status == PP_OK && work->view.surface_count > 0)
         status = light_points(work, &work->surface, work->view.surfaces,
@@ -354,7 +355,12 @@ enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
     enum pp_status status = prepare_glare(&work, err);
     if (status == PP_OK)
         status = light_eyes(&work, err);
+    const struct pp_watch *watch = &options->annual.watch;
     for (int v = 0; v < view_count && status == PP_OK && sheet->annual.finished; v++) {
+        if (watch->look && !watch->look(watch->data, 0.0, NAN)) {
+            sheet->annual.finished = false;
+            break;
+        }
         status = begin_view(&work, v, err);
         if (status == PP_OK)
             status = moment ? judge_moment(&work, v, err) : judge_year(&work, v, err);

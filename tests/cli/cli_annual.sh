@@ -152,6 +152,8 @@ if command -v pdftotext >/dev/null; then
     check "its figures are those of assess: $lux lx" grep -qE "^$lux .*lx" "$scratch/page.txt"
 fi
 check "it needs weather" refuses 2 "--weather" chart en17037 -o "$scratch/x.svg" "$room"
+check "its hours are fixed" refuses 2 "no --hours" $page --hours 9-17 -o "$scratch/x.svg" "$room"
+check "and its illuminances" refuses 2 "no --illuminance" $page -i 400 -o "$scratch/x.svg" "$room"
 check "it has no methods" refuses 2 "--methods" $page -m exact+bre -o "$scratch/x.svg" "$room"
 check "an interrupted page leaves the old file" stops $page --error 0.1%
 

@@ -77,5 +77,21 @@ check "half a view" refuses 2 "X,Y,BEARING" $glare $sky --view 1,2 "$room"
 check "a view in words" refuses 2 "X,Y,BEARING" $glare $sky --view desk "$room"
 check "a threshold of nothing" refuses 2 "luminance from 1" $glare $sky --threshold 0 "$room"
 check "no file" refuses 2 "expected a room file" $glare $sky
+for time in "--hours 9-17" "--days mon-fri" "--summer-time 4/1-10/1"; do
+    # shellcheck disable=SC2086
+    check "no ${time%% *} at a moment" refuses 2 "${time%% *} is for a year" $glare $sky $time "$room"
+done
+check "--error or --samples" refuses 2 "expected only one of them" $year --error 1% "$room"
+sed 's/latitude="50.9"/latitude="40"/' "$room" >"$scratch/far.xml"
+check "a room far from its weather" shows "the room is at latitude 40" $year "$scratch/far.xml"
+check "is refused with --strict" refuses 1 "the room is at latitude 40" \
+    $year --strict "$scratch/far.xml"
+check "by the criterion too" refuses 1 "the room is at latitude 40" \
+    $assess --strict -w "$scratch/year.epw" "$scratch/far.xml"
+# The 40th letter of the name has two bytes.
+long=$(printf '%039d' 0)é$(printf '%030d' 0)
+sed "s/desk/$long/" "$room" >"$scratch/long.xml"
+check "a long name is cut between letters" shows "0é..., minimum: hours with DGP" \
+    $assess -f csv -w "$scratch/year.epw" "$scratch/long.xml"
 check "two periods" refuses 2 "expected one" $year --hours 8-12,13-17 "$room"
 tap_done

@@ -71,6 +71,7 @@ static enum pp_status simulate_glare(struct pp_assessment *assessment,
 {
     const struct pp_study_room *room = assessment->room;
     struct pp_glare_options glare = pp_glare_options_default;
+    glare.annual.strict = options->study->strict;
     glare.annual.seed = options->study->seed;
     glare.annual.threads = options->study->threads;
     glare.annual.watch = options->study->watch;
