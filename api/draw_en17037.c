@@ -1,6 +1,7 @@
 /* draw_en17037.c - the four parts of EN 17037 on one page: assesses the room by
  * simulation and by a simulated year, and puts the findings into words. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,8 @@ static const double usual_error = 0.02;
 
 /* Probability from which a verdict is called certain, as in the text of assess. */
 static const double certain = 0.99995;
+
+enum { PART_OF_HOURS = 1 }; /* daylight provision by every hour of the year */
 
 /* Parts of the page, in order; `none`: the note if the criterion has no finding. */
 static const struct {
@@ -62,6 +65,34 @@ static void fill_row(struct pp_en17037_row *row, const struct pp_finding *findin
     row->decides = verdict && !finding->is_optional;
 }
 
+/* Makes rows of the findings; of those on the minimum level only, if there are too many
+ * for the page. Returns the number of these that are left out. */
+static int fill_rows(struct pp_en17037_part *part,
+                     const struct pp_finding_list *findings)
+{
+    bool all = findings->count <= PP_EN17037_ROWS;
+    int left_out = 0;
+    for (int i = 0; i < findings->count; i++) {
+        if (!all && findings->list[i].is_optional)
+            continue;
+        if (part->row_count < PP_EN17037_ROWS)
+            fill_row(&part->rows[part->row_count++], &findings->list[i]);
+        else
+            left_out++;
+    }
+    return left_out;
+}
+
+__attribute__((format(printf, 2, 3))) static void add_basis(
+    struct pp_en17037_part *part, const char *format, ...)
+{
+    va_list arguments;
+    pp_text_append(part->basis, sizeof part->basis, "%s", part->basis[0] ? "; " : "");
+    va_start(arguments, format);
+    pp_text_append_v(part->basis, sizeof part->basis, format, arguments);
+    va_end(arguments);
+}
+
 /* Adds the basis of the findings and each of their notes once. */
 static void fill_basis(struct pp_en17037_part *part,
                        const struct pp_finding_list *findings)
@@ -70,8 +101,7 @@ static void fill_basis(struct pp_en17037_part *part,
     for (int i = 0; i < findings->count; i++) {
         const char *note = findings->list[i].note;
         if (note[0] && !strstr(part->basis, note))
-            pp_text_append(part->basis, sizeof part->basis, "%s%s",
-                           part->basis[0] ? "; " : "", note);
+            add_basis(part, "%s", note);
     }
 }
 
@@ -79,6 +109,7 @@ static void fill_part(struct pp_en17037_part *part, int index,
                       const struct pp_answer_list *answers)
 {
     const struct pp_finding_list *findings = NULL;
+    int left_out = 0;
     part->title = page_parts[index].title;
     part->reached = -1;
     snprintf(part->level, sizeof part->level, "not assessed");
@@ -93,11 +124,12 @@ static void fill_part(struct pp_en17037_part *part, int index,
     if (level.judged) {
         part->reached = level.reached;
         pp_en17037_level_words(part->level, findings);
-        for (; part->row_count < findings->count && part->row_count < PP_EN17037_ROWS;
-             part->row_count++)
-            fill_row(&part->rows[part->row_count], &findings->list[part->row_count]);
+        left_out = fill_rows(part, findings);
     }
     fill_basis(part, findings);
+    if (left_out > 0)
+        add_basis(part, "%d more rows: see assess -c %s", left_out,
+                  page_parts[index].criterion);
 }
 
 /* ---- maps ---- */
@@ -151,6 +183,8 @@ static enum pp_status draw_page(struct pp_canvas *canvas,
     sheet->part_count = PP_EN17037_PARTS;
     for (int i = 0; i < PP_EN17037_PARTS; i++)
         fill_part(&sheet->parts[i], i, &assessment->answers);
+    for (int i = 0; assessment->has_year && i < assessment->year.warning_count; i++)
+        add_basis(&sheet->parts[PART_OF_HOURS], "%s", assessment->year.warnings[i]);
     pp_room_words_size(sheet->room, sizeof sheet->room, world);
     pp_page_assumptions(sheet->room, sizeof sheet->room, world,
                         &assessment->room->light);

@@ -51,6 +51,7 @@ struct pp_finding {
     bool
         is_optional; /* a level above the lowest, which nothing requires: its verdict is
                       * not counted */
+    int level; /* level of EN 17037 that it belongs to: 1 minimum to 3 high; 0: none */
     const char *decided_by; /* criterion that decides if this one is not met, which is
                              * then not a failure; NULL: this one decides. Static */
     char note[480];         /* sentences without the last full stop; may be empty */

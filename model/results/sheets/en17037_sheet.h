@@ -25,7 +25,7 @@ struct pp_en17037_part {
     int reached;       /* 0 none to 3 high; -1: not assessed */
     struct pp_en17037_row rows[PP_EN17037_ROWS];
     int row_count;
-    char basis[960]; /* calculation, assumptions and notes; "" if there are none */
+    char basis[1600]; /* calculation, assumptions and notes; "" if there are none */
 };
 
 /* Illuminances reached in half of the daylight hours, at points of the plane. */

@@ -33,8 +33,8 @@
 struct target {
     const char *who; /* the level or the kind of room: "minimum", "bedroom" */
     double lux;
-    double part;      /* part of the plane, a fraction */
-    bool is_optional; /* a level above the minimum */
+    double part; /* part of the plane, a fraction */
+    int level;   /* 0: of no level */
 };
 
 /* Adds the finding on one target, by the daylight factors in `column`; not judged if
@@ -57,7 +57,8 @@ static enum pp_status add_target(const struct pp_inquiry *inquiry,
         if (status != PP_OK)
             return status;
     }
-    finding.is_optional = target->is_optional;
+    finding.level = target->level;
+    finding.is_optional = target->level > PP_EN17037_MINIMUM;
     return pp_finding_list_add(findings, &finding, err);
 }
 
@@ -97,11 +98,10 @@ static enum pp_status assess_en17037(const struct pp_inquiry *inquiry,
     const struct pp_column *column = grid_factors(inquiry, findings, &why);
     for (int level = 1; level <= PP_EN17037_HIGH; level++) {
         const char *name = pp_en17037_level_names[level];
-        bool higher = level > PP_EN17037_MINIMUM;
         struct target target = {name, pp_en17037_level_target_lx[level],
-                                rooflights ? nearly_all : half, higher};
+                                rooflights ? nearly_all : half, level};
         struct target least = {name, pp_en17037_level_minimum_lx[level], nearly_all,
-                               higher};
+                               level};
         enum pp_status status =
             add_target(inquiry, &target, column, why, findings, err);
         if (status == PP_OK && !rooflights)
@@ -120,9 +120,9 @@ static enum pp_status evaluate_annex(const struct pp_inquiry *inquiry,
                                      struct pp_finding_list *findings,
                                      struct pp_error *err)
 {
-    static const struct target targets[] = {{"bedroom", 100, 0.5, false},
-                                            {"living room", 150, 0.5, false},
-                                            {"kitchen", 200, 0.5, false}};
+    static const struct target targets[] = {{"bedroom", 100, 0.5, PP_EN17037_NONE},
+                                            {"living room", 150, 0.5, PP_EN17037_NONE},
+                                            {"kitchen", 200, 0.5, PP_EN17037_NONE}};
     static const enum pp_dwelling_room kinds[] = {
         PP_DWELLING_BEDROOM, PP_DWELLING_LIVING_ROOM, PP_DWELLING_KITCHEN};
     int rooms = pp_bearing_dwelling_rooms(inquiry->world->use);

@@ -26,6 +26,7 @@ static enum pp_status add_hours_target(const struct pp_inquiry *inquiry, int lev
     snprintf(what, sizeof what, "%s: %g lx over %g %%", pp_en17037_level_names[level],
              lux, 100.0 * part);
     enum pp_status status = pp_rule_year_level(&finding, inquiry, lux, part, what, err);
+    finding.level = level;
     finding.is_optional = level > PP_EN17037_MINIMUM;
     return status == PP_OK ? pp_finding_list_add(findings, &finding, err) : status;
 }

@@ -2,7 +2,6 @@
 #include "studies/criteria/en17037/en17037_level.h"
 
 #include <stdio.h>
-#include <string.h>
 
 const char *const pp_en17037_level_names[PP_EN17037_HIGH + 1] = {"none", "minimum",
                                                                  "medium", "high"};
@@ -15,39 +14,25 @@ const double pp_en17037_level_half = 0.5, pp_en17037_level_nearly_all = 0.95;
 /* Greatest slope of the glass of a rooflight. */
 static const double level_rad = 15.0 * PP_RAD;
 
-/* Level that the finding belongs to; PP_EN17037_NONE: to no level. */
-static int level_of_finding(const struct pp_finding *finding)
-{
-    for (int level = 1; level <= PP_EN17037_HIGH; level++) {
-        char start[16], later[24];
-        snprintf(start, sizeof start, "%s:", pp_en17037_level_names[level]);
-        snprintf(later, sizeof later, ", %s", start);
-        if (strncmp(finding->what, start, strlen(start)) == 0
-            || strstr(finding->what, later))
-            return level;
-    }
-    return PP_EN17037_NONE;
-}
-
 struct pp_en17037_level pp_en17037_level_of(const struct pp_finding_list *findings)
 {
     struct pp_en17037_level result = {.judged = false};
-    bool met[PP_EN17037_HIGH + 1] = {true, true, true, true};
-    bool open[PP_EN17037_HIGH + 1] = {true, true, true, true};
+    int count[PP_EN17037_HIGH + 1] = {0}, met[PP_EN17037_HIGH + 1] = {0},
+                                open[PP_EN17037_HIGH + 1] = {0};
     for (int i = 0; i < findings->count; i++) {
         enum pp_verdict verdict = findings->list[i].verdict;
-        int level = level_of_finding(&findings->list[i]);
+        int level = findings->list[i].level;
         if (level == PP_EN17037_NONE)
             continue;
         result.judged |= verdict != PP_NOT_JUDGED;
-        met[level] &= verdict == PP_MET;
-        open[level] &= verdict == PP_MET || verdict == PP_UNDECIDED;
+        count[level]++;
+        met[level] += verdict == PP_MET;
+        open[level] += verdict == PP_MET || verdict == PP_UNDECIDED;
     }
-    while (result.judged && result.reached < PP_EN17037_HIGH && met[result.reached + 1])
-        result.reached++;
-    while (result.judged && result.perhaps < PP_EN17037_HIGH
-           && open[result.perhaps + 1])
-        result.perhaps++;
+    for (int k = 1; k <= PP_EN17037_HIGH && count[k] > 0 && met[k] == count[k]; k++)
+        result.reached = k;
+    for (int k = 1; k <= PP_EN17037_HIGH && count[k] > 0 && open[k] == count[k]; k++)
+        result.perhaps = k;
     return result;
 }
 

@@ -22,8 +22,8 @@ struct pp_en17037_level {
     bool judged; /* false: no finding of a level has a verdict */
 };
 
-/* The level of the findings whose words name a level: "minimum: 300 lx", "desk,
- * minimum: hours". */
+/* The level that the findings reach by their own levels. A level without findings is not
+ * reached. */
 struct pp_en17037_level pp_en17037_level_of(const struct pp_finding_list *findings);
 
 /* The level in words: "minimum, perhaps medium". */

@@ -9,6 +9,7 @@
  */
 #include <stdio.h>
 
+#include "model/base/text.h"
 #include "studies/criteria/criteria.h"
 #include "studies/criteria/rules/rule_year.h"
 #include "studies/glare/glare_study.h"
@@ -22,16 +23,19 @@ static enum pp_status add_view_levels(const struct pp_glare_sheet *glare, int vi
     double hours = glare->annual.occupied_h;
     enum pp_status status = PP_OK;
     for (int i = PP_GLARE_LIMITS - 1; i >= 0 && status == PP_OK; i--) {
-        char name[32], what[128];
-        snprintf(name, sizeof name, "view %d", view + 1);
-        snprintf(what, sizeof what, "%.60s, %s: hours with DGP above %.2f",
-                 glare->views[view].name ? glare->views[view].name : name, levels[i],
-                 pp_glare_sheet_limits[i]);
+        char name[80], what[128];
+        if (glare->views[view].name)
+            pp_text_excerpt(name, sizeof name, glare->views[view].name);
+        else
+            snprintf(name, sizeof name, "view %d", view + 1);
+        snprintf(what, sizeof what, "%s, %s: hours with DGP above %.2f", name,
+                 levels[i], pp_glare_sheet_limits[i]);
         const struct pp_annual_value share = {year->above_h[i].value / hours,
                                               year->above_h[i].std_error / hours};
         struct pp_finding finding =
             pp_rule_year_share(&share, PP_GLARE_SHARE, true, what);
         finding.line = 0;
+        finding.level = PP_GLARE_LIMITS - i;
         finding.is_optional = i < PP_GLARE_LIMITS - 1;
         if (i == PP_GLARE_LIMITS - 1 && finding.verdict != PP_MET)
             pp_finding_note(&finding, "without blinds; a blind is required");

@@ -113,6 +113,7 @@ static struct pp_finding level_finding(const struct pp_view_out *views, int coun
                       "%s: %.0f degrees, %.0f m, %s", level_names[level],
                       pp_view_out_angle_rad[level] / PP_RAD,
                       pp_view_out_distance_m[level], level_layers[level]);
+    finding.level = (int)level;
     finding.is_optional = level > PP_VIEW_MINIMUM;
     return finding;
 }

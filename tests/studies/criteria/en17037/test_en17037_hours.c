@@ -83,7 +83,7 @@ static void undecided_levels_are_perhaps_reached(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* Views have a name before that of the level; the worst view decides. */
+/* The worst view decides. */
 static void levels_of_several_views_are_joined(void **state)
 {
     (void)state;
@@ -93,7 +93,30 @@ static void levels_of_several_views_are_joined(void **state)
         pp_finding_of(PP_FIGURE_SHARE, 0.02, 0.05, true, "view 2, minimum: DGP"),
         pp_finding_of(PP_FIGURE_SHARE, 0.07, 0.05, true, "view 2, medium: DGP")};
     struct pp_finding_list findings = {.list = list, .count = 4};
+    for (int i = 0; i < 4; i++)
+        list[i].level = i % 2 == 0 ? PP_EN17037_MINIMUM : PP_EN17037_MEDIUM;
     assert_int_equal(pp_en17037_level_of(&findings).reached, PP_EN17037_MINIMUM);
+}
+
+/* A view may be named like a level. */
+static void the_name_of_a_view_determines_no_level(void **state)
+{
+    (void)state;
+    struct pp_finding list[] = {
+        pp_finding_of(PP_FIGURE_SHARE, 0.01, 0.05, true, "high: desk, minimum: DGP")};
+    struct pp_finding_list findings = {.list = list, .count = 1};
+    list[0].level = PP_EN17037_MINIMUM;
+    assert_int_equal(pp_en17037_level_of(&findings).reached, PP_EN17037_MINIMUM);
+}
+
+static void a_level_without_findings_is_not_reached(void **state)
+{
+    (void)state;
+    struct pp_finding list[] = {
+        pp_finding_of(PP_FIGURE_SHARE, 0.01, 0.05, true, "medium: DGP")};
+    struct pp_finding_list findings = {.list = list, .count = 1};
+    list[0].level = PP_EN17037_MEDIUM;
+    assert_int_equal(pp_en17037_level_of(&findings).reached, PP_EN17037_NONE);
 }
 
 static void without_a_year_nothing_is_judged(void **state)
@@ -117,6 +140,8 @@ TEST_FILE
         cmocka_unit_test(rooflights_need_the_target_nearly_everywhere),
         cmocka_unit_test(undecided_levels_are_perhaps_reached),
         cmocka_unit_test(levels_of_several_views_are_joined),
+        cmocka_unit_test(the_name_of_a_view_determines_no_level),
+        cmocka_unit_test(a_level_without_findings_is_not_reached),
         cmocka_unit_test(without_a_year_nothing_is_judged),
     };
     add_tests(tests, NULL, NULL);
