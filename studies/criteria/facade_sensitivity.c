@@ -2,6 +2,7 @@
 #include "studies/criteria/facade_sensitivity.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "model/room/room_facades.h"
@@ -50,14 +51,20 @@ static void doubt(struct pp_finding *finding, const struct pp_finding *other)
     if (!other || isnan(other->figure) || !is_sampled(finding)
         || other->verdict == finding->verdict)
         return;
-    bool plain = finding->kind == PP_FIGURE_RATIO;
+    bool percent =
+        finding->kind == PP_FIGURE_FACTOR || finding->kind == PP_FIGURE_SHARE;
+    char value[40];
+    if (finding->kind == PP_FIGURE_LUX)
+        snprintf(value, sizeof value, "%.0f lx", other->figure);
+    else
+        snprintf(value, sizeof value, "%.3g%s", (percent ? 100.0 : 1.0) * other->figure,
+                 percent ? " %" : "");
     finding->confidence = NAN;
-    pp_finding_note(finding,
-                    "%sthe value would be %.3g%s (%s) if the window walls were "
-                    "larger, as in a larger house; describe the real wall with "
-                    "<facade>",
-                    finding->note[0] ? ". " : "", (plain ? 1.0 : 100.0) * other->figure,
-                    plain ? "" : " %", pp_finding_verdict(other->verdict));
+    pp_finding_note(
+        finding,
+        "%sthe value would be %s (%s) if the window walls were larger, as in "
+        "a larger house; describe the real wall with <facade>",
+        finding->note[0] ? ". " : "", value, pp_finding_verdict(other->verdict));
 }
 
 static void compare_assessments(struct pp_assessment *assessment,

@@ -150,6 +150,8 @@ static const char *why_no_ranges(const struct hand_run *run)
                ? "they are known for standard time only"
            : hours->from_h != 8.0 || hours->to_h != 18.0 || hours->days != PP_ALL_DAYS
                ? "they are known for 8 to 18 h on all days only"
+           : !run->room->world->is_empty
+               ? "they are known for rooms without objects only"
            : pp_hand_case_facade(&run->of) < 0 ? "they are known for windows only"
                                                : NULL;
 }
