@@ -64,13 +64,13 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     const struct pp_pane *pane = &scene->panes[sample->opening];
     struct pp_rgb radiance = pp_rgb_grey(0.0);
     struct pp_light_hit hit;
-    enum pp_meeting meeting;
     bool is_sky;
     *first_met = PP_MET_OUTSIDE;
-    if (!pane->unobstructed || state->every_ray)
-        meeting = pp_radiance_state_meet(state, ray, &hit);
-    else
-        meeting = pp_light_scene_meet_outside(scene, ray, &hit);
+    if (pp_rgb_is_black(sample->weight))
+        return radiance;
+    enum pp_meeting meeting = !pane->unobstructed || state->every_ray
+                                  ? pp_radiance_state_meet(state, ray, &hit)
+                                  : pp_light_scene_meet_outside(scene, ray, &hit);
     if (meeting == PP_MEETS_ENVIRONMENT) {
         radiance =
             pp_light_scene_environment(scene, state->environment, ray->to, &is_sky);
