@@ -153,6 +153,7 @@ static enum pp_status assess_sun_exposure(const struct pp_inquiry *inquiry,
         struct pp_finding finding;
         status = judge_level(&finding, levels[i].name, levels[i].hours, &hours,
                              inquiry->world, err);
+        finding.level = i + 1; /* 1: minimum */
         finding.is_optional = i > 0;
         if (status == PP_OK)
             status = pp_finding_list_add(findings, &finding, err);
