@@ -29,7 +29,7 @@ static enum pp_status find_views(struct pp_sky_view *view, const struct pp_world
         enum pp_status status =
             see(&view->visible[i], world, &world->openings[i], receiver->position, err);
         if (status != PP_OK) {
-            view->visible[i].patch_count = 0;
+            view->visible[i] = (struct pp_visible){.patch_count = 0};
             pp_sky_view_clear(view);
             return status;
         }
@@ -55,8 +55,7 @@ enum pp_status pp_sky_view_init_for_sun(struct pp_sky_view *view,
 void pp_sky_view_clear(struct pp_sky_view *view)
 {
     for (int i = 0; view->visible && i < view->world->opening_count; i++)
-        if (view->visible[i].patch_count > 0)
-            pp_visible_clear(&view->visible[i]);
+        pp_visible_clear(&view->visible[i]);
     free(view->visible);
     view->visible = NULL;
 }

@@ -148,6 +148,7 @@ static void a_room_without_a_folder_has_no_files(void **state)
         pp_building_parse(&building, text, sizeof text - 1, &mistakes, NULL),
         PP_BAD_INPUT);
     assert_non_null(strstr(mistakes.list[0].text, "not read from a file"));
+    pp_building_destroy(building);
     pp_mistakes_clear(&mistakes);
 }
 
