@@ -35,6 +35,16 @@ static void put_panel_title(const struct year_plot *plot, double x, double y,
     pp_lettering_draw(plot->cr, &plot->style, &title, x, y, words);
 }
 
+/* Draws the axes of a panel and their grid. */
+static void draw_panel_axes(const struct year_plot *plot, const struct pp_axis *across,
+                            const struct pp_axis *up)
+{
+    pp_axis_grid_across(plot->cr, &plot->style, up, across->from, across->to);
+    pp_axis_grid_up(plot->cr, &plot->style, across, up->to, up->from);
+    pp_axis_draw_across(plot->cr, &plot->style, across, up->from);
+    pp_axis_draw_up(plot->cr, &plot->style, up, across->from);
+}
+
 /* ---- days and hours ---- */
 
 static int day_of_year(int month, int day)
@@ -238,10 +248,7 @@ static void draw_curves(const struct year_plot *plot, struct pp_box box)
     struct pp_axis up = pp_axis_linear(0.0, 100.0, low, box.y, 5.0 * scale, true);
     put_panel_title(plot, box.x, box.y - 1.0 * scale,
                     "Occupied hours (%) with at least this illuminance (lx)");
-    pp_axis_grid_across(plot->cr, &plot->style, &up, across.from, across.to);
-    pp_axis_grid_up(plot->cr, &plot->style, &across, box.y, low);
-    pp_axis_draw_across(plot->cr, &plot->style, &across, low);
-    pp_axis_draw_up(plot->cr, &plot->style, &up, across.from);
+    draw_panel_axes(plot, &across, &up);
     double y = low + 7.0 * scale;
     draw_share_curve(plot, &across, &up, bright, 1, "point with the most light", y);
     draw_share_curve(plot, &across, &up, -1, 0, "mean of the points", y + key);
@@ -287,10 +294,7 @@ static void draw_depth(const struct year_plot *plot,
     struct pp_axis up = pp_axis_linear(0.0, 100.0, low, box.y, 5.0 * scale, true);
     put_panel_title(plot, box.x, box.y - 1.0 * scale,
                     "Occupied hours (%) by distance from the window wall (m)");
-    pp_axis_grid_across(plot->cr, &plot->style, &up, across.from, across.to);
-    pp_axis_grid_up(plot->cr, &plot->style, &across, box.y, low);
-    pp_axis_draw_across(plot->cr, &plot->style, &across, low);
-    pp_axis_draw_up(plot->cr, &plot->style, &up, across.from);
+    draw_panel_axes(plot, &across, &up);
     for (int i = 0; i < count; i++) {
         draw_depth_curve(plot, &across, &up, profile, curves[i].member, i);
         draw_curve_key(plot, i, curves[i].words, across.from,

@@ -19,7 +19,7 @@
 #include "model/light/bsdf/bsdf.h"
 #include "model/light/pane_scatter.h"
 
-/* What hand methods can take the pane for. */
+/* The kind of glass that the pane is for hand methods. */
 enum pp_measured_kind {
     PP_MEASURED_CLEAR,      /* 98 % of the light passes straight */
     PP_MEASURED_DIFFUSING,  /* Lambertian, within 5 % of the light */

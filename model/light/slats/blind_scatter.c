@@ -103,7 +103,7 @@ static double blind_straight(const void *data, struct pp_vec3 in)
            * pp_glass_transmittance(&blind->inner, fabs(in.z));
 }
 
-/* Of light that arrives from outside. */
+/* For light that arrives from outside. */
 static double scattered_inwards(const struct pp_blind *blind, struct pp_vec3 in)
 {
     double p = profile_of(blind, in), sum = 0.0;

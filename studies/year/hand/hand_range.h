@@ -10,7 +10,7 @@
 #ifndef PP_STUDIES_YEAR_HAND_HAND_RANGE_H
 #define PP_STUDIES_YEAR_HAND_HAND_RANGE_H
 
-/* How often the simulated figure is within its range in rooms held out of the fit. */
+/* Share of simulated figures within their range, in rooms held out of the fit. */
 #define PP_HAND_RANGE_COVERAGE                                                         \
     "95 of 100 simulated figures were within them, in rooms held out, in the same "    \
     "three climates (34 to 42 degrees north)"

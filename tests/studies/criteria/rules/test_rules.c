@@ -67,7 +67,7 @@ static void norway_requires_a_mean_of_two_per_cent_or_enough_glass(void **state)
     pp_finding_list_clear(&findings);
 }
 
-/* Of a window with its sill at 0.5 m, 1.0 of 1.3 m is above 0.8 m: 9.06 %. */
+/* A window of 1.3 m with its sill at 0.5 m has 1.0 m above 0.8 m: 9.06 %. */
 static void glass_below_0_8_m_does_not_count_in_norway(void **state)
 {
     (void)state;
