@@ -33,14 +33,15 @@ const text = () => page.evaluate(() => window.pepperpot.board.text);
 const attribute = (name, key, nth = 0) => page.evaluate((n, k, i) => window.pepperpot.board.elements.filter((e) => e.name === n)[i]?.attributes[k]?.value, name, key, nth);
 const select = (name, nth = 0) => page.evaluate((n, i) => window.pepperpot.board.select(window.pepperpot.board.elements.filter((e) => e.name === n)[i].index), name, nth);
 const tab = (name) => page.click(`#tab-${name}`);
-const average = () => page.$eval('#averages tbody tr:first-child td', (e) => e.textContent);
+// Elements are found and used in one step: the page draws anew between two, and puppeteer's $eval has two.
+const average = () => page.evaluate(() => document.querySelector('#averages tbody tr:first-child td').textContent);
 const example = (name) => page.evaluate((n) => { const s = document.getElementById('example'); s.value = n; s.dispatchEvent(new Event('change')); }, name);
 
 async function drag(handle, dx, dy) {
     await idle();
     const reach = `[data-handle="${handle}"] .reach`;
     await page.waitForSelector(reach, { timeout: 20000 });
-    const [x, y] = await page.$eval(reach, (e) => { const b = e.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; });
+    const [x, y] = await page.evaluate((r) => { const b = document.querySelector(r).getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]; }, reach);
     await page.mouse.move(x, y);
     await page.mouse.down();
     for (let i = 1; i <= 4; i++) await page.mouse.move(x + dx * i / 4, y + dy * i / 4);
@@ -96,13 +97,13 @@ await until(() => document.getElementById('status').hidden);
 await select('window');
 await idle();
 const left = parseFloat(await attribute('window', 'left'));
-await page.$eval('[data-handle="plan middle"]', (e) => e.focus());
+await page.evaluate(() => document.querySelector('[data-handle="plan middle"]').focus());
 await page.keyboard.press('ArrowRight');
 await idle();
 check('an arrow key moves it by 5 cm', Math.abs(Math.abs(parseFloat(await attribute('window', 'left')) - left) - 0.05) < 0.026, [left, await attribute('window', 'left')]);
 check('and the handle keeps the focus', await page.evaluate(() => document.activeElement?.dataset.handle === 'plan middle'));
 const before = await text();
-await page.$eval('#value-sill', (e) => { e.value = '1.1'; e.dispatchEvent(new Event('change')); });
+await page.evaluate(() => { const e = document.getElementById('value-sill'); e.value = '1.1'; e.dispatchEvent(new Event('change')); });
 await idle();
 check('a typed value is taken', (await attribute('window', 'sill')) === '1.1');
 await page.click('#undo');
@@ -130,7 +131,7 @@ check('and listed with its place', await until(() => /Line \d+, column \d+: wind
 check('the editor is there', await page.evaluate(() => Boolean(document.querySelector('#editor > div')?.shadowRoot?.querySelector('.cm-content') ?? document.getElementById('text'))));
 await tab('drawing');
 await page.click('#undo');
-check('undo takes the mistake back', await until(() => document.getElementById('status').hidden), await page.$eval('#status', (e) => e.textContent));
+check('undo takes the mistake back', await until(() => document.getElementById('status').hidden), await page.evaluate(() => document.getElementById('status').textContent));
 
 // ---- files ----
 
@@ -166,7 +167,7 @@ check('a simulation runs', await until(() => document.getElementById('trace-butt
 await page.click('#trace-button');
 check('and stops', await until(() => document.getElementById('trace-button').textContent === 'Simulate'));
 await page.type('#place-text', '1.5, 2');
-await page.click('#place button');
+await page.evaluate(() => document.querySelector('#place button').click());
 check('components at a place are shown by opening', await until(() => /window in south/.test(document.getElementById('point-figures').textContent)));
 await page.click('#compare');
 check('a second variant stands beside the first', await until(() => document.querySelectorAll('#averages thead th').length === 3));
