@@ -15,6 +15,15 @@ static const char *wall_of(const struct pp_world *world, int opening)
     return world->surfaces[world->openings[opening].face].name;
 }
 
+/* Index of the window of this name; -1: none. */
+static int window_by_name(const struct pp_world *world, const char *words)
+{
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].name && strcmp(world->openings[i].name, words) == 0)
+            return i;
+    return -1;
+}
+
 /* Index of the window whose opening is on this line of the room file; -1: none. */
 static int window_by_line(const struct pp_world *world, const char *words)
 {
@@ -44,14 +53,16 @@ enum pp_status pp_choose_window(int *window, const struct pp_world *world,
 {
     *window = 0;
     if (words) {
-        *window = window_by_wall(world, words);
+        *window = window_by_name(world, words);
+        if (*window < 0)
+            *window = window_by_wall(world, words);
         if (*window < 0)
             *window = window_by_line(world, words);
         if (*window < 0)
             return pp_fail(
                 err, PP_BAD_INPUT,
-                "--window is \"%.60s\"; expected the line number of a window in the "
-                "room file, or the name of a wall with one window",
+                "--window is \"%.60s\"; expected the name of a window, the name of a "
+                "wall with one window, or the line number of a window in the room file",
                 words);
     } else {
         while (upright && *window < world->opening_count

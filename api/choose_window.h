@@ -4,8 +4,8 @@
 
 #include "model/room/world.h"
 
-/* Selects an opening by its line in the room file, or by its wall if it is the only one
- * there; words NULL: the first opening. upright: only windows in walls. PP_BAD_INPUT if
+/* Selects an opening by its name, by its wall if it is the only one there, or by its line
+ * in the room file; words NULL: the first opening. upright: only windows in walls. PP_BAD_INPUT if
  * there is no such window. */
 enum pp_status pp_choose_window(int *window, const struct pp_world *world,
                                 const char *words, bool upright, struct pp_error *err);

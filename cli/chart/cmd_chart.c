@@ -133,9 +133,8 @@ static const struct pp_option board_options[] = {
      "above (default 0.5) and below, and curvature in m.",
      pp_board_options_read_slats, PLACE(choice.board)},
     {"window", 0, "WHICH",
-     "Vertical sky, skylight indicator, sun path, slats: the window, by its line "
-     "number in "
-     "the file or by its wall (default: the first vertical window).",
+     "Vertical sky, skylight indicator, sun path, slats: the window, by its name, by "
+     "its wall or by its line number in the file (default: the first vertical window).",
      pp_options_read_text, BOARD(window)},
     {0},
 };

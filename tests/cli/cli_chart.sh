@@ -165,6 +165,10 @@ for kind in vertical-sky skylight-indicator; do
         refuses 1 "azimuth" chart $kind --sky iso-12,30,180 -o "$file"
     check "a window has the overcast sky" \
         refuses 2 "--sky" chart $kind --sky uniform -o "$file" "$deep"
+    sed 's/<window /<window name="W1" /' "$deep" >"$scratch/named.xml"
+    run chart $kind --window south -o "$scratch/by_wall.svg" "$scratch/named.xml"
+    run chart $kind --window W1 --format svg "$scratch/named.xml"
+    check "$kind of a window by its name or by its wall" same "$scratch/by_wall.svg" "$scratch/out"
     check "a window that is not there" \
         refuses 1 "line number of a window" chart $kind --window 3 -o "$file" "$deep"
     check "a blank $kind has no window" refuses 2 "--window" chart $kind --window 9 -o "$file"

@@ -114,7 +114,7 @@ check "a site all the same" quietly chart site "$scratch/top.xml" -o "$scratch/t
 sed 's/ latitude="[0-9.]*" longitude="[-0-9.]*"//' "$site" >"$scratch/nowhere.xml"
 check "sun paths of no place" refuses 1 "expected a site with a latitude" \
     chart sun-path --room Study "$scratch/nowhere.xml" -o "$scratch/no.svg"
-check "a window that is not there" refuses 1 "expected the line number of a window" \
+check "a window that is not there" refuses 1 "expected the name of a window" \
     chart sun-path --room Study --window attic "$site" -o "$scratch/no.svg"
 check "nothing was written" test ! -e "$scratch/no.svg"
 
