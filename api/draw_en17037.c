@@ -144,7 +144,7 @@ static enum pp_status fill_maps(struct pp_en17037_sheet *sheet,
     const struct pp_column *traced = pp_report_find(report, PP_DF, "traced");
     struct pp_en17037_map *maps = sheet->maps;
     maps[0] = (struct pp_en17037_map){
-        .title = "Daylight factor × median diffuse illuminance outside",
+        .title = "Daylight factor × median external diffuse illuminance",
         .receivers = report->receivers,
         .count =
             traced && isfinite(assessment->median.lux) ? report->receiver_count : 0};

@@ -33,7 +33,7 @@ static const struct titles titles[PP_COMPONENT_COUNT] = {
 };
 
 static const char off_brief[] = "off, %";
-static const char apart_title[] = "apart, in se";
+static const char apart_title[] = "diff./s.e.";
 static const char band_title[] = "95 % band";
 
 /* ---- printed numbers ---- */
@@ -285,15 +285,15 @@ static void print_simulation(const struct pp_result *result,
         engines++;
         say_engine(text, sizeof text, report, column, options, utf8);
         if (column == truth)
-            pp_text_append(text, sizeof text, "; off: difference of a method from %s",
-                           column->name);
+            pp_text_append(text, sizeof text,
+                           "; off: difference between the method and %s", column->name);
     }
     if (engines == 0)
         return;
     if (truth && engines > 1)
         pp_text_append(text, sizeof text,
-                       "; apart: difference of an engine from %s, in standard errors "
-                       "of the difference",
+                       "; diff./s.e.: difference between the engine and %s, divided by "
+                       "the standard error of this difference",
                        truth->name);
     if (!report->finished)
         pp_text_append(text, sizeof text, "; NOT FINISHED, interrupted");

@@ -137,7 +137,8 @@ static void append_answer(char text[TEXT_BYTES],
         append_reading(text, &answer->reading, utf8);
         break;
     case PP_SIZE_SMALLEST_EXCEEDS:
-        pp_text_append(text, TEXT_BYTES, "the target is exceeded even at the limit: ");
+        pp_text_append(text, TEXT_BYTES,
+                       "the target is exceeded even by the smallest size: ");
         append_size(text, result, change);
         pp_text_append(text, TEXT_BYTES, " gives ");
         append_reading(text, &answer->reading, utf8);

@@ -217,11 +217,15 @@ enum pp_status pp_section_line(struct pp_study_room *room,
     }
     if (good < 2) {
         free(receivers);
-        return pp_fail(err, PP_BAD_INPUT,
-                       "%s: the room file has no line of points, and the section is "
-                       "too short for two points; expected --points on a line, or "
-                       "--cut",
-                       room->file);
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            place->kind == PP_SECTION_OF_ROOM
+                ? "%s: the points are not on one straight line, and a section "
+                  "through the largest window has no space for two points; use "
+                  "--points with points on a straight line, or --cut"
+                : "%s: the section at --cut has no space for two points; "
+                  "expected another place",
+            room->file);
     }
     if (room->receivers != room->world->receivers)
         free(room->receivers);

@@ -215,19 +215,28 @@ static enum pp_status check_schedule(const struct pp_assess_words *options,
                          "expected only one of them");
 }
 
-/* Names of all profiles, then of all rules that can be judged; the number of names. */
-static int list_names(const char **names, int most)
+/* No profile and no rule has this name: the error suggests a similar name, or lists the
+ * profiles. */
+static enum pp_status refuse_profile(const char *typed, struct pp_error *err)
 {
+    enum { NAMES_MOST = 128 };
+    const char *names[NAMES_MOST], *name;
+    char profiles[256], expected[400];
     int count = 0;
-    const char *name;
-    for (int i = 0; pp_profile_at(i) && count < most; i++)
+    for (int i = 0; pp_profile_at(i) && count < NAMES_MOST; i++)
         names[count++] = pp_profile_at(i)->name;
-    for (int i = 0; (name = pp_rule_table_name(i)) != NULL && count < most; i++) {
+    snprintf(
+        expected, sizeof expected,
+        "; expected a profile (%s) or a rule; \"pepperpot assess --rules\" lists the "
+        "rules by country",
+        pp_text_list_names(profiles, sizeof profiles, names, count));
+    for (int i = 0; (name = pp_rule_table_name(i)) != NULL && count < NAMES_MOST; i++) {
         struct pp_rule_set set;
         if (pp_rule_set_init(&set, name) && set.is_judged && !is_profile(name))
             names[count++] = name;
     }
-    return count;
+    return pp_text_unknown(err, typed, names, count, expected,
+                           "there is no profile and no rule \"%.60s\"", typed);
 }
 
 /* Finds the profile or the rules of --for. Rules replace the room's sky and working
@@ -235,15 +244,13 @@ static int list_names(const char **names, int most)
 static enum pp_status find_profile(struct pp_assess_words *options,
                                    struct pp_error *err)
 {
-    enum { NAMES_MOST = 128 };
-    const char *names[NAMES_MOST], *name = options->profile_name;
+    const char *name = options->profile_name;
     if (is_profile(name)) {
         options->profile = pp_profile_find(name, err);
         return PP_OK;
     }
     if (!pp_rule_set_init(&options->rules, name))
-        return pp_text_unknown(err, name, names, list_names(names, NAMES_MOST), NULL,
-                               "there is no profile and no rule \"%.60s\"", name);
+        return refuse_profile(name, err);
     if (!options->rules.is_judged)
         return pp_fail(err, PP_BAD_INPUT,
                        "--for: the rules \"%s\" are only listed, as their numbers are "

@@ -56,8 +56,8 @@ static const struct pp_option bands_option[] = {
      "first method, and add the bands to CSV.",
      NULL, PLACE(bands)},
     {"no-bands", 0, NULL,
-     "Leave out the bands. Each band is the range of 95 of 100 true values in "
-     "similar rooms.",
+     "Leave out the 95 % bands. In similar simulated rooms, 95 of 100 true values were "
+     "inside their bands.",
      NULL, PLACE(no_bands)},
     {0},
 };

@@ -269,7 +269,8 @@ static const struct pp_option view_options[] = {
      "is 1.2 m above the floor. Repeat the option for more views.",
      read_typed_view, PLACE(views)},
     {"threshold", 0, "CD/M2",
-     "Luminance from which a surface is a source of glare (default 2000).",
+     "A surface is a source of glare if its luminance is at least this value (default "
+     "2000).",
      read_threshold, PLACE(threshold_cd_m2)},
     {0},
 };

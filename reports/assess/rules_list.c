@@ -8,6 +8,7 @@
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 #include "reports/parts/print.h"
+#include "studies/criteria/rules/rule_set.h"
 #include "studies/criteria/rules/rule_table.h"
 
 enum { NAME_WIDTH = 26, ROW_INDENT = 4, NOTE_INDENT = 6 };
@@ -49,17 +50,25 @@ static void put_row(const struct pp_rule *rule, int width, FILE *out)
     pp_print_wrapped(line, NOTE_INDENT, NOTE_INDENT, width, out);
 }
 
+/* True if assess --for accepts the rules of this name. */
+static bool has_verdict(const char *name)
+{
+    struct pp_rule_set set;
+    return pp_rule_set_init(&set, name) && set.is_judged;
+}
+
 void pp_rules_list_text(int width, FILE *out)
 {
     const char *last = "";
     const struct pp_rule *rule;
     for (int i = 0; (rule = pp_rule_table_at(i)) != NULL; i++) {
         if (strcmp(rule->name, last) != 0) {
-            char title[PP_RULE_WORDS];
-            snprintf(title, sizeof title, "%s%s%s, %s",
+            char title[PP_RULE_WORDS + 32];
+            snprintf(title, sizeof title, "%s%s%s, %s%s",
                      pp_rule_table_has(rule->country) ? rule->country : "",
                      pp_rule_table_has(rule->country) ? ": " : "", rule->scheme,
-                     rule->edition);
+                     rule->edition,
+                     has_verdict(rule->name) ? "" : " (listed only: no verdict)");
             fprintf(out, "%s%-*s  ", i > 0 ? "\n" : "", NAME_WIDTH, rule->name);
             pp_print_wrapped(title, NAME_WIDTH + 2, NAME_WIDTH + 2, width, out);
         }

@@ -16,7 +16,7 @@ check "both engines beside each other" \
     shows "cached: through the irradiance cache" df --simulate --engine path,cache \
     --samples 16 -ad 64 --points "1.5,2" "$deep"
 check "with their difference" grep -q "from traced, %" "$scratch/out"
-check "in standard errors of the difference" grep -q "apart, in se" "$scratch/out"
+check "in standard errors of the difference" grep -q "diff./s.e." "$scratch/out"
 check "as in JSON" gives df --simulate --engine cache,path --samples 16 -ad 64 --points "1.5,2" \
     --format json "$deep"
 check "which is the difference over the root of the squares of both" \

@@ -6,7 +6,7 @@
 here='--points=1.5,2;1.5,7'
 check "photons stand beside paths" shows "photons: by photons from the openings" \
     df -s --engine path,photons -m exact+bre --error 2% "$here" "$deep"
-check "with their distance in standard errors" grep -q "apart, in se" "$scratch/out"
+check "with their distance in standard errors" grep -q "diff./s.e." "$scratch/out"
 
 # No farther apart than four standard errors of the difference, which is one in 16,000.
 check "as JSON" gives df -s --engine path,photons,cache -m exact+bre --error 2% "$here" \

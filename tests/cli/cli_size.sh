@@ -98,7 +98,7 @@ check "in JSON too" shows '"reached": false' size -t 6 --format json "$deep"
 check "then no file is written" refuses 1 "not reached" \
     size -t 6 -w "$scratch/none.xml" -o /dev/null "$deep"
 check "none at all" test ! -e "$scratch/none.xml"
-check "what the rest of the room has already" shows "exceeded even at the limit" \
+check "what the rest of the room has already" shows "exceeded even by the smallest size" \
     size -t 1 --wall north "$classroom"
 check "a sill under the plane adds nothing to a point's direct light" \
     shows "this change has no effect" \

@@ -31,13 +31,16 @@ struct classes_tools {
 };
 
 static const struct pp_formula_quantity of_class[] = {
-    {"d_k", PP_UNIT_DAYLIGHT_FACTOR, "factor under the sky of the class"},
+    {"d_k", PP_UNIT_DAYLIGHT_FACTOR,
+     "factor under the representative sky of the class"},
     {"d_n", PP_UNIT_DAYLIGHT_FACTOR, "factor for the sun, normal to its rays"},
-    {"E_dk", PP_UNIT_LUX, "mean diffuse illuminance of the class"},
-    {"E_nk", PP_UNIT_LUX, "mean illuminance from the sun of the class"},
+    {"E_dk", PP_UNIT_LUX, "mean external diffuse illuminance of the class"},
+    {"E_nk", PP_UNIT_LUX,
+     "mean illuminance from the sun, normal to its rays, in the hours of the class"},
     {0}};
 static const struct pp_formula_quantity of_hour[] = {
-    {"d_k", PP_UNIT_DAYLIGHT_FACTOR, "factor under the sky of the class"},
+    {"d_k", PP_UNIT_DAYLIGHT_FACTOR,
+     "factor under the representative sky of the class"},
     {"d_n", PP_UNIT_DAYLIGHT_FACTOR, "factor for the sun, normal to its rays"},
     PP_YEAR_TERMS_E_D,
     PP_YEAR_TERMS_E_N,
@@ -112,10 +115,11 @@ static const struct weather_class *put_class(const struct pp_hand_case *of,
                                              struct pp_worksheet *sheet)
 {
     const struct weather_class *k = &t->list[class_of(hour)];
-    pp_worksheet_put(sheet, PP_UNIT_DAYLIGHT_FACTOR,
-                     pp_reference_skies_factor(&of->skies, point, k->sky), "d_k",
-                     "factor under the sky of the class, bin %d of clearness",
-                     hour->bin);
+    pp_worksheet_put(
+        sheet, PP_UNIT_DAYLIGHT_FACTOR,
+        pp_reference_skies_factor(&of->skies, point, k->sky), "d_k",
+        "factor under the representative sky of the class, bin %d of clearness",
+        hour->bin);
     pp_year_terms_put_factor(sheet, of, point, k->sun, "d_n",
                              "factor for the sun, normal to its rays");
     return k;
@@ -127,9 +131,12 @@ static void evaluate_classes(const struct pp_hand_case *of, const void *tools,
 {
     const struct weather_class *k = put_class(of, tools, point, hour, sheet);
     pp_worksheet_put(sheet, PP_UNIT_LUX, k->diffuse_lx, "E_dk",
-                     "mean diffuse illuminance of the class, %.4g h", k->hours);
-    pp_worksheet_put(sheet, PP_UNIT_LUX, k->direct_lx, "E_nk",
-                     "mean illuminance from the sun of the class");
+                     "mean external diffuse illuminance of the class, %.4g h",
+                     k->hours);
+    pp_worksheet_put(
+        sheet, PP_UNIT_LUX, k->direct_lx, "E_nk",
+        "mean illuminance from the sun, normal to its rays, in the hours of "
+        "the class");
     *states = pp_year_terms_state(pp_worksheet_work(sheet, &by_class, "illuminance"));
 }
 
@@ -163,7 +170,7 @@ const struct pp_year_method pp_year_method_classes = {
 
 const struct pp_year_method pp_year_method_classes_scaled = {
     .name = "classes-scaled",
-    .summary = "the same classes, scaled to the illuminances outside of each hour",
+    .summary = "the same classes, with the external illuminances of each hour",
     .source = "HP97",
     .assumptions = OWN,
     .formulae = formulae_of_hour,
