@@ -5,36 +5,21 @@
 #include <stdlib.h>
 
 #include "methods/exact/exterior.h"
+#include "methods/exact/pane_rectangle.h"
 #include "methods/exact/quadrature.h"
 #include "methods/view/occluders.h"
 #include "model/geometry/bounds.h"
 
-enum { NODES = 7, CELLS_MOST = 96 };
+enum { NODES = PP_PANE_CELL_NODES, CELLS_MOST = 96 };
 
 /* Bound on the number of evaluations times the square of the number of surfaces in
  * front of the pane. A pane at the bound takes a few seconds. */
 static const double WORK_MOST = 2e6;
 
-/* Cells whose error, relative to the flux on the whole pane, is less than this are not
- * divided further. */
-static const double RELATIVE_ERROR = 1e-6;
-
-/* Coordinates are along the opening's own axes (m, from the room's origin). */
-struct pp_pane_cell {
-    double low[2], high[2];
-    double sky[NODES][NODES], external[NODES][NODES];
-    double total, error; /* integral over the cell, and its error */
-    int worse;           /* the axis with the larger part of the error */
-};
-
-/* Nodes from -1 to 1, the zeros of the Chebyshev polynomial: -cos((2 i + 1) pi / 14),
- * and their barycentric weights. */
-static const double nodes[NODES] = {
-    -0.9749279121818236, -0.7818314824680298, -0.4338837391175582, 0.0,
-    0.43388373911755806, 0.7818314824680295,  0.9749279121818237};
-static const double barycentric[NODES] = {
-    0.2225209339563144, -0.6234898018587335, 0.9009688679024191, -1.0,
-    0.9009688679024191, -0.6234898018587339, 0.2225209339563141};
+/* Cells are divided until the estimated error of the flux on the whole pane is this,
+ * relative. The estimate is high: daylight factors behind overhangs, shelves and fins
+ * have an error of 5e-7 or less. */
+static const double RELATIVE_ERROR = 1e-4;
 
 /* ---- lines where the illuminance is not smooth ---- */
 
@@ -46,22 +31,17 @@ struct borders {
     int surfaces; /* number of surfaces in front of the pane */
 };
 
-/* The pane's plane: foot + x along + y up. */
-struct plane {
-    struct pp_vec3 foot, along, up, toward;
-};
-
-static struct plane pane_plane(const struct pp_opening *opening)
+static struct pp_pane_plane pane_plane(const struct pp_opening *opening)
 {
     struct pp_vec3 toward = pp_vec_scale(opening->inner.normal, -1.0);
     double offset = pp_vec_dot(opening->outer.vertices[0], toward);
-    return (struct plane){pp_vec_scale(toward, offset), opening->along, opening->up,
-                          toward};
+    return (struct pp_pane_plane){pp_vec_scale(toward, offset), opening->along,
+                                  opening->up, toward};
 }
 
 /* Adds the line where the plane m.p = offset meets the pane's plane, if that line is
  * parallel to an axis. */
-static void add_border(struct borders *borders, const struct plane *plane,
+static void add_border(struct borders *borders, const struct pp_pane_plane *plane,
                        struct pp_vec3 m, double offset)
 {
     double slope[2] = {pp_vec_dot(m, plane->along), pp_vec_dot(m, plane->up)};
@@ -72,7 +52,8 @@ static void add_border(struct borders *borders, const struct plane *plane,
 }
 
 /* True if any corner of the polygon is in front of the pane's plane. */
-static bool is_in_front(const struct pp_polygon *outline, const struct plane *plane)
+static bool is_in_front(const struct pp_polygon *outline,
+                        const struct pp_pane_plane *plane)
 {
     for (int i = 0; i < outline->count; i++)
         if (pp_vec_dot(pp_vec_sub(outline->vertices[i], plane->foot), plane->toward)
@@ -87,7 +68,7 @@ static enum pp_status find_borders(struct borders *borders,
                                    struct pp_error *err)
 {
     const struct pp_vec3 zenith = {0.0, 0.0, 1.0};
-    struct plane plane = pane_plane(opening);
+    struct pp_pane_plane plane = pane_plane(opening);
     size_t most = 1;
     for (int i = 0; i < world->surface_count; i++)
         most += (size_t)world->surfaces[i].outline.count + 1;
@@ -134,7 +115,8 @@ static void add_tails(double tails[2], const double values[NODES][NODES])
     double basis[NODES][NODES];
     for (int m = 0; m < NODES; m++)
         for (int i = 0; i < NODES; i++)
-            basis[m][i] = cos(m * acos(nodes[i])) * (m > 0 ? 2.0 : 1.0) / NODES;
+            basis[m][i] =
+                cos(m * acos(pp_pane_cell_nodes[i])) * (m > 0 ? 2.0 : 1.0) / NODES;
     for (int m = 0; m < NODES; m++)
         for (int n = 0; n < NODES; n++) {
             double sum = 0.0;
@@ -151,7 +133,7 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
                                  const struct pp_outside_light *light,
                                  const struct pp_opening *opening, struct pp_error *err)
 {
-    struct plane plane = pane_plane(opening);
+    struct pp_pane_plane plane = pane_plane(opening);
     double middle[2], half[2], sum = 0.0;
     for (int axis = 0; axis < 2; axis++) {
         middle[axis] = (cell->low[axis] + cell->high[axis]) / 2.0;
@@ -159,9 +141,10 @@ static enum pp_status light_cell(struct pp_pane_cell *cell,
     }
     for (int i = 0; i < NODES; i++)
         for (int k = 0; k < NODES; k++) {
-            struct pp_vec3 at =
-                pp_vec_along(plane.foot, middle[0] + half[0] * nodes[i], plane.along);
-            at = pp_vec_along(at, middle[1] + half[1] * nodes[k], plane.up);
+            struct pp_vec3 at = pp_vec_along(
+                plane.foot, middle[0] + half[0] * pp_pane_cell_nodes[i], plane.along);
+            at =
+                pp_vec_along(at, middle[1] + half[1] * pp_pane_cell_nodes[k], plane.up);
             struct pp_exterior_light outside;
             enum pp_status status =
                 pp_exterior_light_within(&outside, world, light, at, plane.toward,
@@ -263,57 +246,36 @@ void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane)
 
 /* ---- the direct component ---- */
 
-/* A cell as seen from a receiver. */
-struct cell_seen {
-    const struct pp_pane_cell *cell;
+/* A component of the illuminance of a cell. */
+struct cell_light {
+    const struct pp_pane_cell_seen *seen;
     const double (*values)[NODES];
-    struct plane plane;
-    double eye[2]; /* the foot of the eye's perpendicular, on the pane's axes */
-    double distance_m;
 };
-
-/* Weights of the values at the nodes for interpolation at t, from -1 to 1: Lagrange
- * polynomials in their barycentric form. */
-static void lagrange_weights(double weights[NODES], double t)
-{
-    double sum = 0.0;
-    for (int i = 0; i < NODES; i++) {
-        double apart = t - nodes[i];
-        if (apart == 0.0) {
-            for (int k = 0; k < NODES; k++)
-                weights[k] = k == i;
-            return;
-        }
-        weights[i] = barycentric[i] / apart;
-        sum += weights[i];
-    }
-    for (int i = 0; i < NODES; i++)
-        weights[i] /= sum;
-}
 
 static double illuminance_at(const void *context, struct pp_vec3 u)
 {
-    const struct cell_seen *seen = context;
+    const struct cell_light *light = context;
+    const struct pp_pane_cell_seen *seen = light->seen;
     const struct pp_pane_cell *cell = seen->cell;
     double reach_m = seen->distance_m / pp_vec_dot(u, seen->plane.toward);
     double xy[2] = {seen->eye[0] + reach_m * pp_vec_dot(u, seen->plane.along),
                     seen->eye[1] + reach_m * pp_vec_dot(u, seen->plane.up)};
     double weights[2][NODES], sum = 0.0;
     for (int axis = 0; axis < 2; axis++)
-        lagrange_weights(weights[axis],
-                         (2.0 * xy[axis] - cell->low[axis] - cell->high[axis])
-                             / (cell->high[axis] - cell->low[axis]));
+        pp_pane_cell_weights(weights[axis],
+                             (2.0 * xy[axis] - cell->low[axis] - cell->high[axis])
+                                 / (cell->high[axis] - cell->low[axis]));
     for (int i = 0; i < NODES; i++) {
         double row = 0.0;
         for (int k = 0; k < NODES; k++)
-            row += weights[1][k] * seen->values[i][k];
+            row += weights[1][k] * light->values[i][k];
         sum += weights[0][i] * row;
     }
     return sum;
 }
 
 /* The half-spaces whose planes contain the eye and the sides of the cell. */
-static void sides_of(struct pp_vec3 sides[4], const struct cell_seen *seen)
+static void sides_of(struct pp_vec3 sides[4], const struct pp_pane_cell_seen *seen)
 {
     const struct pp_vec3 axes[2] = {seen->plane.along, seen->plane.up};
     for (int axis = 0; axis < 2; axis++) {
@@ -326,19 +288,23 @@ static void sides_of(struct pp_vec3 sides[4], const struct cell_seen *seen)
     }
 }
 
-static enum pp_status add_cell(struct pp_direct *sum, struct cell_seen *seen,
+static enum pp_status add_cell(struct pp_direct *sum,
+                               const struct pp_pane_cell_seen *seen,
+                               const struct pp_bounds2 *bounds,
                                const struct pp_visible *visible, struct pp_vec3 normal,
                                struct pp_error *err)
 {
+    if (pp_pane_rectangle_add(sum, seen, bounds, visible, normal))
+        return PP_OK;
     struct pp_vec3 half_spaces[5] = {normal};
     sides_of(half_spaces + 1, seen);
     double *values[2] = {&sum->sky, &sum->external};
     enum pp_status status = PP_OK;
     for (int i = 0; i < 2 && status == PP_OK; i++) {
         struct pp_quadrature result;
-        seen->values =
-            (const double(*)[NODES])(i == 0 ? seen->cell->sky : seen->cell->external);
-        struct pp_integrand part = {illuminance_at, seen, NULL, 0.0};
+        struct cell_light light = {seen,
+                                   i == 0 ? seen->cell->sky : seen->cell->external};
+        struct pp_integrand part = {illuminance_at, &light, NULL, 0.0};
         status = pp_quadrature_over(
             &result, &visible->view, &visible->patches[0].region, half_spaces, 5,
             normal, &part, sum->rough ? PP_QUADRATURE_ROUGH : PP_QUADRATURE_GLAZED,
@@ -356,16 +322,18 @@ enum pp_status pp_diffusing_pane_add(struct pp_direct *sum,
                                      const struct pp_receiver *receiver,
                                      struct pp_error *err)
 {
-    struct cell_seen seen = {.plane = pane_plane(opening)};
+    struct pp_pane_cell_seen seen = {.plane = pane_plane(opening)};
     struct pp_vec3 eye = receiver->position;
     seen.eye[0] = pp_vec_dot(eye, seen.plane.along);
     seen.eye[1] = pp_vec_dot(eye, seen.plane.up);
     seen.distance_m = pp_vec_dot(pp_vec_sub(seen.plane.foot, eye), seen.plane.toward);
+    struct pp_bounds2 bounds =
+        pp_pane_rectangle_around(&seen, visible, receiver->normal);
     double before = sum->sky + sum->external;
     enum pp_status status = PP_OK;
     for (int i = 0; i < pane->cell_count && status == PP_OK; i++) {
         seen.cell = &pane->cells[i];
-        status = add_cell(sum, &seen, visible, receiver->normal, err);
+        status = add_cell(sum, &seen, &bounds, visible, receiver->normal, err);
     }
     sum->error += pane->error * (sum->sky + sum->external - before);
     return status;

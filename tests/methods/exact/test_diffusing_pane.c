@@ -1,0 +1,94 @@
+/* test_diffusing_pane.c - the direct component of a diffusing pane that obstructions light unevenly, against sums
+ * over small squares of the pane. */
+#include "methods/exact/diffusing_pane.h"
+
+#include "methods/exact/exterior.h"
+#include "methods/method.h"
+#include "tests/lib/room_of.h"
+
+/* A wall 1.3 m away hides the sky from the lower part of the pane, and a fin that from one
+ * side. */
+#define ROOM                                                                           \
+    "<room version='1'><plan width='3.1' depth='4.7' height='2.7'/>"                   \
+    "<window wall='south' left='0.35' sill='0.4' width='1.7' height='1.9' reveal='0' " \
+    "transmittance='0.6' diffusing='yes'><fin depth='0.4' side='left' gap='0'/>"       \
+    "</window><skyline wall='south' angle='50' distance='1.3' reflectance='0.3'/>"
+
+static struct pp_part part_at(const struct pp_world *world,
+                              const struct pp_outside_light *light,
+                              struct pp_receiver receiver, bool rough)
+{
+    const struct pp_method *exact = &pp_method_exact;
+    struct pp_part part = {0};
+    void *tools = NULL;
+    assert_int_equal(exact->prepare_fast(&tools, world, light, NULL), PP_OK);
+    assert_int_equal((rough ? exact->evaluate_roughly : exact->evaluate)(
+                         world, light, world->openings, &receiver, tools, &part, NULL),
+                     PP_OK);
+    exact->destroy_tools(tools);
+    return part;
+}
+
+/* tau / pi times the integral of E (n.v) (m.v) / v^4 over squares of the pane, by the
+ * light at their centres. */
+static struct pp_part sum_of_squares(const struct pp_world *world,
+                                     const struct pp_outside_light *light,
+                                     struct pp_receiver receiver)
+{
+    enum { SQUARES = 90 };
+    const struct pp_opening *opening = world->openings;
+    const struct pp_vec3 out = pp_vec_scale(opening->inner.normal, -1.0);
+    struct pp_part part = {0};
+    for (int i = 0; i < SQUARES * SQUARES; i++) {
+        struct pp_vec3 at = pp_vec(0.35 + 1.7 * (i % SQUARES + 0.5) / SQUARES, 0.0,
+                                   0.4 + 1.9 * (i / SQUARES + 0.5) / SQUARES);
+        struct pp_vec3 v = pp_vec_sub(at, receiver.position);
+        double facing = pp_vec_dot(v, receiver.normal);
+        if (facing <= 0.0)
+            continue;
+        struct pp_exterior_light outside;
+        assert_int_equal(pp_exterior_light_on_plane(&outside, world, light, at, out,
+                                                    opening->face, NULL),
+                         PP_OK);
+        double weight = opening->glass.diffuse / PP_PI * facing * pp_vec_dot(v, out)
+                        / (pp_vec_dot(v, v) * pp_vec_dot(v, v)) * 1.7 * 1.9
+                        / (SQUARES * SQUARES);
+        part.sky += weight * outside.sky;
+        part.external += weight * outside.external;
+    }
+    return part;
+}
+
+/* At receivers that face up, to the pane, and aslant, whose horizon crosses the pane. The
+ * sums are good to 2e-3 near the fin, which makes the light jump at the pane's side. */
+static void every_square_of_an_uneven_pane_counts_by_its_own_light(void **state)
+{
+    (void)state;
+    struct pp_outside_light light;
+    struct pp_world *world = pp_test_lit_world(&light, ROOM "</room>");
+    const struct pp_receiver receivers[] = {
+        {.position = {1.2, 0.61, 0.85}, .normal = {0.0, 0.0, 1.0}},
+        {.position = {2.3, 3.7, 0.85}, .normal = {0.0, 0.0, 1.0}},
+        {.position = {1.7, 2.2, 1.3}, .normal = {0.0, -1.0, 0.0}},
+        {.position = {0.9, 1.9, 1.1}, .normal = {0.48, -0.6, 0.64}},
+        {.position = {1.4, 4.1, 2.6}, .normal = {0.0, 0.0, -1.0}},
+    };
+    for (size_t i = 0; i < sizeof receivers / sizeof *receivers; i++) {
+        struct pp_part sum = sum_of_squares(world, &light, receivers[i]);
+        struct pp_part fine = part_at(world, &light, receivers[i], false);
+        struct pp_part rough = part_at(world, &light, receivers[i], true);
+        assert_relative(fine.sky, sum.sky, 2e-3);
+        assert_relative(fine.external, sum.external, 2e-3);
+        assert_relative(rough.sky, fine.sky, 2e-5);
+        assert_relative(rough.external, fine.external, 2e-5);
+    }
+    pp_world_destroy(world);
+}
+
+TEST_FILE
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_square_of_an_uneven_pane_counts_by_its_own_light),
+    };
+    add_tests(tests, NULL, NULL);
+}
