@@ -113,6 +113,10 @@ struct pp_method {
                            const struct pp_opening *opening,
                            const struct pp_receiver *receiver);
 
+    /* `refuses` does not depend on the receiver: it is called once for each opening of a
+     * room, not again for each receiver. */
+    bool refuses_alike;
+
     /* Makes the tools that serve for all points of one world under one light, such as a
      * diagram. Called only for a world that the method does not refuse. NULL function:
      * tools is NULL. On success *tools is freed by destroy_tools. */

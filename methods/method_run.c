@@ -11,6 +11,41 @@
 #include "methods/fast/beams.h"
 #include "methods/average/plane_average.h"
 
+/* Finds the first opening that the method does not cover for a receiver, and why; NULL
+ * if it covers all. */
+static const struct pp_opening *refused_opening(const struct pp_method_run *run,
+                                                const struct pp_receiver *receiver,
+                                                const char **why)
+{
+    const struct pp_world *world = run->world;
+    *why = NULL;
+    for (int i = 0; i < world->opening_count; i++) {
+        *why = pp_method_refuses_opening(run->method, world, run->light,
+                                         world->openings + i, receiver);
+        if (*why)
+            return world->openings + i;
+    }
+    return NULL;
+}
+
+/* Writes the reason why the method does not cover the room or one of its openings;
+ * false if it covers them. */
+static bool method_refuses(const struct pp_method_run *run,
+                           const struct pp_receiver *receiver,
+                           struct pp_method_answer *answer)
+{
+    const struct pp_method *method = run->method;
+    if (method->refuses_room)
+        answer->why = method->refuses_room(run->world, run->light, receiver);
+    if (answer->why)
+        return true;
+    answer->opening = run->refused;
+    answer->why = run->why_refused;
+    if (!method->refuses_alike)
+        answer->opening = refused_opening(run, receiver, &answer->why);
+    return answer->why != NULL;
+}
+
 enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   const struct pp_method *method,
                                   const struct pp_variant *variant,
@@ -38,6 +73,8 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
         run->factors[i] = pp_allowance_of(method, world, world->openings + i);
     bool refused =
         method->refuses_room && method->refuses_room(world, run->light, NULL);
+    if (method->refuses_alike && !refused)
+        run->refused = refused_opening(run, NULL, &run->why_refused);
     run->plain = report->options && report->options->plain;
     if (method->prepare_fast && !refused && !run->plain)
         status = method->prepare_fast(&run->tools, world, run->light, err);
@@ -134,24 +171,6 @@ static enum pp_status add_openings(const struct pp_method_run *run,
         && run->method->speaks_for != PP_FOR_POINT && world->opening_count > 0)
         answer->why = "the formula does not apply to any of the room's openings";
     return status;
-}
-
-/* Writes the reason why the method does not cover the room or one of its openings;
- * false if it covers them. */
-static bool method_refuses(const struct pp_method_run *run,
-                           const struct pp_receiver *receiver,
-                           struct pp_method_answer *answer)
-{
-    const struct pp_method *method = run->method;
-    const struct pp_world *world = run->world;
-    if (method->refuses_room)
-        answer->why = method->refuses_room(world, run->light, receiver);
-    for (int i = 0; i < world->opening_count && !answer->why; i++) {
-        answer->why = pp_method_refuses_opening(method, world, run->light,
-                                                world->openings + i, receiver);
-        answer->opening = answer->why ? world->openings + i : NULL;
-    }
-    return answer->why != NULL;
 }
 
 enum pp_status pp_method_run_answer(const struct pp_method_run *run,

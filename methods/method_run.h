@@ -30,6 +30,9 @@ struct pp_method_run {
                       * opening */
     void *tools;     /* made by the method; NULL for a room that it refuses */
     struct pp_formulary *formulary;
+    const struct pp_opening *refused; /* with refuses_alike: the first opening that the
+                                       * method does not cover; NULL: none */
+    const char *why_refused;
     struct pp_method_shared shared;
     bool plain;   /* without tables, beams and other fast methods */
     bool roughly; /* by evaluate_roughly, for an average */

@@ -97,6 +97,42 @@ static const char *bre_atlas_refuses(const struct pp_world *world,
     return pp_fitted_parts_refuses(world, light, opening, receiver);
 }
 
+/* Of each opening of the world, in order. */
+struct bre_atlas_tools {
+    void *light;                 /* struct pp_fitted_light */
+    struct pp_bre_terms terms[]; /* none of openings that are not vertical */
+};
+
+static void destroy_bre_atlas(void *of_bre_atlas)
+{
+    struct bre_atlas_tools *tools = of_bre_atlas;
+    if (tools)
+        free(tools->light);
+    free(tools);
+}
+
+static enum pp_status prepare_bre_atlas(void **of_bre_atlas,
+                                        const struct pp_world *world,
+                                        const struct pp_outside_light *light,
+                                        struct pp_error *err)
+{
+    size_t count = (size_t)world->opening_count;
+    struct bre_atlas_tools *tools =
+        calloc(1, sizeof *tools + count * sizeof *tools->terms);
+    if (!tools)
+        return pp_fail_memory(err);
+    enum pp_status status = pp_fitted_light_prepare(&tools->light, world, light, err);
+    for (int i = 0; i < world->opening_count && status == PP_OK; i++)
+        if (!pp_refusals_unless_vertical(&world->openings[i]))
+            status =
+                pp_bre_terms(&tools->terms[i], world, light, &world->openings[i], err);
+    if (status != PP_OK)
+        destroy_bre_atlas(tools);
+    else
+        *of_bre_atlas = tools;
+    return status;
+}
+
 static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
                                          const struct pp_outside_light *light,
                                          const struct pp_opening *opening,
@@ -104,14 +140,13 @@ static enum pp_status evaluate_bre_atlas(const struct pp_world *world,
                                          const void *tools, struct pp_part *part,
                                          struct pp_error *err)
 {
+    (void)light, (void)err;
     struct pp_worksheet *sheet = &part->sheet;
-    struct pp_bre_terms terms;
-    enum pp_status status = pp_bre_terms(&terms, world, light, opening, err);
-    if (status != PP_OK)
-        return status;
-    pp_bre_terms_work(sheet, &pp_bre_terms_IRC_av, &terms, opening);
-    pp_fitted_light_put(sheet, tools, world, opening);
-    pp_fitted_parts_put(sheet, world, opening);
+    const struct bre_atlas_tools *prepared = tools;
+    pp_bre_terms_work(sheet, &pp_bre_terms_IRC_av,
+                      &prepared->terms[opening - world->openings], opening);
+    pp_fitted_light_put(sheet, prepared->light, world, opening);
+    pp_fitted_parts_put(sheet, prepared->light, world, opening);
     pp_worksheet_work(sheet, &light_ratio,
                       "ratio of the entering light to that of the published formula");
     pp_fitted_position_put_room(sheet, world, opening);
@@ -136,7 +171,8 @@ const struct pp_method pp_method_bre_atlas = {
     .allowances = PP_ALLOWS_CLEAR_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,
     .refuses = bre_atlas_refuses,
-    .prepare = pp_fitted_light_prepare,
-    .destroy_tools = free,
+    .refuses_alike = true,
+    .prepare = prepare_bre_atlas,
+    .destroy_tools = destroy_bre_atlas,
     .evaluate = evaluate_bre_atlas,
 };

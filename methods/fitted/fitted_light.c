@@ -6,7 +6,6 @@
 
 #include "methods/exact/exterior.h"
 #include "methods/fitted/fitted_constants.h"
-#include "methods/reflected/interior.h"
 #include "methods/refusals.h"
 
 static const struct pp_formula_quantity of_shade[] = {
@@ -69,9 +68,15 @@ enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *worl
         calloc((size_t)world->opening_count + 1, sizeof *list);
     if (!list)
         return pp_fail_memory(err);
+    const struct pp_interior all = pp_interior_all(world);
     for (int i = 0; i < world->opening_count; i++) {
-        enum pp_status status =
-            light_on(list + i, world, light, world->openings + i, err);
+        const struct pp_opening *opening = world->openings + i;
+        list[i].all = all;
+        /* Most windows of a room have the same height. */
+        list[i].parts = i > 0 && opening[-1].middle_z_m == opening->middle_z_m
+                            ? list[i - 1].parts
+                            : pp_interior_split(world, opening->middle_z_m);
+        enum pp_status status = light_on(list + i, world, light, opening, err);
         if (status != PP_OK) {
             free(list);
             return status;

@@ -23,12 +23,15 @@
 #ifndef PP_METHODS_FITTED_FITTED_LIGHT_H
 #define PP_METHODS_FITTED_FITTED_LIGHT_H
 
+#include "methods/reflected/interior.h"
 #include "model/light/outside_light.h"
 #include "model/results/worksheet.h"
 #include "model/room/world.h"
 
 struct pp_fitted_light {
-    double V, C_b, C_g; /* fractions */
+    double V, C_b, C_g;             /* fractions */
+    struct pp_interior all;         /* of the room */
+    struct pp_interior_parts parts; /* below and above the middle of the opening */
 };
 
 /* Rows of a method's list of formulae. */
@@ -50,8 +53,8 @@ extern const struct pp_formula pp_fitted_light_E_b, pp_fitted_light_E_g;
             "illuminance on the opening from the visible ground"                       \
     }
 
-/* A method's `prepare`: calculates V, C_b and C_g for each opening of the world, in
- * order. The caller frees *tools with free(). */
+/* A method's `prepare`: *tools is a struct pp_fitted_light for each opening of the
+ * world, in order. The caller frees *tools with free(). */
 enum pp_status pp_fitted_light_prepare(void **tools, const struct pp_world *world,
                                        const struct pp_outside_light *light,
                                        struct pp_error *err);

@@ -3,11 +3,11 @@
 
 #include "methods/fitted/fitted_light.h"
 
-struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
-                                             const struct pp_world *world,
-                                             const struct pp_opening *opening)
+void pp_fitted_parts_put(struct pp_worksheet *sheet, const void *tools,
+                         const struct pp_world *world, const struct pp_opening *opening)
 {
-    struct pp_interior_parts parts = pp_interior_split(world, opening->middle_z_m);
+    const struct pp_fitted_light *list = tools;
+    struct pp_interior_parts parts = list[opening - world->openings].parts;
     pp_worksheet_put(sheet, PP_UNIT_SQUARE_METRE, parts.upper.area_m2, "A_u",
                      "area of surfaces above %.2f m, the height of the opening's "
                      "centre",
@@ -18,7 +18,6 @@ struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
                      "area of surfaces below this height");
     pp_worksheet_put(sheet, PP_UNIT_NUMBER, parts.lower.reflectance, "rho_l",
                      "mean reflectance of these surfaces");
-    return parts;
 }
 
 const char *pp_fitted_parts_refuses(const struct pp_world *world,

@@ -17,10 +17,10 @@
         "rho_l", PP_UNIT_NUMBER, "mean reflectance of these surfaces"                  \
     }
 
-/* Records the four quantities on the worksheet and returns them. */
-struct pp_interior_parts pp_fitted_parts_put(struct pp_worksheet *sheet,
-                                             const struct pp_world *world,
-                                             const struct pp_opening *opening);
+/* Records the four quantities on the worksheet. tools: from pp_fitted_light_prepare. */
+void pp_fitted_parts_put(struct pp_worksheet *sheet, const void *tools,
+                         const struct pp_world *world,
+                         const struct pp_opening *opening);
 
 /* A method's `refuses`: like pp_fitted_light_refuses, and also for openings with no
  * surface of the room above or below their middle. */

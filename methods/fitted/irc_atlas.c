@@ -95,13 +95,14 @@ static enum pp_status evaluate_irc_atlas(const struct pp_world *world,
 {
     (void)light, (void)err;
     struct pp_worksheet *sheet = &part->sheet;
-    struct pp_interior all = pp_interior_all(world);
+    const struct pp_fitted_light *on =
+        (const struct pp_fitted_light *)tools + (opening - world->openings);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
                      "diffuse transmittance of the glass");
     pp_fitted_light_put(sheet, tools, world, opening);
-    pp_interior_put(sheet, &all);
-    pp_fitted_parts_put(sheet, world, opening);
+    pp_interior_put(sheet, &on->all);
+    pp_fitted_parts_put(sheet, tools, world, opening);
     pp_fitted_opening_put_reveal(sheet, opening);
     pp_worksheet_work(sheet, &pp_irc_atlas_light,
                       "effective illuminance on the opening");
@@ -125,6 +126,7 @@ const struct pp_method pp_method_irc_atlas = {
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,
     .refuses = pp_fitted_parts_refuses,
+    .refuses_alike = true,
     .prepare = pp_fitted_light_prepare,
     .destroy_tools = free,
     .evaluate = evaluate_irc_atlas,

@@ -72,13 +72,14 @@ static enum pp_status evaluate_split_flux_atlas(const struct pp_world *world,
 {
     (void)light, (void)err;
     struct pp_worksheet *sheet = &part->sheet;
-    struct pp_interior all = pp_interior_all(world);
+    const struct pp_fitted_light *on =
+        (const struct pp_fitted_light *)tools + (opening - world->openings);
     pp_allowance_net_glass(sheet, &pp_allowance_glass_Ag, opening);
     pp_allowance_put(sheet, PP_ALLOWS_OWN_GLASS, opening, "tau",
                      "diffuse transmittance of the glass");
     pp_fitted_light_put(sheet, tools, world, opening);
-    pp_interior_put(sheet, &all);
-    pp_fitted_parts_put(sheet, world, opening);
+    pp_interior_put(sheet, &on->all);
+    pp_fitted_parts_put(sheet, tools, world, opening);
     pp_fitted_opening_put_low(sheet, world, opening);
     if (receiver) {
         pp_fitted_position_put_room(sheet, world, opening);
@@ -102,6 +103,7 @@ const struct pp_method pp_method_split_flux_atlas = {
     .allowances = PP_ALLOWS_OWN_GLASS | PP_ALLOWS_FRAME,
     .refuses_room = pp_refusals_formula_room,
     .refuses = pp_fitted_parts_refuses,
+    .refuses_alike = true,
     .prepare = pp_fitted_light_prepare,
     .destroy_tools = free,
     .evaluate = evaluate_split_flux_atlas,
