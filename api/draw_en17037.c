@@ -32,10 +32,10 @@ static const struct {
     const char *criterion, *title, *none;
 } page_parts[PP_EN17037_PARTS] = {
     {"en17037", "Daylight provision 1: daylight factor",
-     "The use of the room needs no daylight."},
+     "Rooms of this use need no daylight."},
     {"en17037-hours", "Daylight provision 2: every hour",
-     "The use of the room needs no daylight."},
-    {"view-out", "View out", "The use of the room needs no view."},
+     "Rooms of this use need no daylight."},
+    {"view-out", "View out", "Rooms of this use need no view."},
     {"sun-exposure", "Exposure to sunlight",
      "Not required for the use of this room: it is recommended for dwellings, wards "
      "and "

@@ -315,7 +315,8 @@ static bool is_beyond(const struct pp_atlas_map *map)
 static void say_notes(char *foot, size_t room, const struct pp_atlas_map *map)
 {
     pp_page_say(foot, room,
-                "%s of %d rooms of the atlas; a ratio of 1 means an exact result.",
+                "%s of %d rooms of the atlas; a ratio of 1 means agreement "
+                "with the simulation.",
                 map->averages ? "Averages" : "At the points", map->rooms);
     pp_page_say(
         foot, room,

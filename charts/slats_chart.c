@@ -176,10 +176,10 @@ void pp_slats_chart_draw(struct pp_canvas *canvas, const struct pp_slat_sheet *s
         sheet->title, subtitle,
         "The slats are endless, without thickness, and reflect diffusely; glass is not "
         "included. Straight light follows from the geometry of the slats, scattered "
-        "light from a radiosity of 24 strips on each side of a slat. The profile angle "
-        "is that of the light in a section normal to the slats. All directions, sky "
-        "and "
-        "ground: even light from the whole outside, or from one half of it."};
+        "light from a radiosity calculation with 24 strips on each side of a slat. The "
+        "profile angle is the angle of the light in a section normal to the slats. The "
+        "rows for all directions, for the sky and for the ground are for uniform light "
+        "from everywhere outside, from its upper half and from its lower half."};
     struct pp_box body = pp_page_draw(canvas, style, &page);
     double left = 10.0 * style->scale, below = 12.0 * style->scale;
     double table = fmin(0.42 * body.height, 75.0 * style->scale);

@@ -145,7 +145,7 @@ static enum pp_status read_option(const struct pp_command_line *line, char **wor
         return pp_fail(
             err, PP_BAD_INPUT, "there is no option %.40s; %s", word,
             pp_text_did_you_mean(question, sizeof question, "", short_word,
-                                 ", followed by its value as a separate word"));
+                                 ", followed by its value as a separate argument"));
     if (!found.option)
         return pp_fail(err, PP_BAD_INPUT, "there is no option %.*s",
                        1 + pp_format_utf8_length(word + 1), word);

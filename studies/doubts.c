@@ -81,10 +81,11 @@ static void doubt_materials(struct pp_mistakes *doubts, const struct pp_world *w
         const struct pp_rough_finish *material =
             pp_rough_finishes_at(world->materials, i);
         if (material->surface.lost > PP_DOUBTS_LOST_MOST)
-            pp_mistakes_add(doubts, material->line,
-                            "material \"%s\" is too steep for its model, which loses "
-                            "%.0f %% of the light",
-                            material->finish.name, 100.0 * material->surface.lost);
+            pp_mistakes_add(
+                doubts, material->line,
+                "material \"%s\": roughness divided by correlation-length is "
+                "too large for the model, which loses %.0f %% of the light",
+                material->finish.name, 100.0 * material->surface.lost);
     }
 }
 

@@ -39,7 +39,8 @@ static void take(struct name_drawing *drawing, struct pp_box box)
 static bool is_free(const struct name_drawing *drawing, struct pp_box box)
 {
     double gap = 0.6 * drawing->style->scale;
-    struct pp_box wide = {box.x - gap, box.y, box.width + 2.0 * gap, box.height};
+    struct pp_box wide = {box.x - gap, box.y - gap, box.width + 2.0 * gap,
+                          box.height + 2.0 * gap};
     for (int i = 0; i < drawing->count; i++)
         if (pp_lettering_boxes_overlap(drawing->taken[i], wide))
             return false;

@@ -34,7 +34,7 @@ static const struct pp_formula_quantity of_f_d[] = {
     DEPTH,
     RANGE,
     {"q_d", PP_UNIT_NUMBER,
-     "exponent of the decay with depth, from the depth beyond its start"},
+     "exponent of the decay with depth, for the depth beyond the start of the decay"},
     {"m_d", PP_UNIT_NUMBER, "absolute value of q_d, at least 0.000001"},
     {"x", PP_UNIT_METRE, "distance of the point from the wall with the opening"},
     {0}};
@@ -43,7 +43,7 @@ static const struct pp_formula_quantity of_f_s[] = {
     DEPTH,
     RANGE,
     {"q_s", PP_UNIT_NUMBER,
-     "exponent of the decay along the wall, from the width beside the opening"},
+     "exponent of the decay along the wall, for the width beside the opening"},
     {"y", PP_UNIT_METRE, "distance from the centre of the opening along its wall"},
     {0}};
 
@@ -62,7 +62,8 @@ const struct pp_formula pp_fitted_position_q_d = {
     .sum = "sqrt(1 - R) (" PP_FITTED_DEPTH " d_r / l - " PP_FITTED_START ")",
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
-    .what = "exponent of the decay with depth, from the depth beyond its start",
+    .what =
+        "exponent of the decay with depth, for the depth beyond the start of the decay",
     .quantities = of_q_d,
 };
 
@@ -90,7 +91,7 @@ const struct pp_formula pp_fitted_position_q_s = {
     .unit = PP_UNIT_NUMBER,
     .source = "ATLAS",
     .what =
-        "exponent of the decay along the wall, from the width beside the opening; at "
+        "exponent of the decay along the wall, for the width beside the opening; at "
         "least 0.000001",
     .quantities = of_q_s,
 };
@@ -167,9 +168,9 @@ static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world
                      "distance of the point from this wall");
     pp_worksheet_put(sheet, PP_UNIT_METRE, place.y, "y",
                      "distance from the centre of the opening along the wall");
-    pp_worksheet_work(
-        sheet, &pp_fitted_position_q_d,
-        "exponent of the decay with depth, from the depth beyond its start");
+    pp_worksheet_work(sheet, &pp_fitted_position_q_d,
+                      "exponent of the decay with depth, for the depth beyond the "
+                      "start of the decay");
     pp_worksheet_work(sheet, &pp_fitted_position_m_d, "absolute value of q_d");
     pp_worksheet_work(sheet, &pp_fitted_position_f_d,
                       "factor for the distance of the point from this wall");

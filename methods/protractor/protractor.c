@@ -140,7 +140,7 @@ static void work_reading(struct pp_part_steps *terms, struct pp_part *sum,
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, reading->average_rad,
                       "mean altitude of the upper and lower edges");
     put_pair(sheet, reading->jamb_rad[0], PP_UNIT_NUMBER, reading->correction[0], "k_l",
-             "angle of the left jamb from the normal (right positive)",
+             "angle of the left jamb from the normal (positive to the right)",
              "reading of the auxiliary scale at this angle");
     put_pair(sheet, reading->jamb_rad[1], PP_UNIT_NUMBER, reading->correction[1], "k_r",
              "angle of the right jamb from the normal",

@@ -82,7 +82,7 @@ static const struct pp_formula_quantity of_primary[] = {
 };
 static const struct pp_formula_quantity of_auxiliary[] = {
     {"k_r", PP_UNIT_NUMBER,
-     "reading of the auxiliary scale at the right jamb (right positive)"},
+     "reading of the auxiliary scale at the right jamb (positive to the right)"},
     {"k_l", PP_UNIT_NUMBER, "reading of the auxiliary scale at the left jamb"},
     {0},
 };

@@ -58,7 +58,7 @@ static const struct pp_formula_quantity of_auxiliary[] = {
      "window"},
     {"k_l", PP_UNIT_NUMBER,
      "reading of the auxiliary scale at the left jamb, for a receiver facing the "
-     "window (left negative)"},
+     "window (negative to the left)"},
     {"m_r", PP_UNIT_NUMBER,
      "reading of the auxiliary scale at the right jamb, for a receiver side-on to the "
      "window"},
@@ -77,7 +77,8 @@ static const struct pp_formula_quantity of_component[] = {
     {"J", PP_UNIT_NUMBER,
      "correction factor for the width, receiver side-on to the window"},
     {"psi", PP_UNIT_ANGLE,
-     "horizontal angle of the receiver from the normal of the window (right positive)"},
+     "horizontal angle of the receiver from the normal of the window (positive to the "
+     "right)"},
     {0},
 };
 static const struct pp_formula_quantity of_reflected[] = {
@@ -240,7 +241,7 @@ static void work_part(struct pp_part_steps *terms, struct pp_part *sum,
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(fmax(part->low, 0.0)),
                       "altitude of the lower edge");
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(part->left),
-                      "angle of the left jamb from the normal (right positive)");
+                      "angle of the left jamb from the normal (positive to the right)");
     pp_worksheet_note(sheet, PP_UNIT_ANGLE, atan(part->right),
                       "angle of the right jamb from the normal");
     put_scales(sheet, &dials->ahead, &ahead, part);
@@ -302,7 +303,7 @@ static enum pp_status evaluate_upright_protractor(
     cut_by_receiver(&elevation, psi_rad);
     pp_worksheet_put(&part->sheet, PP_UNIT_ANGLE, psi_rad, "psi",
                      "horizontal angle of the receiver from the normal of the window "
-                     "(right positive)");
+                     "(positive to the right)");
     struct pp_part_steps terms = pp_part_steps_on(&part->sheet, elevation.count);
     for (int i = 0; i < elevation.count; i++)
         work_part(&terms, part, opening->glass.panes > 0 ? set->glazed : set->bare,

@@ -99,7 +99,8 @@ static void a_material_is_too_steep_if_it_loses_much_light(void **state)
                   true),
         "");
     assert_doubt(LONE(METAL("roughness='3' correlation-length='5'") PLAN WINDOW),
-                 "material \"metal\" is too steep for its model, which loses ");
+                 "material \"metal\": roughness divided by correlation-length is too "
+                 "large for the model, which loses ");
 }
 
 static void swapped_coordinates_are_far_from_the_country(void **state)

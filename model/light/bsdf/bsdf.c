@@ -119,7 +119,7 @@ static void check_reciprocity(struct pp_bsdf *bsdf)
         pp_bsdf_warn(bsdf,
                      "transmission of the front and of the back contradict each other "
                      "by %.0f %% of the light; expected less than %.0f %%, since light "
-                     "takes the same way in both directions",
+                     "takes the same path in both directions",
                      100.0 * apart / sum, 100.0 * TOLERATED);
 }
 
@@ -135,8 +135,8 @@ enum pp_status pp_bsdf_complete(struct pp_bsdf *bsdf, struct pp_error *err)
     } else {
         status = reverse(front, back, err);
         pp_bsdf_warn(bsdf,
-                     "the file has no transmission of the front; it was made from "
-                     "that of the back by reciprocity");
+                     "the file has no transmission of the front; it was calculated "
+                     "from that of the back by reciprocity");
     }
     if (status != PP_OK)
         return status;

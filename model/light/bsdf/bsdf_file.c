@@ -102,7 +102,7 @@ static enum pp_status find_basis(const struct bsdf_reader *r,
                        ? PP_OK
                        : refuse(
                            r, defined,
-                           "the rings of the angle basis are not understood; "
+                           "the rings of the angle basis are not valid; "
                            "expected AngleBasisBlocks whose ThetaBounds follow "
                            "each other from 0 to 90, with at most 1024 patches. nPhis "
                            "must be 1 or even, as every patch needs an opposite one");

@@ -20,12 +20,13 @@ struct adeline_tools {
 static const struct pp_formula_quantity of_clear_state[] = {
     {"d_c", PP_UNIT_DAYLIGHT_FACTOR, "factor under the clear sky"},
     {"d_n", PP_UNIT_DAYLIGHT_FACTOR, "factor for the sun, normal to its rays"},
-    {"E_dc", PP_UNIT_LUX, "mean diffuse illuminance of sunny hours"},
-    {"E_nc", PP_UNIT_LUX, "mean illuminance from the sun of sunny hours"},
+    {"E_dc", PP_UNIT_LUX, "mean external diffuse illuminance in sunny hours"},
+    {"E_nc", PP_UNIT_LUX,
+     "mean illuminance from the sun, normal to its rays, in sunny hours"},
     {0}};
 static const struct pp_formula_quantity of_overcast_state[] = {
     PP_YEAR_TERMS_D,
-    {"E_do", PP_UNIT_LUX, "mean diffuse illuminance of hours without sun"},
+    {"E_do", PP_UNIT_LUX, "mean external diffuse illuminance in hours without sun"},
     {0}};
 static const struct pp_formula_quantity of_both_states[] = {
     {"p", PP_UNIT_NUMBER, "probability of sunshine"},
@@ -96,11 +97,12 @@ static struct pp_year_states work_states(const struct pp_hand_case *of,
     pp_year_terms_put_factor(sheet, of, point, t->sun[i], "d_n",
                              "factor for the sun, normal to its rays");
     pp_worksheet_put(sheet, PP_UNIT_LUX, sun->sunny_diffuse_lx, "E_dc",
-                     "mean diffuse illuminance of sunny hours");
-    pp_worksheet_put(sheet, PP_UNIT_LUX, sun->sunny_direct_lx, "E_nc",
-                     "mean illuminance from the sun of sunny hours");
+                     "mean external diffuse illuminance in sunny hours");
+    pp_worksheet_put(
+        sheet, PP_UNIT_LUX, sun->sunny_direct_lx, "E_nc",
+        "mean illuminance from the sun, normal to its rays, in sunny hours");
     pp_worksheet_put(sheet, PP_UNIT_LUX, sun->dull_diffuse_lx, "E_do",
-                     "mean diffuse illuminance of hours without sun");
+                     "mean external diffuse illuminance in hours without sun");
     double clear_lx =
         pp_worksheet_work(sheet, &clear_state, "illuminance in sunny hours");
     double dull_lx =
