@@ -9,6 +9,7 @@
 #include "cli/rooms.h"
 #include "cli/render/show_picture.h"
 #include "model/base/read_file.h"
+#include "model/room/position.h"
 
 static const struct pp_option external_option[] = {
     {"external", 0, "LUX",
@@ -65,6 +66,14 @@ static void say_if_black(const struct pp_picture *picture)
     pp_message("the picture is black, because no light reaches the surfaces in view");
 }
 
+/* Warns if the eye of a perspective or fisheye view is outside the room. */
+static void say_if_outside(const struct pp_world *world, const struct pp_camera *camera)
+{
+    if (camera->kind != PP_VIEW_PARALLEL && !pp_position_in_room(world, camera->eye))
+        pp_message("the eye is outside the room, so the picture shows the room from "
+                   "outside");
+}
+
 static enum pp_exit render_room(const struct pp_study_room *room,
                                 const struct pp_render_choice *choice,
                                 const struct pp_room_options *options)
@@ -85,6 +94,8 @@ static enum pp_exit render_room(const struct pp_study_room *room,
             result = write_errors(&made, choice->errors);
         if (result == PP_EXIT_DONE)
             say_if_black(&made.shown.picture);
+        if (result == PP_EXIT_DONE)
+            say_if_outside(room->world, &made.shown.camera);
     }
     pp_make_picture_clear(&made);
     return result;

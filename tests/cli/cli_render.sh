@@ -67,6 +67,12 @@ check "a room without light is black, and it is said" eval \
     '[ $status -eq 0 ] && [ -s "$scratch/dark.png" ] &&
      grep -q "the picture is black" "$scratch/err" || told'
 
+run render $small --from 1.5,-3 --towards 1.5,4 "$deep" -o "$scratch/front.png"
+check "an eye outside the room is said" eval \
+    '[ $status -eq 0 ] && grep -q "the eye is outside the room" "$scratch/err" || told'
+run render $small "$deep" -o "$scratch/inside.png"
+check "an eye in the room is not" test ! -s "$scratch/err"
+
 # ---- the same again ----
 
 "$pepperpot" render $small --threads 1 "$deep" -o "$scratch/one.hdr"

@@ -1,6 +1,8 @@
 /* read_material.c - see read_material.h. */
 #include "model/room/read/read_material.h"
 
+#include <string.h>
+
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
 
@@ -30,6 +32,24 @@ static bool material_is_possible(struct pp_reader *r,
 /* Wavelengths of red, green and blue if a material gives none. */
 static const double usual_um[3] = {0.65, 0.55, 0.45};
 
+/* Adds a stand-in for a material with mistakes under its name, so that the surfaces made
+ * of it are not reported as well. */
+static void add_stand_in(struct pp_reader *r, const struct pp_xml_element *e)
+{
+    static const struct pp_rough_optics glassy = {.n = {1.5, 1.5, 1.5},
+                                                  .wavelength = {0.65, 0.55, 0.45},
+                                                  .roughness = 0.1,
+                                                  .correlation = 1.0};
+    for (int i = 0; i < e->attribute_count; i++) {
+        const struct pp_xml_attribute *a = &e->attributes[i];
+        if (strcmp(a->name, "name") == 0 && a->value[0]
+            && !pp_rough_finishes_find(r->materials, a->value)
+            && pp_rough_finishes_add(&r->materials, a->value, &glassy, e->line, NULL)
+                   != PP_OK)
+            r->out_of_memory = true;
+    }
+}
+
 static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
 {
     struct pp_material_form form;
@@ -41,8 +61,10 @@ static void read_material(struct pp_reader *r, const struct pp_xml_element *e)
         return;
     }
     if (!pp_reader_fill_form(r, &form, &pp_rule_material, e)
-        || !material_is_possible(r, &form, e->line))
+        || !material_is_possible(r, &form, e->line)) {
+        add_stand_in(r, e);
         return;
+    }
     struct pp_rough_optics optics = {
         .roughness = form.roughness_um,
         .correlation = form.correlation_um,

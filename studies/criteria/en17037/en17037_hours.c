@@ -64,9 +64,8 @@ static enum pp_status assess_hours(const struct pp_inquiry *inquiry,
     pp_finding_list_add_basis(
         findings,
         "by simulation of every hour of %.*s, in 2190 of the 4380 hours with the most "
-        "diffuse light (median %.0f lx, from irradiances by Perez's efficacy), on %s; "
-        "each "
-        "point by its own hours; level reached: %s",
+        "diffuse light (median %.0f lx by Perez's efficacy), on %s, each point by its "
+        "own hours. Level reached: %s",
         (int)strcspn(inquiry->year->weather, ";"), inquiry->year->weather,
         inquiry->year->diffuse_median_lx, grid, reached);
     return PP_OK;
