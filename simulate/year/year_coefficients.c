@@ -7,25 +7,11 @@
 #include <stdlib.h>
 
 #include "model/base/array.h"
-#include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/year/pane_sun.h"
 #include "simulate/year/sun_on_surface.h"
+#include "simulate/year/sun_sums.h"
 #include "simulate/year/year_product.h"
-
-/* Sun on one cell in one hour. */
-struct sun_entry {
-    uint16_t cell;
-    int16_t group; /* group of the opening of the sunlight; -1 for an outdoor cell */
-    float lx;
-};
-
-/* The suns of one batch: entries of hour t are first[t] to first[t + 1] - 1. */
-struct sun_list {
-    int *first;
-    struct sun_entry *entries;
-    int capacity;
-};
 
 struct pp_year_coefficients {
     struct pp_year_task task;
@@ -35,7 +21,7 @@ struct pp_year_coefficients {
     struct pp_thread_pool *pool;
     struct pp_year_batch batches[PP_YEAR_BATCHES];
     const struct pp_light_columns *light;
-    struct sun_list suns[PP_YEAR_BATCHES];
+    struct pp_sun_list suns[PP_YEAR_BATCHES];
     struct pp_pane_sun panes;
     enum pp_status status[PP_YEAR_BATCHES]; /* status of each batch's task */
     bool (*goes_on)(void *data, double done);
@@ -135,7 +121,7 @@ static void clear_suns(struct pp_year_coefficients *c)
     for (int b = 0; b < PP_YEAR_BATCHES; b++) {
         free(c->suns[b].first);
         free(c->suns[b].entries);
-        c->suns[b] = (struct sun_list){.first = NULL};
+        c->suns[b] = (struct pp_sun_list){.first = NULL};
     }
 }
 
@@ -153,7 +139,8 @@ void pp_year_coefficients_destroy(struct pp_year_coefficients *c)
 
 /* ---- the sun on cells ---- */
 
-static enum pp_status add_sun(struct sun_list *list, int *used, struct sun_entry entry)
+static enum pp_status add_sun(struct pp_sun_list *list, int *used,
+                              struct pp_sun_entry entry)
 {
     enum pp_status status = pp_array_reserve(&list->entries, &list->capacity, *used + 1,
                                              sizeof *list->entries, NULL);
@@ -164,7 +151,7 @@ static enum pp_status add_sun(struct sun_list *list, int *used, struct sun_entry
 
 static enum pp_status add_suns_of_hour(const struct pp_year_coefficients *c, int b,
                                        const struct pp_perez_sky *sky,
-                                       struct sun_list *list, int *used)
+                                       struct pp_sun_list *list, int *used)
 {
     const struct pp_year_batch *batch = &c->batches[b];
     enum pp_status status = PP_OK;
@@ -179,7 +166,7 @@ static enum pp_status add_suns_of_hour(const struct pp_year_coefficients *c, int
         if (share > 0.0)
             status =
                 add_sun(list, used,
-                        (struct sun_entry){
+                        (struct pp_sun_entry){
                             i, opening >= 0 ? c->task.group_of_opening[opening] : 0,
                             (float)(share * sky->direct_lx)});
     }
@@ -189,9 +176,9 @@ static enum pp_status add_suns_of_hour(const struct pp_year_coefficients *c, int
         double share = pp_sun_on_surface(c->task.scene, &batch->outdoor_points[i],
                                          sky->sun, &opening);
         if (share > 0.0)
-            status = add_sun(
-                list, used,
-                (struct sun_entry){(uint16_t)i, -1, (float)(share * sky->direct_lx)});
+            status = add_sun(list, used,
+                             (struct pp_sun_entry){(uint16_t)i, -1,
+                                                   (float)(share * sky->direct_lx)});
     }
     return status;
 }
@@ -201,7 +188,7 @@ static bool light_batch(void *data, int worker, int b)
     struct pp_year_coefficients *c = data;
     if (worker == 0)
         c->done = (double)b / PP_YEAR_BATCHES;
-    struct sun_list *list = &c->suns[b];
+    struct pp_sun_list *list = &c->suns[b];
     int used = 0;
     list->first = calloc((size_t)c->light->count + 1, sizeof *list->first);
     c->status[b] = list->first ? PP_OK : pp_fail_memory(NULL);
@@ -227,87 +214,6 @@ enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *c,
 
 /* ---- points ---- */
 
-typedef float float_lanes __attribute__((vector_size(32)));
-
-enum { LANES = PP_INT_LANES, HALVES = PP_YEAR_BLOCK / LANES };
-
-/* Weights of a block of receivers for one cell. */
-struct block_weights {
-    float of[PP_YEAR_BLOCK];
-};
-
-/* Sums for one group while entries of the group follow each other. */
-struct block_sums {
-    float_lanes of[HALVES];
-};
-
-/* halves: 1 for a block of up to LANES receivers, else HALVES. */
-PP_LANES_BODY void add_entry(struct block_sums *sums,
-                             const struct block_weights *weights, float lx, int halves)
-{
-    for (int i = 0; i < halves; i++) {
-        float_lanes w;
-        __builtin_memcpy(&w, weights->of + i * LANES, sizeof w);
-        sums->of[i] += w * lx;
-    }
-}
-
-/* The sunlit cells of a batch, and the weights of a block of receivers for each. */
-struct block_of_suns {
-    const struct sun_list *list;
-    const struct block_weights *inside;  /* [cell] */
-    const struct block_weights *outdoor; /* [group][outdoor cell] */
-    int hours, groups;
-    int receivers;
-};
-
-/* Sums of each hour: out[hour][group]. */
-PP_LANES_BODY void sum_suns(struct block_weights *out,
-                            const struct block_of_suns *block, int halves)
-{
-    for (int t = 0; t < block->hours; t++) {
-        struct block_sums sums[PP_YEAR_GROUPS_MOST] = {{{{0.0f}}}};
-        int end = block->list->first[t + 1], k = block->list->first[t];
-        while (k < end && block->list->entries[k].group >= 0) {
-            int group = block->list->entries[k].group;
-            struct block_sums own = sums[group];
-            for (; k < end && block->list->entries[k].group == group; k++)
-                add_entry(&own, &block->inside[block->list->entries[k].cell],
-                          block->list->entries[k].lx, halves);
-            sums[group] = own;
-        }
-        for (int g = 0; g < block->groups; g++) {
-            struct block_sums own = sums[g];
-            for (int i = k; i < end; i++)
-                add_entry(&own,
-                          &block->outdoor[g * PP_YEAR_OUTDOOR_CELLS
-                                          + block->list->entries[i].cell],
-                          block->list->entries[i].lx, halves);
-            __builtin_memcpy(out[t * block->groups + g].of, &own, sizeof own);
-        }
-    }
-}
-
-PP_LANES_BODY void sum_block(struct block_weights *out,
-                             const struct block_of_suns *block)
-{
-    if (block->receivers <= LANES)
-        sum_suns(out, block, 1);
-    else
-        sum_suns(out, block, HALVES);
-}
-
-static void narrow_suns(struct block_weights *out, const struct block_of_suns *block)
-{
-    sum_block(out, block);
-}
-
-PP_LANES_WIDE static void wide_suns(struct block_weights *out,
-                                    const struct block_of_suns *block)
-{
-    sum_block(out, block);
-}
-
 /* Adds the sunlight that the panes of a group scatter to some receivers, in rows of hours
  * that begin at `sun`, `apart` numbers from one receiver to the next. */
 static void add_pane_suns(const struct pp_year_coefficients *c, int first, int count,
@@ -329,7 +235,7 @@ static void add_pane_suns(const struct pp_year_coefficients *c, int first, int c
 
 /* Space for the weights and sums of one batch. */
 struct sun_space {
-    struct block_weights *inside, *outdoor, *sums;
+    struct pp_sun_weights *inside, *outdoor, *sums;
 };
 
 static void add_suns(const struct pp_year_coefficients *c, int first, int count, int b,
@@ -347,12 +253,9 @@ static void add_suns(const struct pp_year_coefficients *c, int first, int count,
         for (int i = 0; i < outdoor; i++)
             space->outdoor[i].of[p] = out[i];
     }
-    const struct block_of_suns block = {&c->suns[b],     space->inside, space->outdoor,
-                                        c->light->count, groups,        count};
-    if (pp_lanes_are_wide())
-        wide_suns(space->sums, &block);
-    else
-        narrow_suns(space->sums, &block);
+    const struct pp_sun_sums sums = {&c->suns[b],     space->inside, space->outdoor,
+                                     c->light->count, groups,        count};
+    pp_sun_sums_find(space->sums, &sums);
     for (int p = 0; p < count; p++)
         for (int g = 0; g < groups; g++) {
             float *row = sun
@@ -376,7 +279,7 @@ enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *c, in
     size_t inside = (size_t)c->cells.count + 1,
            outdoor = groups * PP_YEAR_OUTDOOR_CELLS;
     size_t sums = groups * (size_t)c->light->count;
-    struct block_weights *all = calloc(inside + outdoor + sums, sizeof *all);
+    struct pp_sun_weights *all = calloc(inside + outdoor + sums, sizeof *all);
     if (!all)
         return pp_fail_memory(err);
     const struct sun_space space = {all, all + inside, all + inside + outdoor};
@@ -424,7 +327,7 @@ static bool light_panes(void *data, int worker, int b)
     struct panes_work *work = data;
     const struct pp_year_coefficients *c = work->c;
     const struct pp_year_batch *batch = &c->batches[b];
-    const struct sun_list *list = &c->suns[b];
+    const struct pp_sun_list *list = &c->suns[b];
     float *lx = work->lx + (size_t)b * work->step;
     pp_year_product(lx, batch->on_pane + work->group * c->task.column_count, 1,
                     c->light);

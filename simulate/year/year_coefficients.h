@@ -11,14 +11,10 @@
 #define PP_SIMULATE_YEAR_YEAR_COEFFICIENTS_H
 
 #include "simulate/year/light_columns.h"
+#include "simulate/year/sun_sums.h"
 #include "simulate/year/year_batch.h"
 
-enum {
-    PP_YEAR_BATCHES = 16,
-    PP_YEAR_GROUPS_MOST = 16,
-    PP_YEAR_CELLS_MOST = 65535,
-    PP_YEAR_BLOCK = 16 /* receivers whose reflected sunlight is summed together */
-};
+enum { PP_YEAR_CELLS_MOST = 65535 };
 
 struct pp_year_coefficient_options {
     int paths;   /* paths per point in each randomisation; a power of two */
