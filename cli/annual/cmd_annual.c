@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "cli/annual/annual_methods.h"
+#include "cli/annual/annual_stores.h"
 #include "cli/annual/lighting_option.h"
 #include "cli/availability/availability_options.h"
 #include "cli/command.h"
@@ -40,7 +41,8 @@ struct annual_options {
     struct pp_annual_methods methods;
     double sun_shift_min; /* NAN: auto */
     bool without_blinds, leap_day;
-    const char *hourly, *coefficients;
+    const char *hourly;
+    struct pp_annual_stores stores;
     struct pp_lighting_choice lighting;
     struct part_of_rooms {
         int number, count; /* part `number`, from 1, of `count` parts; count 0: all
@@ -84,7 +86,7 @@ static void settle_annual(struct annual_run *run)
            sizeof annual->illuminances_lx);
     annual->blinds = !options->without_blinds && !annual->exact_sky;
     annual->measure = true;
-    annual->coefficients = options->coefficients != NULL;
+    annual->coefficients = options->stores.matrix != NULL;
     pp_lighting_option_settle(annual, &options->lighting);
     annual->samples = (int)study->samples;
     annual->error = study->error;
@@ -128,11 +130,13 @@ static enum pp_status compute_annual(void *data, struct pp_error *err)
     if (status != PP_OK)
         return status;
     settle_annual(run);
+    status = pp_annual_stores_open(&run->options->stores, &run->options->annual, err);
     pp_interrupt_watch();
     for (int i = 0; i < rooms->count && status == PP_OK; i++) {
         if (!is_in_part(&run->options->part, i))
             continue;
         struct pp_annual_result *result = &run->results.list[run->results.count++];
+        run->options->annual.room_number = i;
         status = compute_room(run, &rooms->list[i], result, err);
         if (status == PP_OK && !result->sheet.finished)
             break;
@@ -214,9 +218,15 @@ static enum pp_exit run_annual_of_rooms(struct annual_options *options,
     if (exit_status == PP_EXIT_DONE)
         exit_status = write_further(&run, options->hourly, put_hourly);
     if (exit_status == PP_EXIT_DONE)
-        exit_status = write_further(&run, options->coefficients, put_coefficients);
+        exit_status = write_further(&run, options->stores.matrix, put_coefficients);
     if (exit_status == PP_EXIT_DONE)
         exit_status = write_further(&run, options->lighting.schedule, put_schedule);
+    struct pp_error err = {0};
+    if (pp_annual_stores_close(&options->stores, exit_status == PP_EXIT_DONE, &err)
+        != PP_OK)
+        exit_status = pp_message_error(&err);
+    if (exit_status == PP_EXIT_INTERRUPTED && options->stores.checkpoint)
+        pp_message("the same command continues from %s", options->stores.checkpoint);
     for (int i = 0; i < run.results.count; i++) {
         pp_annual_sheet_clear(&run.results.list[i].sheet);
         pp_hand_year_sheet_clear(&run.results.list[i].hand);
@@ -230,7 +240,8 @@ static enum pp_exit run_annual_of_rooms(struct annual_options *options,
 static const char *of_one_room(const struct annual_options *options)
 {
     return options->hourly              ? "--hourly"
-           : options->coefficients      ? "--coefficients"
+           : options->stores.matrix     ? "--coefficients"
+           : options->stores.from       ? "--coefficients-from"
            : options->lighting.schedule ? "--schedule"
                                         : NULL;
 }
@@ -347,10 +358,6 @@ static const struct pp_option result_options[] = {
      "Also write the illuminances of all hours to FILE.csv, FILE.ill (DAYSIM format) "
      "or FILE.npy (NumPy format).",
      read_hourly, PLACE(hourly)},
-    {"coefficients", 0, "FILE",
-     "Also write the daylight coefficients of the ground and of all sky patches, as a "
-     "matrix for Radiance (dctimestep).",
-     pp_options_read_output, PLACE(coefficients)},
     {"part", 0, "K/N",
      "Simulate only rooms K, K + N, K + 2 N and so on. Parts 1/N to N/N together cover "
      "all rooms, so several machines or runs can share the work.",
@@ -373,6 +380,7 @@ static const struct pp_option_group groups[] = {
     {"External light and working hours", pp_working_time_options, PLACE(light)},
     {"Calculation", pp_illuminance_options, PLACE(light)},
     {"Calculation", result_options, 0},
+    {"Calculation", pp_annual_stores_options, PLACE(stores)},
     {"Calculation", pp_room_points_option, PLACE(room)},
     {"Calculation", pp_room_sky_options, PLACE(room)},
     {"Hand methods", pp_annual_methods_options, PLACE(methods)},
@@ -422,16 +430,15 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
         return pp_fail(err, PP_BAD_INPUT,
                        "--samples is %ld; expected a power of two up to 65536",
                        study->samples);
-    if (options->coefficients && options->annual.exact_sky)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--exact-sky cannot be combined with --coefficients");
     study->simulate = true;
-    enum pp_status status =
-        pp_lighting_option_check(&options->lighting,
-                                 options->without_blinds     ? "--blinds none"
-                                 : options->annual.exact_sky ? "--exact-sky"
-                                                             : NULL,
-                                 err);
+    enum pp_status status = pp_annual_stores_check(&options->stores, study->error > 0.0,
+                                                   options->annual.exact_sky, err);
+    if (status == PP_OK)
+        status = pp_lighting_option_check(&options->lighting,
+                                          options->without_blinds     ? "--blinds none"
+                                          : options->annual.exact_sky ? "--exact-sky"
+                                                                      : NULL,
+                                          err);
     if (status == PP_OK)
         status = pp_annual_methods_settle(&options->methods,
                                           options->format == PP_FORMAT_CSV, err);

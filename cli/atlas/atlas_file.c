@@ -3,12 +3,12 @@
 #include "cli/atlas/atlas_file.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <unistd.h>
+
+#include "cli/atlas/locked_file.h"
 
 static enum pp_status fail(const struct pp_atlas_file *file, struct pp_error *err,
                            const char *what)
@@ -84,20 +84,10 @@ enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
                                   const char *head, struct pp_error *err)
 {
     *file = (struct pp_atlas_file){.path = path};
-    int descriptor = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor < 0)
-        return fail(file, err, "written");
-    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        close(descriptor);
-        return pp_fail(err, PP_SYSTEM,
-                       "another run is writing %s; expected one run at a time", path);
-    }
-    file->stream = fdopen(descriptor, "r+");
-    if (!file->stream) {
-        close(descriptor);
-        return fail(file, err, "written");
-    }
-    enum pp_status status = take_up(file, head, err);
+    enum pp_status status = pp_locked_file_open(&file->stream, path, err);
+    if (status != PP_OK)
+        return status;
+    status = take_up(file, head, err);
     if (status != PP_OK)
         fclose(file->stream);
     return status;

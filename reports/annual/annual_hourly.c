@@ -110,13 +110,14 @@ void pp_annual_hourly_put_matrix(const struct pp_annual_sheet *sheet, FILE *out)
 {
     int columns = 1 + sheet->patch_count;
     fprintf(out,
-            "#?RADIANCE\npepperpot annual --coefficients\nNROWS=%d\nNCOLS=%d\nNCOMP=1\n"
-            "FORMAT=ascii\n\n",
-            sheet->receiver_count, columns);
+            "#?RADIANCE\npepperpot annual --coefficients\n%sNROWS=%d\nNCOLS=%d\n"
+            "NCOMP=3\nFORMAT=ascii\n\n",
+            sheet->coefficient_record, sheet->receiver_count, columns);
     for (int x = 0; x < sheet->receiver_count; x++) {
-        for (int k = 0; k < columns; k++)
-            fprintf(out, "%s%.6g", k > 0 ? "\t" : "",
-                    sheet->coefficients[(size_t)x * (size_t)columns + (size_t)k]);
+        for (int k = 0; k < columns; k++) {
+            double lx = sheet->coefficients[(size_t)x * (size_t)columns + (size_t)k];
+            fprintf(out, "%s%.6g %.6g %.6g", k > 0 ? "\t" : "", lx, lx, lx);
+        }
         fputc('\n', out);
     }
 }

@@ -7,7 +7,7 @@
 
 #include "simulate/cache/cache_parts.h"
 #include "simulate/cache/cache_smooth.h"
-#include "simulate/cache/little_endian.h"
+#include "simulate/sampling/little_endian.h"
 #include "simulate/sampling/lobe.h"
 #include "simulate/scene/environment.h"
 
@@ -21,33 +21,19 @@ enum {
 
 static const char magic[17] = "pepperpot cache\n";
 
-static void put_vec(unsigned char **at, struct pp_vec3 v)
-{
-    pp_little_endian_put_double(at, v.x);
-    pp_little_endian_put_double(at, v.y);
-    pp_little_endian_put_double(at, v.z);
-}
-
-static struct pp_vec3 take_vec(const unsigned char **at)
-{
-    double x = pp_little_endian_take_double(at), y = pp_little_endian_take_double(at),
-           z = pp_little_endian_take_double(at);
-    return pp_vec(x, y, z);
-}
-
 static void put_entry(unsigned char **at, const struct pp_cache_entry *entry)
 {
     const struct pp_cache_record *is = &entry->is;
-    put_vec(at, is->point);
-    put_vec(at, is->normal);
+    pp_little_endian_put_vec(at, is->point);
+    pp_little_endian_put_vec(at, is->normal);
     pp_little_endian_put_double(at, is->space);
-    put_vec(at, pp_vec(is->value.r, is->value.g, is->value.b));
+    pp_little_endian_put_vec(at, pp_vec(is->value.r, is->value.g, is->value.b));
     for (int c = 0; c < 3; c++)
-        put_vec(at, is->along[c]);
+        pp_little_endian_put_vec(at, is->along[c]);
     for (int c = 0; c < 3; c++)
-        put_vec(at, is->turned[c]);
+        pp_little_endian_put_vec(at, is->turned[c]);
     for (int i = 0; i < 2; i++)
-        put_vec(at, is->axes[i]);
+        pp_little_endian_put_vec(at, is->axes[i]);
     for (int i = 0; i < 2; i++)
         pp_little_endian_put_double(at, is->radii_m[i]);
     for (int i = 0; i < PP_CACHE_SECTORS; i++)
@@ -71,17 +57,17 @@ static bool take_entry(const unsigned char **at, struct pp_cache_entry *entry)
 {
     struct pp_cache_record *is = &entry->is;
     bool good = true;
-    is->point = take_vec(at);
-    is->normal = take_vec(at);
+    is->point = pp_little_endian_take_vec(at);
+    is->normal = pp_little_endian_take_vec(at);
     double space = pp_little_endian_take_double(at);
-    struct pp_vec3 value = take_vec(at);
+    struct pp_vec3 value = pp_little_endian_take_vec(at);
     is->value = pp_rgb(value.x, value.y, value.z);
     for (int c = 0; c < 3; c++)
-        good = is_finite(is->along[c] = take_vec(at)) && good;
+        good = is_finite(is->along[c] = pp_little_endian_take_vec(at)) && good;
     for (int c = 0; c < 3; c++)
-        good = is_finite(is->turned[c] = take_vec(at)) && good;
+        good = is_finite(is->turned[c] = pp_little_endian_take_vec(at)) && good;
     for (int i = 0; i < 2; i++)
-        good = is_unit(is->axes[i] = take_vec(at)) && good;
+        good = is_unit(is->axes[i] = pp_little_endian_take_vec(at)) && good;
     for (int i = 0; i < 2; i++) {
         is->radii_m[i] = pp_little_endian_take_double(at);
         good = good && is->radii_m[i] >= 0.0 && isfinite(is->radii_m[i]);

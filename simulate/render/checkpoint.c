@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "simulate/cache/cache_file.h"
-#include "simulate/cache/little_endian.h"
+#include "simulate/sampling/little_endian.h"
 #include "simulate/render/render_parts.h"
 #include "simulate/sampling/hash.h"
 #include "simulate/scene/environment.h"

@@ -345,9 +345,11 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
 
 /* ---- the whole batch ---- */
 
-static enum pp_status make_space(struct pp_year_batch *batch,
-                                 const struct pp_year_task *task, struct pp_error *err)
+enum pp_status pp_year_batch_make_space(struct pp_year_batch *batch,
+                                        const struct pp_year_task *task,
+                                        struct pp_error *err)
 {
+    *batch = (struct pp_year_batch){.light = NULL};
     size_t points = (size_t)task->receiver_count, groups = (size_t)task->group_count;
     size_t cells = (size_t)task->cells->count;
     batch->light =
@@ -374,10 +376,12 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
                                   const struct pp_year_task *task, int index,
                                   int worker, struct pp_error *err)
 {
-    *batch = (struct pp_year_batch){.light = NULL};
+    enum pp_status status = pp_year_batch_make_space(batch, task, err);
     struct batch_work *work = calloc(1, sizeof *work);
-    if (!work)
+    if (status != PP_OK || !work) {
+        free(work);
         return pp_fail_memory(err);
+    }
     work->task = task;
     work->batch = batch;
     work->worker = worker;
@@ -387,7 +391,6 @@ enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
     pp_outdoor_cells_init(&work->outdoor, task->scene, batch->outdoor_points,
                           PP_YEAR_OUTDOOR_CELLS, work->seed);
     int columns = task->group_count * pp_year_solve_columns(task);
-    enum pp_status status = make_space(batch, task, err);
     for (int k = 0; k < PP_YEAR_ROWS_COUNT && status == PP_OK; k++) {
         int width = k == PP_YEAR_ROWS_D ? columns : task->cells->count;
         status = pp_sparse_rows_init(&work->of_cells[k], width, err);

@@ -77,6 +77,12 @@ struct pp_year_batch {
     struct pp_lit_point *pane_points; /* [group][PP_YEAR_PANE_POINTS]: for the sun */
 };
 
+/* Allocates the lists of a batch, filled with zeros; the caller clears *batch, even after
+ * a failure. */
+enum pp_status pp_year_batch_make_space(struct pp_year_batch *batch,
+                                        const struct pp_year_task *task,
+                                        struct pp_error *err);
+
 /* Calculates randomisation `index`; the caller clears *batch, even after a failure. */
 enum pp_status pp_year_batch_make(struct pp_year_batch *batch,
                                   const struct pp_year_task *task, int index,

@@ -24,6 +24,8 @@ struct pp_year_coefficients {
     struct pp_sun_list suns[PP_YEAR_BATCHES];
     struct pp_pane_sun panes;
     enum pp_status status[PP_YEAR_BATCHES]; /* status of each batch's task */
+    struct pp_error errors[PP_YEAR_BATCHES];
+    const struct pp_year_stores *stores;
     bool (*goes_on)(void *data, double done);
     void *data;
     double done; /* share of the batches; only worker 0 uses it */
@@ -44,8 +46,8 @@ static bool make_batch(void *data, int worker, int index)
     struct pp_year_coefficients *c = data;
     if (worker == 0)
         c->done = (double)index / PP_YEAR_BATCHES;
-    c->status[index] =
-        pp_year_batch_make(&c->batches[index], &c->task, index, worker, NULL);
+    c->status[index] = pp_year_stores_batch(c->stores, &c->batches[index], &c->task,
+                                            index, worker, c->pool, &c->errors[index]);
     return c->status[index] == PP_OK;
 }
 
@@ -56,7 +58,9 @@ static enum pp_status for_batches(struct pp_year_coefficients *c,
     pp_thread_pool_run(c->pool, 0, PP_YEAR_BATCHES, work, c);
     for (int b = 0; b < PP_YEAR_BATCHES; b++)
         if (c->status[b] != PP_OK && c->status[b] != PP_INTERRUPTED)
-            return pp_fail_memory(err);
+            return c->errors[b].message[0]
+                       ? pp_fail(err, c->status[b], "%s", c->errors[b].message)
+                       : pp_fail_memory(err);
     return atomic_load(&c->stopped) ? pp_fail(err, PP_INTERRUPTED, "interrupted")
                                     : PP_OK;
 }
@@ -75,6 +79,7 @@ enum pp_status pp_year_coefficients_create(
     c->pool = pool;
     c->goes_on = options->goes_on;
     c->data = options->data;
+    c->stores = options->stores;
     atomic_init(&c->stopped, false);
     if (!pp_sky_patches_init(&c->patches, options->patches, scene->world->north_rad)) {
         free(c);
@@ -108,6 +113,8 @@ enum pp_status pp_year_coefficients_create(
                          c->cells.count, PP_YEAR_CELLS_MOST);
     if (status == PP_OK)
         status = for_batches(c, make_batch, err);
+    if (status == PP_OK)
+        status = pp_year_stores_write(c->stores, c->batches, &c->task, err);
     if (status != PP_OK) {
         pp_year_coefficients_destroy(c);
         return status;

@@ -12,7 +12,7 @@
 
 #include "simulate/year/light_columns.h"
 #include "simulate/year/sun_sums.h"
-#include "simulate/year/year_batch.h"
+#include "simulate/year/year_store.h"
 
 enum { PP_YEAR_CELLS_MOST = 65535 };
 
@@ -21,6 +21,7 @@ struct pp_year_coefficient_options {
     int cells;   /* approximate number of cells */
     int patches; /* 145, 577, 2305 */
     uint64_t seed;
+    const struct pp_year_stores *stores; /* NULL: none */
 
     /* Called between two batches by the thread that called the function; done: the
      * share of the batches done. Returning false stops. NULL: never stops. */

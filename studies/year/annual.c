@@ -7,6 +7,7 @@
 #include "model/results/lattice.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "studies/year/annual_plane.h"
+#include "studies/year/annual_store.h"
 #include "studies/year/annual_words.h"
 #include "studies/year/annual_work.h"
 
@@ -109,28 +110,35 @@ static double worst_error(const struct pp_annual_work *work)
 static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
 {
     const struct pp_annual_options *options = work->options;
-    struct pp_year_coefficient_options year = {
-        .paths = options->samples > 0   ? options->samples
-                 : options->error > 0.0 ? PILOT
-                                        : SAMPLES,
-        .cells = CELLS,
-        .patches = options->patches,
-        .seed = options->seed,
-        .goes_on = annual_goes_on,
-        .data = work};
+    struct pp_year_stores stores;
+    int samples = options->samples;
+    enum pp_status status = pp_annual_store_begin(&stores, work, &samples, err);
+    if (status != PP_OK)
+        return status;
+    struct pp_year_coefficient_options year = {.paths = samples > 0 ? samples
+                                                        : options->error > 0.0
+                                                            ? PILOT
+                                                            : SAMPLES,
+                                               .cells = CELLS,
+                                               .patches = options->patches,
+                                               .seed = options->seed,
+                                               .goes_on = annual_goes_on,
+                                               .data = work};
     for (;;) {
-        work->samples = year.paths;
-        if (!next_step(work, year.paths == PILOT ? 0.05 : TRACED))
+        bool is_pilot = samples == 0 && year.paths == PILOT;
+        work->samples = stores.origin.paths = year.paths;
+        year.stores = is_pilot ? NULL : &stores;
+        if (!next_step(work, is_pilot ? 0.05 : TRACED))
             return pp_fail(err, PP_INTERRUPTED, "interrupted");
-        enum pp_status status = pp_year_coefficients_create(
+        status = pp_year_coefficients_create(
             &work->coefficients, work->scene, work->environment, work->receivers,
             work->receiver_count, work->groups.of_opening, work->groups.count, &year,
             work->pool, err);
-        if (status != PP_OK || options->samples > 0 || !(options->error > 0.0))
-            return status;
+        if (status != PP_OK || samples > 0 || !(options->error > 0.0))
+            break;
         double ratio = worst_error(work) / options->error;
         if ((ratio <= 1.0 && year.paths >= SAMPLES) || year.paths >= SAMPLES_MOST)
-            return PP_OK;
+            break;
         while (year.paths < SAMPLES || (year.paths < SAMPLES_MOST && ratio > 1.0)) {
             year.paths *= 2;
             ratio /= sqrt(2.0);
@@ -138,6 +146,9 @@ static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
         pp_year_coefficients_destroy(work->coefficients);
         work->coefficients = NULL;
     }
+    pp_annual_store_record(work->sheet->coefficient_record,
+                           sizeof work->sheet->coefficient_record, &stores.origin);
+    return status;
 }
 
 static enum pp_status prepare(struct pp_annual_work *work, struct pp_error *err)

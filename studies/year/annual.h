@@ -19,6 +19,10 @@
 #include "studies/study_room.h"
 #include "studies/year/weather_year.h"
 
+enum { PP_ANNUAL_STORES_MOST = 3 };
+
+struct pp_year_store; /* simulate/year/year_store.h */
+
 struct pp_annual_options {
     struct pp_working_hours hours;
     struct pp_summer_time summer;
@@ -36,6 +40,10 @@ struct pp_annual_options {
     struct pp_lighting_control lighting[PP_LIGHTING_CONTROLS_MOST]; /* electric light */
     uint64_t seed;
     int threads;
+    struct pp_year_store
+        *stores[PP_ANNUAL_STORES_MOST]; /* of coefficients; not owned */
+    int store_count;
+    int room_number; /* of the room in the command, from 0, for the stores */
     struct pp_watch watch;
 };
 

@@ -143,7 +143,9 @@ struct pp_annual_sheet {
     float *
         coefficients; /* [receiver][1 + patch]: lx over cd/m2 of the ground, of patches of
                           * the sky; owned; NULL: not kept */
-    float *sun_lx;    /* [receiver][sky]: direct sun, included in lx; owned */
+    char coefficient_record[320]; /* of the room and options of the coefficients, lines
+                                   * "NAME=value" */
+    float *sun_lx; /* [receiver][sky]: direct sun, included in lx; owned */
 };
 
 /* Credits of LEED v4.1, daylight, option 1. They depend on the mean sDA of all

@@ -1,7 +1,7 @@
 /* little_endian.h - numbers as bytes of a file, least significant first, on any
  * machine, and their hash. */
-#ifndef PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
-#define PP_SIMULATE_CACHE_LITTLE_ENDIAN_H
+#ifndef PP_SIMULATE_SAMPLING_LITTLE_ENDIAN_H
+#define PP_SIMULATE_SAMPLING_LITTLE_ENDIAN_H
 
 #include <stdint.h>
 #include <string.h>
@@ -24,7 +24,8 @@ static inline uint64_t pp_little_endian_take(const unsigned char **at, int bytes
     return value;
 }
 
-/* Stores a double as the 8 bytes of its bits; the float functions use 4 bytes. */
+/* Stores a double as the 8 bytes of its bits; the float functions use 4 bytes, those of
+ * a vector three doubles. */
 static inline void pp_little_endian_put_double(unsigned char **at, double value)
 {
     uint64_t bits;
@@ -53,6 +54,20 @@ static inline float pp_little_endian_take_float(const unsigned char **at)
     float value;
     memcpy(&value, &bits, sizeof value);
     return value;
+}
+
+static inline void pp_little_endian_put_vec(unsigned char **at, struct pp_vec3 v)
+{
+    pp_little_endian_put_double(at, v.x);
+    pp_little_endian_put_double(at, v.y);
+    pp_little_endian_put_double(at, v.z);
+}
+
+static inline struct pp_vec3 pp_little_endian_take_vec(const unsigned char **at)
+{
+    double x = pp_little_endian_take_double(at), y = pp_little_endian_take_double(at),
+           z = pp_little_endian_take_double(at);
+    return pp_vec(x, y, z);
 }
 
 /* Hash of bytes in words of eight, continued from `start`; the last word is filled with

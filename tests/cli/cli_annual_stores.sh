@@ -1,0 +1,159 @@
+#!/bin/sh
+# Stored daylight coefficients: their matrix for Radiance, their use in other runs, and
+# interrupted runs.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+# A year at Brussels: clear from 9 to 16 h, dark else; `other` has less light.
+year() { # DIRECT DIFFUSE
+    awk -v direct="$1" -v diffuse="$2" 'BEGIN {
+        print "LOCATION,Brussels,-,BEL,made up,064510,50.90,4.53,1.0,58.0"
+        print "HOLIDAYS/DAYLIGHT SAVINGS,No,3/26,10/28,0"
+        print "DATA PERIODS,1,1,Data,Sunday,1/1,12/31"
+        split("31 28 31 30 31 30 31 31 30 31 30 31", days, " ")
+        for (m = 1; m <= 12; m++)
+            for (d = 1; d <= days[m]; d++)
+                for (h = 1; h <= 24; h++) {
+                    lit = h > 9 && h <= 16
+                    printf "%d,%d,%d,%d,0,?,10,7.5,84,101000,0,0,315,%d,%d,%d,0,0,0\n",
+                        2001, m, d, h, lit ? 9999 : 0, lit * direct, lit * diffuse
+                }
+    }'
+}
+year 400 150 >"$scratch/year.epw"
+year 100 220 >"$scratch/other.epw"
+cat >"$scratch/room.xml" <<'XML'
+<room version="1" name="Study"><site ground-reflectance="0.3" ground="open"/>
+<plan width="3.4" depth="4.6" height="2.7"/>
+<window wall="south" left="0.4" sill="0.8" width="1.5" height="1.6"/>
+<window wall="west" left="1.1" sill="0.9" width="1.2" height="1.3" glazing="none"/>
+<point x="1.2" y="0.9"/><point x="2.3" y="3.7"/></room>
+XML
+room=$scratch/room.xml
+matrix=$scratch/study.mtx
+annual="annual -q -f csv --hourly $scratch/hours.csv"
+
+# Runs WORDS, and keeps the results as NAME.
+kept() { # NAME WORDS
+    kept_name=$1
+    shift
+    run $annual "$@"
+    [ $status -eq 0 ] || told
+    cp "$scratch/out" "$scratch/$kept_name.csv"
+    cp "$scratch/hours.csv" "$scratch/$kept_name.hours"
+}
+# equal A B: both results are the same bytes.
+equal() {
+    cmp "$scratch/$1.csv" "$scratch/$2.csv" && cmp "$scratch/$1.hours" "$scratch/$2.hours"
+}
+
+# ---- the matrix ----
+
+kept direct --samples 64 -w "$scratch/year.epw" "$room"
+check "coefficients are stored" kept stored --samples 64 -w "$scratch/year.epw" \
+    --coefficients "$matrix" "$room"
+check "which changes no result" equal direct stored
+# Radiance's dctimestep accepts only matrices of three components.
+check "the matrix has three components" grep -qx "NCOMP=3" "$matrix"
+check "it names the room" grep -qx "ROOM=Study" "$matrix"
+check "and the light paths" grep -qx "SAMPLES=64" "$matrix"
+sed '1,/^$/d' "$matrix" >"$scratch/rows"
+check "two rows of 3 x 578 numbers" test \
+    "$(awk '{ printf "%d ", NF }' "$scratch/rows")" = "1734 1734 "
+check "equal components" awk '{ for (i = 1; i < NF; i += 3)
+    if ($i != $(i + 1) || $i != $(i + 2)) exit 1 }' "$scratch/rows"
+# A sky of 1 cd/m2 lights open ground with pi lx, which then has 0.3 cd/m2.
+run df --simulate --error 0.3% --sky uniform -q -f csv "$room"
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i }
+    $column["place"] == "point" && $column["method"] == "traced" && $column["component"] == "df" {
+        print $column["value_percent"] }' "$scratch/out" >"$scratch/factors"
+awk '{ E = 0.3 * $1; for (i = 4; i < NF; i += 3) E += $i; print 100 * E / 3.14159265 }' \
+    "$scratch/rows" >"$scratch/sums"
+check "its sums are the daylight factors of a uniform sky" sh -c "
+    paste '$scratch/factors' '$scratch/sums' | awk '{ n++; off = \$1 / \$2 - 1 }
+        off > 0.02 || off < -0.02 { exit 1 } END { exit n != 2 }'"
+
+# ---- stored coefficients ----
+
+check "they are read back" kept read -w "$scratch/year.epw" --coefficients-from "$matrix" \
+    "$room"
+check "with the same results" equal direct read
+kept other --samples 64 -w "$scratch/other.epw" --hours 9-17 "$room"
+check "other weather and hours" kept reused -w "$scratch/other.epw" --hours 9-17 \
+    --coefficients-from "$matrix.randomisations" "$room"
+check "give the results of a run without them" equal other reused
+
+from="$annual -w $scratch/year.epw --coefficients-from $matrix"
+changed() { # TEXT EDIT
+    sed "$2" "$room" >"$scratch/changed.xml"
+    refuses 1 "$1" $from "$scratch/changed.xml"
+}
+check "another room" changed 'those of the room "Study"; expected "Hall"' 's/Study/Hall/'
+check "other materials" changed "geometry or materials" 's/height="2.7"/height="2.8"/'
+check "another window" changed "geometry or materials" 's/1.3" glazing="none"/1.3"/'
+check "another bearing" changed "bearing" 's/name=/north="10" name=/'
+check "another ground" changed "ground reflectance" 's/"0.3" g/"0.25" g/'
+check "other points" changed "other points" 's/x="1.2"/x="1.3"/'
+check "another number of patches" refuses 1 "577 sky patches; expected 145" $from \
+    --patches 145 "$room"
+check "another seed" refuses 1 "the seed 1; expected 2" $from --seed 2 "$room"
+check "another number of paths" refuses 1 "64 paths per point; expected 128" $from \
+    --samples 128 "$room"
+check "a target error" refuses 2 "--error does not apply" $from --error 1% "$room"
+check "no stored coefficients" refuses 1 "is not a file of daylight coefficients" \
+    $annual -w "$scratch/year.epw" --coefficients-from "$room" "$room"
+check "no file" refuses 1 "No such file" $annual -w "$scratch/year.epw" \
+    --coefficients-from "$scratch/none" "$room"
+check "no sky without patches" refuses 2 "--exact-sky" $from --exact-sky "$room"
+check "only one room" refuses 1 "--coefficients-from is for one room" \
+    annual -w "$scratch/year.epw" --coefficients-from "$matrix" "$examples/building.xml"
+cp "$matrix.randomisations" "$scratch/damaged"
+printf x | dd of="$scratch/damaged" bs=1 seek=20000 conv=notrunc 2>/dev/null
+check "a damaged file" refuses 1 "damaged" $annual -w "$scratch/year.epw" \
+    --coefficients-from "$scratch/damaged" "$room"
+head -c 500000 "$matrix.randomisations" >"$scratch/short"
+check "an incomplete file" refuses 1 "of the 16 randomisations" $annual \
+    -w "$scratch/year.epw" --coefficients-from "$scratch/short" "$room"
+
+# ---- interrupted runs ----
+
+# Other randomisations than in the file are calculated, and added.
+checkpoint="--checkpoint $scratch/short --samples 64 -w $scratch/year.epw"
+check "a run continues" kept continued $checkpoint "$room"
+check "with the same results" equal direct continued
+check "its file is then complete" test "$(wc -c <"$scratch/short")" -eq \
+    "$(wc -c <"$matrix.randomisations")"
+check "it serves as stored coefficients" kept after -w "$scratch/year.epw" \
+    --coefficients-from "$scratch/short" "$room"
+check "with the same results, too" equal direct after
+sed 's/Study/Hall/' "$room" >"$scratch/hall.xml"
+check "it belongs to this room" refuses 1 'expected "Hall"' $annual $checkpoint \
+    "$scratch/hall.xml"
+
+# A signal after the first randomisation.
+"$pepperpot" $annual --checkpoint "$scratch/stopped" --samples 1024 \
+    -w "$scratch/year.epw" "$room" >"$scratch/out" 2>"$scratch/err" &
+left=200
+while [ $left -gt 0 ] && ! [ "$(find "$scratch/stopped" -size +1k 2>/dev/null)" ]; do
+    sleep 0.1
+    left=$((left - 1))
+done
+kill $!
+wait $!
+status=$?
+check "a signal ends the run" test $status -eq 130
+check "the file is named" grep -q "continues from $scratch/stopped" "$scratch/err"
+kept whole --samples 1024 -w "$scratch/year.epw" "$room"
+check "the run continues" kept resumed --samples 1024 -w "$scratch/year.epw" \
+    --checkpoint "$scratch/stopped" "$room"
+check "to the bytes of a run without interruption" equal whole resumed
+
+# Rooms of a building, of which some are in the file.
+parts="-w $scratch/year.epw --points 1,1 --samples 16 --checkpoint $scratch/building"
+run annual -q -f csv $parts --part 1/2 "$examples/building.xml"
+check "all rooms after a part of them" gives annual -q -f csv $parts "$examples/building.xml"
+cp "$scratch/out" "$scratch/all.csv"
+run annual -q -f csv -w "$scratch/year.epw" --points 1,1 --samples 16 "$examples/building.xml"
+check "give the results of one run" cmp "$scratch/all.csv" "$scratch/out"
+
+tap_done
