@@ -5,6 +5,7 @@
 
 #include "cli/annual/annual_methods.h"
 #include "cli/annual/annual_stores.h"
+#include "cli/annual/blinds_option.h"
 #include "cli/annual/lighting_option.h"
 #include "cli/availability/availability_options.h"
 #include "cli/command.h"
@@ -40,7 +41,8 @@ struct annual_options {
     struct pp_annual_options annual;
     struct pp_annual_methods methods;
     double sun_shift_min; /* NAN: auto */
-    bool without_blinds, leap_day;
+    bool leap_day;
+    struct pp_blinds_choice blinds;
     const char *hourly;
     struct pp_annual_stores stores;
     struct pp_lighting_choice lighting;
@@ -84,7 +86,11 @@ static void settle_annual(struct annual_run *run)
     annual->illuminance_count = options->light.illuminances.count;
     memcpy(annual->illuminances_lx, options->light.illuminances.lx,
            sizeof annual->illuminances_lx);
-    annual->blinds = !options->without_blinds && !annual->exact_sky;
+    annual->blinds = options->blinds.control == PP_BLINDS_LM83 && annual->exact_sky
+                         ? PP_BLINDS_NEVER
+                         : options->blinds.control;
+    annual->schedule = options->blinds.schedule;
+    annual->schedule_count = options->blinds.count;
     annual->measure = true;
     annual->coefficients = options->stores.matrix != NULL;
     pp_lighting_option_settle(annual, &options->lighting);
@@ -127,6 +133,9 @@ static enum pp_status compute_annual(void *data, struct pp_error *err)
     if (!run->results.list)
         return pp_fail_memory(err);
     enum pp_status status = read_year(run, err);
+    if (status != PP_OK)
+        return status;
+    status = pp_blinds_option_load(&run->options->blinds, run->year.count, err);
     if (status != PP_OK)
         return status;
     settle_annual(run);
@@ -307,14 +316,6 @@ static enum pp_status read_patches(const char *text, void *place, struct pp_erro
     return PP_OK;
 }
 
-static enum pp_status read_blinds(const char *text, void *place, struct pp_error *err)
-{
-    *(bool *)place = strcmp(text, "none") == 0;
-    if (strcmp(text, "none") != 0 && strcmp(text, "lm83") != 0)
-        return pp_fail(err, PP_BAD_INPUT, "lm83 or none");
-    return PP_OK;
-}
-
 static enum pp_status read_part(const char *text, void *place, struct pp_error *err)
 {
     double v[2];
@@ -350,10 +351,15 @@ static const struct pp_option weather_options[] = {
 };
 
 static const struct pp_option result_options[] = {
-    {"blinds", 0, "lm83|none",
-     "Blinds for sDA: lm83 (default), operated by window group as in LM-83-12, or "
-     "none.",
-     read_blinds, PLACE(without_blinds)},
+    {"blinds", 0, "lm83|always|never",
+     "Operation of the room's blinds, screens and curtains, for the figures with "
+     "blinds: as in LM-83-12 (default, required for sDA), always closed, or never "
+     "(none). With lm83, windows without any have the blind of LM-83.",
+     pp_blinds_option_read, PLACE(blinds)},
+    {"blinds-schedule", 0, "FILE.csv",
+     "Instead of --blinds: closed in the hours of a file with a line for each record "
+     "of the weather file, whose last field is 1 (closed) or 0 (open).",
+     pp_options_read_input, PLACE(blinds.file)},
     {"hourly", 0, "FILE",
      "Also write the illuminances of all hours to FILE.csv, FILE.ill (DAYSIM format) "
      "or FILE.npy (NumPy format).",
@@ -370,7 +376,8 @@ static const struct pp_option method_options[] = {
      read_patches, PLACE(annual.patches)},
     {"exact-sky", 0, NULL,
      "Evaluate the sky and sun of each hour at the end of every path, without patches "
-     "and cells. This reference calculation is slow and does not include blinds.",
+     "and cells. This reference calculation is slow and does not include the blinds of "
+     "LM-83.",
      NULL, PLACE(annual.exact_sky)},
     {0},
 };
@@ -399,6 +406,7 @@ static void init_annual_options(void *values)
     *options = (struct annual_options){.room = pp_room_options_none,
                                        .light = pp_year_options_default,
                                        .annual = {.patches = 577},
+                                       .blinds = {.control = PP_BLINDS_LM83},
                                        .sun_shift_min = NAN};
     options->light.hours.count = 1;
 }
@@ -434,11 +442,16 @@ static enum pp_status check_annual_options(void *values, char **files, int file_
     enum pp_status status = pp_annual_stores_check(&options->stores, study->error > 0.0,
                                                    options->annual.exact_sky, err);
     if (status == PP_OK)
-        status = pp_lighting_option_check(&options->lighting,
-                                          options->without_blinds     ? "--blinds none"
-                                          : options->annual.exact_sky ? "--exact-sky"
-                                                                      : NULL,
-                                          err);
+        status = pp_blinds_option_check(&options->blinds, err);
+    if (status == PP_OK)
+        status = pp_lighting_option_check(
+            &options->lighting,
+            options->blinds.control == PP_BLINDS_NEVER      ? "--blinds never"
+            : options->blinds.control == PP_BLINDS_ALWAYS   ? "--blinds always"
+            : options->blinds.control == PP_BLINDS_SCHEDULE ? "--blinds-schedule"
+            : options->annual.exact_sky                     ? "--exact-sky"
+                                                            : NULL,
+            err);
     if (status == PP_OK)
         status = pp_annual_methods_settle(&options->methods,
                                           options->format == PP_FORMAT_CSV, err);
@@ -451,6 +464,7 @@ static void clear_annual_options(void *values)
     struct annual_options *options = values;
     pp_availability_options_clear(&options->light);
     pp_room_options_clear(&options->room);
+    pp_blinds_option_clear(&options->blinds);
 }
 
 const struct pp_command pp_command_annual = {

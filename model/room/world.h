@@ -82,17 +82,18 @@ enum { PP_WORLD_LABEL = 32 };
  * horizontal and points right as seen from inside, up completes it. Their cross product
  * is the normal, into the room. */
 struct pp_opening {
-    int face;                 /* surface that contains it */
-    struct pp_polygon inner;  /* outline in the face, normal into the room */
-    struct pp_polygon outer;  /* outline of the glass: inner, moved outwards by the
+    int face;                  /* surface that contains it */
+    struct pp_polygon inner;   /* outline in the face, normal into the room */
+    struct pp_polygon outer;   /* outline of the glass: inner, moved outwards by the
                               * reveal */
-    struct pp_vec3 along, up; /* unit */
-    double slope_rad;         /* slope of the glass: 0 horizontal, pi/2 vertical */
-    double width_m, height_m; /* extent along `along` and `up` */
-    bool rectangle;           /* a rectangle with edges along its axes */
-    double middle_z_m;        /* z at mid-height, between upper and lower part */
-    struct pp_glass glass;    /* of a pane that scatters: the glass that hand methods
+    struct pp_vec3 along, up;  /* unit */
+    double slope_rad;          /* slope of the glass: 0 horizontal, pi/2 vertical */
+    double width_m, height_m;  /* extent along `along` and `up` */
+    bool rectangle;            /* a rectangle with edges along its axes */
+    double middle_z_m;         /* z at mid-height, between upper and lower part */
+    struct pp_glass glass;     /* of a pane that scatters: the glass that hand methods
                                * use in its place */
+    struct pp_glass uncovered; /* its glass without a curtain */
     const struct pp_pane_scatter *scatter; /* in simulations, instead of `glass`, in the
                                             * axes along, up and normal; not owned;
                                             * NULL: glass */

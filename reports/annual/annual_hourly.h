@@ -1,4 +1,5 @@
-/* annual_hourly.h - the illuminances of every hour and point, with open blinds.
+/* annual_hourly.h - the illuminances of every hour and point, as in the
+ * sheet: with open blinds, unless they are always closed or have a schedule.
  *
  *     .csv   one line per hour: month, day, hour, sun, light outside, points
  *     .ill   DAYSIM: month day hour (at its middle) and the points, separated by spaces

@@ -43,6 +43,18 @@ static bool add_figures(struct json_object *object, const struct pp_annual_sheet
     return good;
 }
 
+/* Adds the share with blinds, which is sDA only if they are operated as in LM-83. */
+static bool add_sda(struct json_object *to, const struct pp_annual_sheet *sheet)
+{
+    const struct pp_annual_value *share = &sheet->plane.sda;
+    if (sheet->blinds_of_lm83 || !sheet->has_blinds)
+        return add_annual_figure(to, "sda300/50", share, 100.0);
+    const struct pp_annual_value none = {NAN, NAN};
+    return pp_annual_figure_json(to, "sda300/50", &none, 100.0,
+                                 "the blinds are not operated as in LM-83")
+           && add_annual_figure(to, "blinds-da300/50-area", share, 100.0);
+}
+
 static bool add_plane(struct json_object *object, const struct pp_annual_result *result)
 {
     const struct pp_annual_sheet *sheet = &result->sheet;
@@ -50,7 +62,7 @@ static bool add_plane(struct json_object *object, const struct pp_annual_result 
     struct json_object *to = json_object_new_object();
     bool good = pp_json_add(object, "plane", to)
                 && add_annual_figure(to, "da300/50-area", &plane->autonomous, 100.0)
-                && add_annual_figure(to, "sda300/50", &plane->sda, 100.0)
+                && add_sda(to, sheet)
                 && add_annual_figure(to, "ase1000,250", &plane->ase, 100.0)
                 && pp_json_number(to, "near_half", sheet->near_half);
     for (int i = 0; i < PP_ANNUAL_LEVELS && good; i++) {
@@ -98,10 +110,12 @@ static bool add_groups(struct json_object *object, const struct pp_annual_sheet 
     for (int g = 0; g < sheet->group_count && good; g++) {
         const struct pp_annual_group *group = &sheet->groups[g];
         struct json_object *to = json_object_new_object();
-        good =
-            pp_json_append(groups, to) && pp_json_text(to, "name", group->name)
-            && (!sheet->has_blinds || pp_json_number(to, "closed_h", group->closed_h))
-            && add_annual_figure(to, "year-klxh", &group->light_lxh, 0.001);
+        good = pp_json_append(groups, to) && pp_json_text(to, "name", group->name)
+               && (!group->device || pp_json_text(to, "device", group->device))
+               && (!sheet->has_blinds
+                   || (pp_json_number(to, "closed_h", group->closed_h)
+                       && pp_json_number(to, "unmet_h", group->unmet_h)))
+               && add_annual_figure(to, "year-klxh", &group->light_lxh, 0.001);
     }
     return good;
 }

@@ -96,7 +96,7 @@ static void print_plane(const struct text_page *page)
     print_annual_fact(page, "points", text);
     if (sheet->has_blinds)
         print_share(
-            page, "sDA300/50", &plane->sda,
+            page, sheet->blinds_of_lm83 ? "sDA300/50" : "with blinds", &plane->sda,
             "of the points reach 300 lx in at least half of the hours, with blinds");
     print_share(
         page, "DA300/50 area", &plane->autonomous,
@@ -235,13 +235,19 @@ static void print_groups(const struct text_page *page)
         all += sheet->groups[g].light_lxh.value;
     for (int g = 0; g < sheet->group_count && all > 0.0; g++) {
         const struct pp_annual_group *group = &sheet->groups[g];
-        char text[240];
+        char text[320];
         int used = snprintf(text, sizeof text, "%s: %.0f %% of the year's light",
                             group->name, 100.0 * group->light_lxh.value / all);
         if (sheet->has_blinds && used > 0 && used < (int)sizeof text)
+            used += snprintf(text + used, sizeof text - (size_t)used,
+                             ", %ss closed in %.0f of %.0f h",
+                             group->device ? group->device : "blind", group->closed_h,
+                             sheet->occupied_h);
+        if (group->unmet_h > 0.0 && used > 0 && used < (int)sizeof text)
             snprintf(text + used, sizeof text - (size_t)used,
-                     ", blinds closed in %.0f of %.0f h", group->closed_h,
-                     sheet->occupied_h);
+                     ", still with direct sun of 1000 lx on more than 2 %% of the "
+                     "points in %.0f h",
+                     group->unmet_h);
         print_annual_fact(page, g == 0 ? "window groups" : "", text);
     }
 }

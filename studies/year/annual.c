@@ -5,66 +5,21 @@
 #include <stdlib.h>
 
 #include "model/results/lattice.h"
-#include "simulate/scene/light_scene_of_world.h"
+#include "model/room/build/device_states.h"
 #include "studies/year/annual_plane.h"
 #include "studies/year/annual_store.h"
 #include "studies/year/annual_words.h"
 #include "studies/year/annual_work.h"
 
 /* With an error to reach, a run of PILOT paths first estimates their number. */
-enum { CELLS = 600, PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
+/* With an error to reach, a run of PILOT paths first estimates their number. */
+enum { PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
-/* Share of the whole after the paths, for the progress bar. */
-static const double TRACED = 0.4;
-
-/* done: share of the current step. */
-static bool annual_goes_on(void *data, double done)
-{
-    struct pp_annual_work *work = data;
-    const struct pp_watch *watch = &work->options->watch;
-    double share = work->begun + done * (work->ended - work->begun);
-    if (watch->look && !watch->look(watch->data, share, NAN))
-        work->stopped = true;
-    return !work->stopped;
-}
-
-/* Begins a step of the computation that ends at this share of the whole. */
-static bool next_step(struct pp_annual_work *work, double ended)
-{
-    work->begun = work->ended;
-    work->ended = ended;
-    return annual_goes_on(work, 0.0);
-}
-
-/* Worker 0 is the calling thread, which watches. */
-static bool run_block(void *data, int worker, int block)
-{
-    struct pp_annual_work *work = data;
-    if (worker == 0 && !annual_goes_on(work, (double)block / work->blocks))
-        return false;
-    return work->function(work, worker, block);
-}
-
-/* Calls a function for every block of points. PP_BAD_INPUT: the outline of the sky seen
- * through an opening has too many corners; PP_INTERRUPTED; otherwise it fails only if
- * out of memory. */
-static enum pp_status for_points(struct pp_annual_work *work, int block,
-                                 pp_thread_pool_work *function, struct pp_error *err)
-{
-    work->blocks = (work->receiver_count + block - 1) / block;
-    work->function = function;
-    pp_thread_pool_run(work->pool, 0, work->blocks, run_block, work);
-    if (work->stopped)
-        return pp_fail(err, PP_INTERRUPTED, "interrupted");
-    for (int x = 0; x < work->receiver_count; x++)
-        if (work->status[x] == PP_BAD_INPUT)
-            return pp_fail(
-                err, PP_BAD_INPUT,
-                "the outline of the sky seen through an opening has too many corners");
-        else if (work->status[x] != PP_OK)
-            return pp_fail_memory(err);
-    return PP_OK;
-}
+/* Shares of the whole after the steps with open windows: paths, sunlit cells,
+ * direct light. With closed blinds these steps take OPEN_SHARE of the whole, and those
+ * of the closed states as much again. */
+static const double TRACED = 0.4, LIT = 0.6, SEEN = 0.9;
+static const double OPEN_SHARE = 0.45;
 
 static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *err)
 {
@@ -74,12 +29,10 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     int share = (work->receiver_count - 1) / pp_thread_pool_size(work->pool) + 1;
     work->block = pp_annual_point_block_size(work->groups.count);
     work->block = share < work->block ? share : work->block;
-    work->step = (size_t)work->columns.tiles * PP_LIGHT_LANES;
-    work->direct =
-        calloc(points * groups * (size_t)work->columns.column_count + 1, sizeof(float));
-    work->direct_sun = calloc(points * groups * skies + 1, sizeof(float));
-    work->closed = calloc(groups * skies + 1, 1);
-    work->on_panes = calloc(groups * PP_YEAR_BATCHES * work->step + 1, sizeof(float));
+    work->closes = calloc(groups * skies + 1, 1);
+    work->taken = calloc(groups * skies + 1, 1);
+    work->on_panes =
+        calloc(groups * PP_YEAR_BATCHES * work->open.step + 1, sizeof(float));
     work->without =
         calloc(points * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES + 1, sizeof(double));
     work->group_light =
@@ -89,9 +42,9 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     sheet->groups = calloc(groups + 1, sizeof *sheet->groups);
     sheet->lx = calloc(points * skies + 1, sizeof *sheet->lx);
     sheet->sun_lx = calloc(points * skies + 1, sizeof *sheet->sun_lx);
-    if (!work->direct || !work->direct_sun || !work->closed || !work->on_panes
-        || !work->without || !work->group_light || !work->status || !sheet->points
-        || !sheet->groups || !sheet->lx || !sheet->sun_lx)
+    if (!work->closes || !work->taken || !work->on_panes || !work->without
+        || !work->group_light || !work->status || !sheet->points || !sheet->groups
+        || !sheet->lx || !sheet->sun_lx)
         return pp_fail_memory(err);
     return pp_annual_point_make_spaces(work, err);
 }
@@ -101,11 +54,11 @@ static double worst_error(const struct pp_annual_work *work)
 {
     double worst = 0.0;
     for (int x = 0; x < work->receiver_count; x++)
-        worst = fmax(worst, pp_year_coefficients_spread(work->coefficients, x));
+        worst = fmax(worst, pp_year_coefficients_spread(work->open.coefficients, x));
     return worst;
 }
 
-/* Creates the coefficients, with more paths until the target error or SAMPLES_MOST is
+/* Traces with open windows, with more paths until the target error or SAMPLES_MOST is
  * reached. */
 static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
 {
@@ -115,36 +68,27 @@ static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
     enum pp_status status = pp_annual_store_begin(&stores, work, &samples, err);
     if (status != PP_OK)
         return status;
-    struct pp_year_coefficient_options year = {.paths = samples > 0 ? samples
-                                                        : options->error > 0.0
-                                                            ? PILOT
-                                                            : SAMPLES,
-                                               .cells = CELLS,
-                                               .patches = options->patches,
-                                               .seed = options->seed,
-                                               .goes_on = annual_goes_on,
-                                               .data = work};
+    bool by_error = samples == 0 && options->error > 0.0 && !options->exact_sky;
+    work->samples = samples > 0 ? samples : by_error ? PILOT : SAMPLES;
     for (;;) {
-        bool is_pilot = samples == 0 && year.paths == PILOT;
-        work->samples = stores.origin.paths = year.paths;
-        year.stores = is_pilot ? NULL : &stores;
-        if (!next_step(work, is_pilot ? 0.05 : TRACED))
+        bool is_pilot = by_error && work->samples == PILOT;
+        stores.origin.paths = work->samples;
+        if (!pp_annual_work_next_step(work, (is_pilot ? 0.05 : TRACED) * work->scale))
             return pp_fail(err, PP_INTERRUPTED, "interrupted");
-        status = pp_year_coefficients_create(
-            &work->coefficients, work->scene, work->environment, work->receivers,
-            work->receiver_count, work->groups.of_opening, work->groups.count, &year,
-            work->pool, err);
-        if (status != PP_OK || samples > 0 || !(options->error > 0.0))
+        status = pp_annual_state_trace(&work->open, work, work->samples,
+                                       is_pilot ? NULL : &stores, err);
+        if (status != PP_OK || !by_error)
             break;
         double ratio = worst_error(work) / options->error;
-        if ((ratio <= 1.0 && year.paths >= SAMPLES) || year.paths >= SAMPLES_MOST)
+        if ((ratio <= 1.0 && work->samples >= SAMPLES) || work->samples >= SAMPLES_MOST)
             break;
-        while (year.paths < SAMPLES || (year.paths < SAMPLES_MOST && ratio > 1.0)) {
-            year.paths *= 2;
+        while (work->samples < SAMPLES
+               || (work->samples < SAMPLES_MOST && ratio > 1.0)) {
+            work->samples *= 2;
             ratio /= sqrt(2.0);
         }
-        pp_year_coefficients_destroy(work->coefficients);
-        work->coefficients = NULL;
+        pp_year_coefficients_destroy(work->open.coefficients);
+        work->open.coefficients = NULL;
     }
     pp_annual_store_record(work->sheet->coefficient_record,
                            sizeof work->sheet->coefficient_record, &stores.origin);
@@ -158,42 +102,60 @@ static enum pp_status prepare(struct pp_annual_work *work, struct pp_error *err)
                                                &options->hours, &options->summer, err);
     if (status == PP_OK)
         status = pp_blind_groups_of_world(&work->groups, work->world, err);
-    work->skies = calloc((size_t)work->year->sky_count + 1, sizeof *work->skies);
-    if (status == PP_OK && !work->skies)
-        status = pp_fail_memory(err);
-    for (int t = 0; t < work->year->sky_count && status == PP_OK; t++)
-        work->skies[t] =
-            pp_weather_year_turned(&work->year->skies[t], work->world->north_rad);
     if (status == PP_OK)
         status = pp_thread_pool_create(&work->pool, options->threads, err);
+    if (status == PP_OK && options->blinds != PP_BLINDS_AS_DRAWN
+        && pp_device_states_exist(work->world))
+        status = pp_device_states_open(&work->opened, work->world, err);
     if (status == PP_OK)
-        status = pp_light_scene_of_world_matt(&work->scene, work->world, err);
-    if (status == PP_OK)
-        status =
-            pp_light_scene_under(&work->environment, work->scene, work->light, err);
-    if (status == PP_OK)
-        status = pp_light_columns_init(&work->columns, work->environment, work->skies,
-                                       work->year->sky_count, options->patches,
-                                       work->world->north_rad, work->pool, err);
+        status = pp_annual_state_init(
+            &work->open, work, work->opened ? work->opened : work->world, NULL, err);
     if (status == PP_OK)
         status = make_tables(work, err);
+    work->scale = work->opened && options->blinds != PP_BLINDS_NEVER ? OPEN_SHARE : 1.0;
     return status;
 }
 
-static enum pp_status simulate(struct pp_annual_work *work, struct pp_error *err)
+/* Calculates the light of a state after its paths: sunlit cells and direct light. */
+static enum pp_status see_state(struct pp_annual_work *work,
+                                struct pp_annual_state *state, double lit, double seen,
+                                struct pp_error *err)
 {
-    enum pp_status status;
-    if (work->options->exact_sky) {
-        work->samples = work->options->samples > 0 ? work->options->samples : SAMPLES;
-        status = pp_plain_year_create(&work->plain, work->scene, work->environment,
-                                      work->receivers, work->groups.of_opening,
-                                      work->groups.count, work->samples,
-                                      work->options->seed, err);
-        return status;
+    if (!pp_annual_work_next_step(work, lit))
+        return PP_INTERRUPTED;
+    enum pp_status status = pp_annual_state_light(state, err);
+    if (status != PP_OK || !pp_annual_work_next_step(work, seen))
+        return status != PP_OK ? status : PP_INTERRUPTED;
+    work->state = state;
+    return pp_annual_work_for_points(work, 1, pp_annual_direct_see, err);
+}
+
+/* Calculates the room with its own blinds in the hours in which any are closed. */
+static enum pp_status close_windows(struct pp_annual_work *work, struct pp_error *err)
+{
+    size_t count = (size_t)work->year->sky_count;
+    unsigned char *marked = calloc(count + 1, 1);
+    work->closed = calloc(1, sizeof *work->closed);
+    bool any = false;
+    for (int g = 0; marked && g < work->groups.count; g++)
+        for (size_t t = 0; pp_annual_direct_has_device(work, g) && t < count; t++)
+            any |= marked[t] |= work->closes[(size_t)g * count + t];
+    enum pp_status status = marked && work->closed ? PP_OK : pp_fail_memory(err);
+    if (status == PP_OK && any) {
+        work->closed_count = 1;
+        status = pp_annual_state_init(&work->closed[0], work, work->world, marked, err);
+        if (status == PP_OK)
+            status = pp_annual_work_next_step(work, 0.7) ? pp_annual_state_trace(
+                         &work->closed[0], work, work->samples, NULL, err)
+                                                         : PP_INTERRUPTED;
+        if (status == PP_OK)
+            status = see_state(work, &work->closed[0], 0.75, 0.85, err);
+        if (status == PP_OK)
+            status = pp_annual_direct_share(work, &work->closed[0], err);
+        if (status == PP_OK)
+            pp_annual_direct_count_unmet(work);
     }
-    status = trace(work, err);
-    if (status == PP_OK && next_step(work, 0.6))
-        status = pp_year_coefficients_light(work->coefficients, &work->columns, err);
+    free(marked);
     return status;
 }
 
@@ -202,7 +164,8 @@ static enum pp_status simulate(struct pp_annual_work *work, struct pp_error *err
 static enum pp_status keep_coefficients(struct pp_annual_work *work,
                                         struct pp_error *err)
 {
-    int columns = work->columns.column_count, patches = work->columns.patches.count;
+    const struct pp_annual_state *open = &work->open;
+    int columns = open->columns.column_count, patches = open->columns.patches.count;
     int groups = work->groups.count;
     struct pp_annual_sheet *sheet = work->sheet;
     double ground = pp_outside_light_ground(work->light) / PP_PI;
@@ -216,10 +179,10 @@ static enum pp_status keep_coefficients(struct pp_annual_work *work,
                                  sizeof *sheet->coefficients);
     for (int x = 0; row && sheet->coefficients && x < work->receiver_count; x++) {
         float *to = sheet->coefficients + (size_t)x * (size_t)columns;
-        pp_year_coefficients_mean(work->coefficients, x, row);
+        pp_year_coefficients_mean(open->coefficients, x, row);
         for (int g = 0; g < groups; g++)
             for (int k = 0; k < columns; k++)
-                row[k] += work->direct[((size_t)x * (size_t)groups + (size_t)g)
+                row[k] += open->direct[((size_t)x * (size_t)groups + (size_t)g)
                                            * (size_t)columns
                                        + (size_t)k];
         to[0] = ground > 0.0 ? (float)(row[patches] / ground) : 0.0f;
@@ -269,25 +232,27 @@ static enum pp_status work_out(struct pp_annual_work *work, struct pp_error *err
                          work->world->name ? work->world->name : "the room",
                          work->sheet->warnings[0]);
     if (status == PP_OK)
-        status = simulate(work, err);
+        status = trace(work, err);
     if (status != PP_OK)
         return status;
-    pp_annual_words_method(
-        work->sheet, work->options, work->samples,
-        work->coefficients ? pp_year_coefficients_cells(work->coefficients) : 0);
-    if (!next_step(work, 0.7))
-        return PP_INTERRUPTED;
-    status = for_points(work, 1, pp_annual_direct_see, err);
-    if (status != PP_OK || !next_step(work, 0.9))
+    pp_annual_words_method(work->sheet, work->options, work->samples,
+                           work->open.coefficients
+                               ? pp_year_coefficients_cells(work->open.coefficients)
+                               : 0);
+    status = see_state(work, &work->open, LIT * work->scale, SEEN * work->scale, err);
+    if (status != PP_OK)
         return status;
-    if (work->options->blinds)
-        pp_annual_direct_close_blinds(work);
-    if (work->options->coefficients && work->coefficients)
+    if (work->sheet->has_blinds)
+        pp_annual_direct_find(work);
+    if (work->opened && work->sheet->has_blinds)
+        status = close_windows(work, err);
+    if (status == PP_OK && work->options->coefficients && work->open.coefficients)
         status = keep_coefficients(work, err);
-    if (status == PP_OK)
-        status = for_points(work, work->block, pp_annual_point_block, err);
-    if (status == PP_OK && work->options->measure && work->coefficients
-        && next_step(work, 1.0))
+    if (status == PP_OK && pp_annual_work_next_step(work, 0.95))
+        status =
+            pp_annual_work_for_points(work, work->block, pp_annual_point_block, err);
+    if (status == PP_OK && work->options->measure && work->open.coefficients
+        && pp_annual_work_next_step(work, 1.0))
         status = pp_annual_discretisation_measure(work, err);
     if (status == PP_OK && !work->stopped)
         finish(work);
@@ -298,18 +263,16 @@ static void clear_work(struct pp_annual_work *work)
 {
     pp_annual_point_clear_spaces(work);
     pp_annual_lighting_destroy(work->lighting);
-    pp_year_coefficients_destroy(work->coefficients);
-    pp_plain_year_destroy(work->plain);
-    pp_light_columns_clear(&work->columns);
-    pp_environment_destroy(work->environment);
-    pp_light_scene_destroy(work->scene);
+    pp_annual_state_clear(&work->open);
+    for (int s = 0; s < work->closed_count; s++)
+        pp_annual_state_clear(&work->closed[s]);
+    free(work->closed);
+    pp_device_states_destroy(work->opened);
     pp_thread_pool_destroy(work->pool);
     pp_blind_groups_clear(&work->groups);
     pp_year_clock_clear(&work->clock);
-    free(work->skies);
-    free(work->direct);
-    free(work->direct_sun);
-    free(work->closed);
+    free(work->closes);
+    free(work->taken);
     free(work->on_panes);
     free(work->without);
     free(work->group_light);
@@ -321,7 +284,7 @@ const struct pp_annual_options pp_annual_options_lm83 = {
     .illuminance_count = 1,
     .illuminances_lx = {300.0},
     .patches = 577,
-    .blinds = true,
+    .blinds = PP_BLINDS_LM83,
     .seed = 1};
 
 enum pp_status pp_annual_of_room(

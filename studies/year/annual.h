@@ -4,10 +4,11 @@
  * (methods/exact/sky_view.h); all other light is simulated (simulate/year/). The room's
  * finishes are diffuse, as for daylight factors.
  *
- * Blinds follow LM-83-12 [LM83]: openings of one wall and one glass are a group; it is
+ * By LM-83-12 [LM83], openings of one wall and one glass are a group; its blinds are
  * closed in hours when more than 2 % of the points have 1000 lx or more of direct sun
- * through it. A closed pane is a uniform Lambertian emitter of 20 % of the light that
- * falls on it, times the diffuse transmittance of the pane.
+ * through it. A window that has a blind, screen or curtain is then simulated with it.
+ * Another window becomes a uniform Lambertian emitter of 20 % of the light that falls on
+ * it, times the diffuse transmittance of the pane.
  */
 #ifndef PP_STUDIES_YEAR_ANNUAL_H
 #define PP_STUDIES_YEAR_ANNUAL_H
@@ -23,6 +24,16 @@ enum { PP_ANNUAL_STORES_MOST = 3 };
 
 struct pp_year_store; /* simulate/year/year_store.h */
 
+/* Control of blinds, screens and curtains. Except as drawn, figures are for windows
+ * without these devices, and one figure is with them. */
+enum pp_blinds {
+    PP_BLINDS_AS_DRAWN, /* the devices stay where they are */
+    PP_BLINDS_NEVER,    /* no figure with devices */
+    PP_BLINDS_LM83,     /* by LM-83-12; also for windows without a device */
+    PP_BLINDS_ALWAYS,   /* in all hours */
+    PP_BLINDS_SCHEDULE  /* in the hours of a schedule */
+};
+
 struct pp_annual_options {
     struct pp_working_hours hours;
     struct pp_summer_time summer;
@@ -31,7 +42,10 @@ struct pp_annual_options {
     int patches;  /* 145, 577 or 2305 */
     int samples;  /* paths per point in each randomisation; 0: by error */
     double error; /* largest standard error over a point's annual light; 0: not set */
-    bool blinds;
+    enum pp_blinds blinds;
+    const unsigned char *schedule; /* by record of the year: 1 closed, 0 open; not
+                                    * owned */
+    int schedule_count;
     bool strict;       /* PP_BAD_INPUT instead of warnings */
     bool coefficients; /* keep the coefficients in the sheet */
     bool measure;      /* measure the error of patches and cells */

@@ -1,85 +1,114 @@
-/* annual_direct.c - direct light of sky and sun at the points, and the hours in which
- * the sun closes the blinds. */
-#include "methods/exact/sky_view.h"
+/* annual_direct.c - the hours in which blinds are closed, with the direct sun at the points. */
+#include <stdlib.h>
+
 #include "studies/year/annual_work.h"
-
-/* Largest pieces of sky, a third of the patches: 1.7 degrees. */
-static const double PIECE_RAD = 0.03;
-
-struct piece_sums {
-    const struct pp_annual_work *work;
-    float *rows;
-};
-
-static void add_piece_of_sky(void *data, const struct pp_sky_piece *piece)
-{
-    struct piece_sums *sums = data;
-    const struct pp_annual_work *work = sums->work;
-    float *row = sums->rows
-                 + work->groups.of_opening[piece->opening] * work->columns.column_count;
-    if (piece->ground)
-        row[work->columns.patches.count] +=
-            (float)(piece->coefficient * pp_outside_light_ground(work->light) / PP_PI);
-    else
-        row[pp_sky_patches_of(&work->columns.patches, piece->u)] +=
-            (float)piece->coefficient;
-}
-
-static enum pp_status see_from(struct pp_annual_work *work, int x)
-{
-    struct pp_sky_view view;
-    int groups = work->groups.count;
-    enum pp_status status =
-        pp_sky_view_init(&view, work->world, &work->receivers[x], NULL);
-    if (status != PP_OK)
-        return status;
-    struct piece_sums sums = {
-        work,
-        work->direct + (size_t)x * (size_t)groups * (size_t)work->columns.column_count};
-    status = pp_sky_view_pieces(&view, PIECE_RAD, add_piece_of_sky, &sums, NULL);
-    int count = work->year->sky_count;
-    float *sun = work->direct_sun + (size_t)x * (size_t)groups * (size_t)count;
-    for (int t = 0; t < count; t++) {
-        const struct pp_perez_sky *sky = &work->skies[t];
-        int opening;
-        double share =
-            sky->direct_lx > 0.0 ? pp_sky_view_sun(&view, sky->sun, &opening) : 0.0;
-        if (share > 0.0)
-            sun[(size_t)work->groups.of_opening[opening] * (size_t)count + (size_t)t] =
-                (float)(share * sky->direct_lx);
-    }
-    pp_sky_view_clear(&view);
-    return status;
-}
 
 bool pp_annual_direct_see(void *data, int worker, int x)
 {
     struct pp_annual_work *work = data;
     (void)worker;
-    work->status[x] = see_from(work, x);
+    work->status[x] = pp_annual_state_see(work->state, work, x);
     return work->status[x] == PP_OK;
 }
 
-void pp_annual_direct_close_blinds(struct pp_annual_work *work)
+bool pp_annual_direct_has_device(const struct pp_annual_work *work, int group)
+{
+    if (!work->opened)
+        return false;
+    for (int i = 0; i < work->world->opening_count; i++)
+        if (work->groups.of_opening[i] == group
+            && work->world->openings[i].device.kind != PP_DEVICE_NONE)
+            return true;
+    return false;
+}
+
+/* LM-83: true if the sun through the group in that hour of the state closes blinds. */
+static bool is_sunlit(const struct pp_annual_work *work,
+                      const struct pp_annual_state *state, int group, int hour)
 {
     static const float SUNLIT_LX = 1000.0f;
+    size_t count = (size_t)state->count;
+    int sunlit = 0;
+    for (int x = 0; x < work->receiver_count; x++)
+        sunlit +=
+            state->direct_sun[((size_t)x * (size_t)work->groups.count + (size_t)group)
+                                  * count
+                              + (size_t)hour]
+            >= SUNLIT_LX;
+    return pp_blind_groups_closes(sunlit, work->receiver_count);
+}
+
+/* True if the control closes the group in record i of the year. */
+static bool closes_at(const struct pp_annual_work *work, int group, bool device, int i)
+{
+    const struct pp_annual_options *options = work->options;
+    int sky = work->year->hours[i].sky;
+    switch (options->blinds) {
+    case PP_BLINDS_LM83:
+        return sky >= 0 && is_sunlit(work, &work->open, group, sky);
+    case PP_BLINDS_ALWAYS:
+        return device;
+    case PP_BLINDS_SCHEDULE:
+        return device && options->schedule[i];
+    case PP_BLINDS_AS_DRAWN:
+    case PP_BLINDS_NEVER:
+        break;
+    }
+    return false;
+}
+
+void pp_annual_direct_find(struct pp_annual_work *work)
+{
     int count = work->year->sky_count;
-    for (int g = 0; g < work->groups.count; g++)
-        for (int t = 0; t < count; t++) {
-            int sunlit = 0;
-            for (int x = 0; x < work->receiver_count; x++)
-                sunlit += work->direct_sun[((size_t)x * (size_t)work->groups.count
-                                            + (size_t)g)
-                                               * (size_t)count
-                                           + (size_t)t]
-                          >= SUNLIT_LX;
-            bool closes = pp_blind_groups_closes(sunlit, work->receiver_count);
-            work->closed[(size_t)g * (size_t)count + (size_t)t] = closes;
-            if (closes)
-                work->sheet->groups[g].closed_h += work->clock.occupied_h[t];
+    for (int g = 0; g < work->groups.count; g++) {
+        bool device = pp_annual_direct_has_device(work, g);
+        for (int i = 0; i < work->year->count; i++) {
+            int sky = work->year->hours[i].sky;
+            if (!closes_at(work, g, device, i))
+                continue;
+            work->sheet->groups[g].closed_h += work->sheet->hours[i].occupied_h;
+            if (sky >= 0)
+                work->closes[(size_t)g * (size_t)count + (size_t)sky] = true;
         }
-    for (int g = 0; g < work->groups.count && work->coefficients; g++)
-        pp_year_coefficients_on_panes(work->coefficients, g,
-                                      work->on_panes
-                                          + (size_t)(g * PP_YEAR_BATCHES) * work->step);
+        if (!device && work->options->blinds == PP_BLINDS_LM83
+            && work->open.coefficients)
+            pp_year_coefficients_on_panes(
+                work->open.coefficients, g,
+                work->on_panes + (size_t)(g * PP_YEAR_BATCHES) * work->open.step);
+    }
+}
+
+enum pp_status pp_annual_direct_share(struct pp_annual_work *work,
+                                      struct pp_annual_state *state,
+                                      struct pp_error *err)
+{
+    size_t skies = (size_t)work->year->sky_count, count = (size_t)state->count;
+    state->share = calloc((size_t)work->groups.count * count + 1, sizeof(float));
+    if (!state->share)
+        return pp_fail_memory(err);
+    for (int g = 0; g < work->groups.count; g++) {
+        bool device = pp_annual_direct_has_device(work, g);
+        for (size_t i = 0; i < count; i++) {
+            size_t at = (size_t)g * skies + (size_t)state->hours[i];
+            if (work->closes[at] != device)
+                continue;
+            state->share[(size_t)g * count + i] = 1.0f;
+            work->taken[at] = true;
+        }
+    }
+    return PP_OK;
+}
+
+void pp_annual_direct_count_unmet(struct pp_annual_work *work)
+{
+    size_t count = (size_t)work->year->sky_count;
+    for (int s = 0; s < work->closed_count; s++)
+        for (int g = 0; g < work->groups.count; g++)
+            for (int i = 0; i < work->closed[s].count; i++) {
+                int sky = work->closed[s].hours[i];
+                if (work->closes[(size_t)g * count + (size_t)sky]
+                    && pp_annual_direct_has_device(work, g)
+                    && is_sunlit(work, &work->closed[s], g, i))
+                    work->sheet->groups[g].unmet_h += work->clock.occupied_h[sky];
+            }
 }

@@ -78,20 +78,20 @@ static enum pp_status sample_paths(struct discretisation_work *d, int p,
 static enum pp_status sample_year(struct discretisation_work *d, int p,
                                   struct pp_year_point *point)
 {
-    const struct pp_annual_work *work = d->work;
-    int groups = work->groups.count;
+    const struct pp_annual_state *open = &d->work->open;
+    int groups = d->work->groups.count;
     size_t row =
-        (size_t)d->points[p] * (size_t)groups * (size_t)work->columns.column_count;
+        (size_t)d->points[p] * (size_t)groups * (size_t)open->columns.column_count;
     enum pp_status status = pp_year_coefficients_sky(
-        work->coefficients, d->points[p], work->direct + row, point->sky, NULL);
+        open->coefficients, d->points[p], open->direct + row, point->sky, NULL);
     if (status == PP_OK)
-        status = pp_year_coefficients_sun(work->coefficients, d->points[p], 1,
+        status = pp_year_coefficients_sun(open->coefficients, d->points[p], 1,
                                           point->sun, NULL);
     for (int t = 0; t < d->hour_count && status == PP_OK; t++)
         for (int b = 0; b < PP_YEAR_BATCHES; b++)
             d->light[p][t].of_year[b] =
-                sum_at(point->sky, groups, work->step, b, d->hours[t])
-                + sum_at(point->sun, groups, work->step, b, d->hours[t]);
+                sum_at(point->sky, groups, open->step, b, d->hours[t])
+                + sum_at(point->sun, groups, open->step, b, d->hours[t]);
     return status;
 }
 
@@ -100,7 +100,7 @@ static bool sample_point(void *data, int worker, int p)
     (void)worker;
     struct discretisation_work *d = data;
     size_t numbers =
-        (size_t)d->work->groups.count * PP_YEAR_BATCHES * d->work->step + 1;
+        (size_t)d->work->groups.count * PP_YEAR_BATCHES * d->work->open.step + 1;
     struct pp_year_point point = {malloc(numbers * sizeof(float)),
                                   malloc(numbers * sizeof(float))};
     d->status[p] = point.sky && point.sun ? PP_OK : PP_SYSTEM;
@@ -198,7 +198,7 @@ static void choose_sample(struct discretisation_work *d)
     choose(d->points, d->point_count, points, pp_hash(seed, 1));
     choose(d->hours, d->hour_count, skies, pp_hash(seed, 2));
     for (int t = 0; t < d->hour_count; t++)
-        d->skies[t] = work->skies[d->hours[t]];
+        d->skies[t] = work->open.skies[d->hours[t]];
 }
 
 enum pp_status pp_annual_discretisation_measure(struct pp_annual_work *work,
@@ -210,11 +210,11 @@ enum pp_status pp_annual_discretisation_measure(struct pp_annual_work *work,
     d->work = work;
     choose_sample(d);
     enum pp_status status = pp_light_columns_init(
-        &d->columns, work->environment, d->skies, d->hour_count, work->options->patches,
-        work->world->north_rad, work->pool, err);
+        &d->columns, work->open.environment, d->skies, d->hour_count,
+        work->options->patches, work->world->north_rad, work->pool, err);
     if (status == PP_OK)
         status = pp_plain_year_create(
-            &d->plain, work->scene, work->environment, work->receivers,
+            &d->plain, work->open.scene, work->open.environment, work->receivers,
             work->groups.of_opening, work->groups.count, PATHS,
             pp_hash(work->options->seed, UINT64_C(0xd15d)), err);
     if (status == PP_OK)

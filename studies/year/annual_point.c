@@ -7,11 +7,12 @@
 
 /* Working memory of one thread. */
 struct pp_annual_space {
-    float *sky;           /* [group][batch][step] */
-    float *suns;          /* [point of the block][group][batch][step] */
-    float *sun;           /* the part of suns of the current point */
-    float *open, *blinds; /* [batch][step]: all light */
-    float *sums[5];       /* by hour: means over all batches, or over all but one */
+    float *sky;     /* [group][batch][step] */
+    float *suns;    /* [point of the block][group][batch][step] */
+    float *sun;     /* the part of suns of the current point */
+    float *open;    /* [batch][step]: all light */
+    float *blinds;  /* [point of the block][batch][step]: all light with blinds */
+    float *sums[5]; /* by hour: means over all batches, or over all but one */
     float *rank;
     double parts[2][PP_YEAR_BATCHES]; /* light of the year, lx h: of the sky, of sunlit
                                        * surfaces */
@@ -47,7 +48,7 @@ int pp_annual_point_block_size(int groups)
 enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
                                            struct pp_error *err)
 {
-    size_t batches = PP_YEAR_BATCHES * work->step, all = batches;
+    size_t batches = PP_YEAR_BATCHES * work->open.step, all = batches;
     /* A room without openings has no groups, but judge needs the space of one. */
     all *= work->groups.count > 0 ? (size_t)work->groups.count : 1;
     bool enough = true;
@@ -60,31 +61,57 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
         space->sky = calloc(all, sizeof(float));
         space->suns = calloc(all * (size_t)work->block, sizeof(float));
         space->open = calloc(batches, sizeof(float));
-        space->blinds = calloc(batches, sizeof(float));
-        space->rank = calloc(work->step, sizeof(float));
+        space->blinds = calloc(batches * (size_t)work->block, sizeof(float));
+        space->rank = calloc(work->open.step, sizeof(float));
         enough &=
             space->sky && space->suns && space->open && space->blinds && space->rank;
         for (int k = 0; k < 5; k++)
-            enough &= (space->sums[k] = calloc(work->step, sizeof(float))) != NULL;
+            enough &= (space->sums[k] = calloc(work->open.step, sizeof(float))) != NULL;
     }
     return enough ? PP_OK : pp_fail_memory(err);
 }
 
+/* Adds the share of a closed state to a point's light with blinds. */
+static void add_closed(const struct pp_annual_work *work,
+                       const struct pp_annual_space *space,
+                       const struct pp_annual_state *state, int x, float *blinds)
+{
+    size_t count = (size_t)state->count;
+    for (int g = 0; g < work->groups.count; g++) {
+        const float *share = state->share + (size_t)g * count;
+        const float *direct =
+            state->direct_sun
+            + ((size_t)x * (size_t)work->groups.count + (size_t)g) * count;
+        for (int b = 0; b < PP_YEAR_BATCHES; b++) {
+            size_t row = (size_t)(g * PP_YEAR_BATCHES + b) * state->step;
+            float *to = blinds + (size_t)b * work->open.step;
+            for (size_t i = 0; i < count; i++)
+                if (share[i] > 0.0f)
+                    to[state->hours[i]] +=
+                        share[i]
+                        * (space->sky[row + i] + space->sun[row + i] + direct[i]);
+        }
+    }
+}
+
 /* Adds up the light of all groups at point x: each batch without and with blinds, the
- * parts of the light, the means over batches, and the light of each group. */
-static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, int x)
+ * parts of the light, the means over batches, and the light of each group. `blinds` has
+ * the light that is taken from closed states. */
+static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, int x,
+                   float *blinds)
 {
     int count = work->year->sky_count, groups = work->groups.count;
-    size_t step = work->step;
-    const float *direct = work->direct_sun + (size_t)x * (size_t)groups * (size_t)count;
+    size_t step = work->open.step;
+    const float *direct =
+        work->open.direct_sun + (size_t)x * (size_t)groups * (size_t)count;
     for (int k = 0; k < 5; k++)
         memset(space->sums[k], 0, step * sizeof(float));
     memset(space->parts, 0, sizeof space->parts);
     memset(space->open, 0, PP_YEAR_BATCHES * step * sizeof(float));
-    memset(space->blinds, 0, PP_YEAR_BATCHES * step * sizeof(float));
     for (int g = 0; g < groups; g++) {
         const float *sun = direct + (size_t)g * (size_t)count;
-        const unsigned char *closed = work->closed + (size_t)g * (size_t)count;
+        const unsigned char *closed = work->closes + (size_t)g * (size_t)count;
+        const unsigned char *taken = work->taken + (size_t)g * (size_t)count;
         double k = work->groups.transmittance[g] * PP_BLIND_GROUPS_TRANSMITTANCE;
         double *light =
             work->group_light
@@ -94,9 +121,10 @@ static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, i
         for (int b = 0; b < PP_YEAR_BATCHES; b++) {
             size_t row = (size_t)(g * PP_YEAR_BATCHES + b) * step;
             float emitted = 0.0f;
-            if (work->coefficients)
-                emitted = (float)k
-                          * pp_year_coefficients_by_panes(work->coefficients, x, g, b);
+            if (work->open.coefficients)
+                emitted =
+                    (float)k
+                    * pp_year_coefficients_by_panes(work->open.coefficients, x, g, b);
             for (int t = 0; t < count; t++) {
                 float sky = space->sky[row + (size_t)t];
                 float reflected = space->sun[row + (size_t)t];
@@ -104,8 +132,10 @@ static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, i
                 space->sums[SUM_SKY][t] += sky / PP_YEAR_BATCHES;
                 space->sums[SUM_REFLECTED][t] += reflected / PP_YEAR_BATCHES;
                 space->open[(size_t)b * step + (size_t)t] += all;
-                space->blinds[(size_t)b * step + (size_t)t] +=
-                    closed[t] ? emitted * work->on_panes[row + (size_t)t] : all;
+                blinds[(size_t)b * step + (size_t)t] +=
+                    taken[t]    ? 0.0f
+                    : closed[t] ? emitted * work->on_panes[row + (size_t)t]
+                                : all;
                 space->parts[0][b] += (double)sky * work->clock.length_h[t];
                 space->parts[1][b] += (double)reflected * work->clock.length_h[t];
                 light[1 + b] += (double)all * work->clock.length_h[t];
@@ -118,7 +148,7 @@ static void add_up(struct pp_annual_work *work, struct pp_annual_space *space, i
             space->sums[SUM_OPEN][t] +=
                 space->open[(size_t)b * step + (size_t)t] / PP_YEAR_BATCHES;
             space->sums[SUM_BLINDS][t] +=
-                space->blinds[(size_t)b * step + (size_t)t] / PP_YEAR_BATCHES;
+                blinds[(size_t)b * step + (size_t)t] / PP_YEAR_BATCHES;
         }
 }
 
@@ -137,7 +167,8 @@ static double total_without(const double *totals, int batch)
     return sum / (PP_YEAR_BATCHES - 1);
 }
 
-static void judge(struct pp_annual_work *work, struct pp_annual_space *space, int x)
+static void judge(struct pp_annual_work *work, struct pp_annual_space *space, int x,
+                  const float *with_blinds)
 {
     int worker = (int)(space - work->spaces);
     const struct pp_annual_options *options = work->options;
@@ -148,12 +179,14 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
                                     .sky = space->sums[SUM_SKY],
                                     .sun = space->sums[SUM_SUN],
                                     .sun_reflected = space->sums[SUM_REFLECTED],
-                                    .blinds = options->blinds ? means[1] : NULL,
+                                    .blinds = work->sheet->has_blinds ? means[1] : NULL,
                                     .space = space->rank};
     pp_year_metrics_of(figures, &values, &work->clock, options->illuminances_lx,
                        options->illuminance_count);
     float *row = work->sheet->lx + (size_t)x * (size_t)count;
-    memcpy(row, values.open, (size_t)count * sizeof *row);
+    bool used =
+        options->blinds == PP_BLINDS_ALWAYS || options->blinds == PP_BLINDS_SCHEDULE;
+    memcpy(row, used ? means[1] : means[0], (size_t)count * sizeof *row);
     memcpy(work->sheet->sun_lx + (size_t)x * (size_t)count, values.sun,
            (size_t)count * sizeof *row);
 
@@ -164,11 +197,11 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
     double *without = work->without + (size_t)x * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES;
     float *open = space->sky, *blinds = space->sun; /* used up */
     values.open = open;
-    values.blinds = options->blinds ? blinds : NULL;
+    values.blinds = work->sheet->has_blinds ? blinds : NULL;
     for (int b = 0; b < PP_YEAR_BATCHES; b++) {
         struct pp_annual_figures part;
-        leave_out(open, means[0], space->open + (size_t)b * work->step, count);
-        leave_out(blinds, means[1], space->blinds + (size_t)b * work->step, count);
+        leave_out(open, means[0], space->open + (size_t)b * work->open.step, count);
+        leave_out(blinds, means[1], with_blinds + (size_t)b * work->open.step, count);
         pp_year_metrics_of(&part, &values, &work->clock, options->illuminances_lx,
                            options->illuminance_count);
         if (work->lighting)
@@ -188,20 +221,43 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
     }
 }
 
-static enum pp_status compute_point(struct pp_annual_work *work,
-                                    struct pp_annual_space *space, int x)
+/* Calculates sky and sun of point x in the hours of a state. */
+static enum pp_status light_point(const struct pp_annual_work *work,
+                                  struct pp_annual_space *space,
+                                  const struct pp_annual_state *state, int x)
 {
     struct pp_year_point point = {space->sky, space->sun};
     size_t row =
-        (size_t)x * (size_t)work->groups.count * (size_t)work->columns.column_count;
-    enum pp_status status =
-        work->plain
-            ? pp_plain_year_point(work->plain, x, &work->columns, false, &point, NULL)
-            : pp_year_coefficients_sky(work->coefficients, x, work->direct + row,
-                                       space->sky, NULL);
-    if (status == PP_OK) {
-        add_up(work, space, x);
-        judge(work, space, x);
+        (size_t)x * (size_t)work->groups.count * (size_t)state->columns.column_count;
+    return state->plain
+               ? pp_plain_year_point(state->plain, x, &state->columns, false, &point,
+                                     NULL)
+               : pp_year_coefficients_sky(state->coefficients, x, state->direct + row,
+                                          space->sky, NULL);
+}
+
+/* Calculates points first to end - 1 with the windows in one state. */
+static enum pp_status light_block(struct pp_annual_work *work,
+                                  struct pp_annual_space *space,
+                                  const struct pp_annual_state *state, int first,
+                                  int end)
+{
+    size_t numbers = (size_t)work->groups.count * PP_YEAR_BATCHES * state->step;
+    size_t all = PP_YEAR_BATCHES * work->open.step;
+    enum pp_status status = PP_OK;
+    if (state->coefficients)
+        status = pp_year_coefficients_sun(state->coefficients, first, end - first,
+                                          space->suns, NULL);
+    for (int x = first; x < end && status == PP_OK; x++) {
+        float *blinds = space->blinds + (size_t)(x - first) * all;
+        space->sun = space->suns + (size_t)(x - first) * numbers;
+        status = light_point(work, space, state, x);
+        if (status == PP_OK && state != &work->open) {
+            add_closed(work, space, state, x, blinds);
+        } else if (status == PP_OK) {
+            add_up(work, space, x, blinds);
+            judge(work, space, x, blinds);
+        }
     }
     return status;
 }
@@ -210,17 +266,15 @@ bool pp_annual_point_block(void *data, int worker, int block)
 {
     struct pp_annual_work *work = data;
     struct pp_annual_space *space = &work->spaces[worker];
-    size_t numbers = (size_t)work->groups.count * PP_YEAR_BATCHES * work->step;
     int first = block * work->block, end = first + work->block;
     end = end < work->receiver_count ? end : work->receiver_count;
     enum pp_status status = PP_OK;
-    if (work->coefficients)
-        status = pp_year_coefficients_sun(work->coefficients, first, end - first,
-                                          space->suns, NULL);
-    for (int x = first; x < end && status == PP_OK; x++) {
-        space->sun = space->suns + (size_t)(x - first) * numbers;
-        status = compute_point(work, space, x);
-    }
+    memset(space->blinds, 0,
+           (size_t)work->block * PP_YEAR_BATCHES * work->open.step * sizeof(float));
+    for (int s = 0; s < work->closed_count && status == PP_OK; s++)
+        status = light_block(work, space, &work->closed[s], first, end);
+    if (status == PP_OK)
+        status = light_block(work, space, &work->open, first, end);
     work->status[first] = status;
     return status == PP_OK;
 }

@@ -10,8 +10,9 @@ static struct pp_year_origin origin_of(const struct pp_annual_work *work)
 {
     const struct pp_annual_options *options = work->options;
     struct pp_year_origin origin = {.room = options->room_number,
-                                    .scene = pp_light_scene_hash(work->scene),
-                                    .light = pp_environment_hash(work->environment),
+                                    .scene = pp_light_scene_hash(work->open.scene),
+                                    .light =
+                                        pp_environment_hash(work->open.environment),
                                     .north_rad = work->world->north_rad,
                                     .point_count = work->receiver_count,
                                     .group_count = work->groups.count,

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/base/text.h"
+#include "model/room/build/device_states.h"
 
 static enum pp_status fill_hours(struct pp_annual_sheet *sheet,
                                  const struct pp_weather_year *year,
@@ -103,21 +104,50 @@ static void say_period(struct pp_annual_sheet *sheet,
                        "standard time all year (LM-83 uses clock time: --summer-time)");
 }
 
-static void say_blinds(struct pp_annual_sheet *sheet,
+static void say_blinds(struct pp_annual_sheet *sheet, const struct pp_world *world,
                        const struct pp_annual_options *options)
 {
-    if (!options->blinds)
-        snprintf(sheet->blinds, sizeof sheet->blinds,
-                 "none, so the share of the plane that reaches 300 lx in half of the "
-                 "hours is not sDA");
-    else
-        snprintf(sheet->blinds, sizeof sheet->blinds,
+    char *text = sheet->blinds;
+    size_t room = sizeof sheet->blinds;
+    bool own = pp_device_states_exist(world);
+    const char *none = "none, so the share of the plane that reaches 300 lx in half of "
+                       "the hours is not sDA";
+    switch (options->blinds) {
+    case PP_BLINDS_AS_DRAWN:
+        snprintf(text, room, "%s", none);
+        break;
+    case PP_BLINDS_NEVER:
+        snprintf(text, room, "%s%s", none,
+                 own ? ". The blinds, screens and curtains of the room are open" : "");
+        break;
+    case PP_BLINDS_LM83:
+        snprintf(text, room,
                  "LM-83-12, open loop: the blinds of a window group (one wall, one "
                  "glass) close when more than 2 %% of the points get 1000 lx or more "
-                 "of direct sun through it. Closed blinds diffusely emit %g of the "
-                 "incident light, times the diffuse transmittance of the panes. All "
-                 "other figures are for open blinds",
-                 PP_BLIND_GROUPS_TRANSMITTANCE);
+                 "of direct sun through it. ");
+        if (own)
+            pp_text_append(text, room,
+                           "Closed windows have their own blind, screen or curtain; "
+                           "without one, they diffusely emit %g of the incident light, "
+                           "times the diffuse transmittance of the panes. ",
+                           PP_BLIND_GROUPS_TRANSMITTANCE);
+        else
+            pp_text_append(text, room,
+                           "Closed blinds diffusely emit %g of the incident light, "
+                           "times the diffuse transmittance of the panes. ",
+                           PP_BLIND_GROUPS_TRANSMITTANCE);
+        pp_text_append(text, room, "All other figures are for open blinds");
+        break;
+    case PP_BLINDS_ALWAYS:
+    case PP_BLINDS_SCHEDULE:
+        snprintf(text, room,
+                 "the blinds, screens and curtains of the room are closed %s. This is "
+                 "not the operation of LM-83, so there is no sDA. All other figures "
+                 "are for open blinds",
+                 options->blinds == PP_BLINDS_ALWAYS ? "in all hours"
+                                                     : "in the hours of the schedule");
+        break;
+    }
 }
 
 /* Warns if blinds close together only because there are many kinds of windows. */
@@ -141,6 +171,9 @@ static void name_groups(struct pp_annual_sheet *sheet, const struct pp_world *wo
     sheet->group_count = groups->count;
     for (int g = 0; g < groups->count; g++) {
         const struct pp_opening *opening = &world->openings[groups->first[g]];
+        enum pp_device_kind device = opening->device.kind;
+        sheet->groups[g].device =
+            device != PP_DEVICE_NONE ? pp_window_device_word(device) : NULL;
         const struct pp_surface *face = &world->surfaces[opening->face];
         const char *wall = face->name                 ? face->name
                            : face->role == PP_CEILING ? "ceiling"
@@ -194,7 +227,8 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
     sheet->illuminance_count = options->illuminance_count;
     memcpy(sheet->illuminances_lx, options->illuminances_lx,
            sizeof sheet->illuminances_lx);
-    sheet->has_blinds = options->blinds;
+    sheet->has_blinds = options->blinds > PP_BLINDS_NEVER;
+    sheet->blinds_of_lm83 = options->blinds == PP_BLINDS_LM83;
     sheet->standard_hours = options->hours.from_h == 8.0 && options->hours.to_h == 18.0
                             && options->hours.days == PP_ALL_DAYS;
     sheet->occupied_h = clock->all_occupied_h;
@@ -209,7 +243,7 @@ enum pp_status pp_annual_words_fill(struct pp_annual_sheet *sheet,
         warn(sheet, "at most a quarter of the year has daylight, so no room can reach "
                     "the levels of EN 17037 here");
     say_period(sheet, options, clock);
-    say_blinds(sheet, options);
+    say_blinds(sheet, world, options);
     name_groups(sheet, world, groups);
     warn_of_grouping(sheet, groups);
     return PP_OK;

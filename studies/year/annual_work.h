@@ -3,11 +3,9 @@
 #ifndef PP_STUDIES_YEAR_ANNUAL_WORK_H
 #define PP_STUDIES_YEAR_ANNUAL_WORK_H
 
-#include "simulate/year/plain_year.h"
-#include "simulate/year/year_coefficients.h"
 #include "studies/year/annual.h"
 #include "studies/year/annual_lighting.h"
-#include "studies/year/blind_groups.h"
+#include "studies/year/annual_state.h"
 #include "studies/year/year_metrics.h"
 
 struct pp_annual_work {
@@ -18,26 +16,27 @@ struct pp_annual_work {
     int receiver_count;
     const struct pp_weather_year *year;
     const struct pp_annual_options *options;
-    struct pp_perez_sky *skies; /* in the room's axes */
     struct pp_year_clock clock;
     struct pp_blind_groups groups;
     struct pp_thread_pool *pool;
-    struct pp_light_scene *scene;
-    struct pp_environment *environment;
-    struct pp_light_columns columns;
-    struct pp_year_coefficients *coefficients; /* NULL for the plain year */
-    struct pp_plain_year *plain;
+    struct pp_world *opened;        /* world without its devices; NULL: it has none */
+    struct pp_annual_state open;    /* in all hours */
+    struct pp_annual_state *closed; /* the room's own blinds, in the hours with any */
+    int closed_count;
+    struct pp_annual_state *state;       /* whose direct light is being calculated */
     struct pp_annual_lighting *lighting; /* NULL: no electric light */
     int samples;
 
-    int block;         /* points that a worker computes together */
-    size_t step;       /* numbers from one row of hours to the next */
-    float *direct;     /* [receiver][group][column]: direct light of sky and ground */
-    float *direct_sun; /* [receiver][group][sky], lx */
-    unsigned char *closed; /* [group][sky]: true if the group's blinds are closed */
+    int block;             /* points that a worker computes together */
+    unsigned char *closes; /* [group][sky]: true if the group is closed */
+    unsigned char *taken;  /* [group][sky]: true if its light with blinds is that of a
+                            * closed state */
     float *on_panes;       /* [group][batch][step], lx outside */
-    double *without;       /* [receiver][batch][figure]: figures without that batch */
-    double begun, ended;   /* share of the whole before and after the current step */
+    double *without;       /* [receiver][batch][figure]: figures without that
+                                   * batch */
+    double scale;          /* on the shares of the steps with open windows */
+    double begun, ended;   /* share of the whole before and after the current
+                                   * step */
     pp_thread_pool_work *function; /* of each block of points */
     int blocks;
     bool stopped;                   /* the watch has stopped the computation */
@@ -46,13 +45,37 @@ struct pp_annual_work {
     enum pp_status *status;         /* by receiver */
 };
 
-/* Computes the direct light of point x: its coefficients and its sun in every hour.
- * (annual_direct.c) */
+/* Shows the share that is done of the current step; false if the computation shall
+ * stop. data: the work. */
+bool pp_annual_work_goes_on(void *data, double done);
+
+/* Begins a step of the computation that ends at this share of the whole. */
+bool pp_annual_work_next_step(struct pp_annual_work *work, double ended);
+
+/* Calls a function for every block of points. PP_BAD_INPUT: the outline of the sky seen
+ * through an opening has too many corners; PP_INTERRUPTED; otherwise it fails only if
+ * out of memory. */
+enum pp_status pp_annual_work_for_points(struct pp_annual_work *work, int block,
+                                         pp_thread_pool_work *function,
+                                         struct pp_error *err);
+
+/* Calculates the direct light of point x in the state. (annual_direct.c) */
 bool pp_annual_direct_see(void *work, int worker, int x);
 
-/* Finds the hours with closed blinds, from the direct sun at all points, and the light
- * on the panes. */
-void pp_annual_direct_close_blinds(struct pp_annual_work *work);
+/* Finds the hours with closed blinds by the chosen control, with the direct sun at all
+ * points through open windows, and the light on the panes. Counts the hours in which
+ * closed blinds still let too much direct sun pass. */
+void pp_annual_direct_find(struct pp_annual_work *work);
+void pp_annual_direct_count_unmet(struct pp_annual_work *work);
+
+/* Finds the light that is taken from the closed state: that of closed groups with a device
+ * of their own and, in the same hours, that of groups without one that are open. */
+enum pp_status pp_annual_direct_share(struct pp_annual_work *work,
+                                      struct pp_annual_state *state,
+                                      struct pp_error *err);
+
+/* True if the group has a device of its own. */
+bool pp_annual_direct_has_device(const struct pp_annual_work *work, int group);
 
 /* Number of points in a block: the reflected sunlight of a block takes 20 MB at most,
  * with any number of groups of openings. Allocates space for the hours of a block, for

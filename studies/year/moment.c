@@ -197,7 +197,7 @@ enum pp_status pp_moment_of_room(struct pp_annual_sheet *sheet,
     whole.illuminance_count = 1;
     whole.illuminances_lx[0] = 300.0;
     whole.patches = 2305;
-    whole.blinds = false;
+    whole.blinds = PP_BLINDS_AS_DRAWN;
     enum pp_status status = pp_annual_of_room(sheet, world, light, receivers,
                                               receiver_count, false, &one, &whole, err);
     sheet->sky_name = moment->sky_name;

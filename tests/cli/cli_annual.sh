@@ -309,7 +309,36 @@ check "two periods" refuses 2 "--hours" $annual --hours 8-12,13-18 "$room"
 check "samples that are no power of two" refuses 2 "power of two" $annual --samples 100 "$room"
 check "patches" refuses 2 "145, 577 or 2305" $annual --patches 500 "$room"
 check "a shift" refuses 2 "--sun-shift" $annual --sun-shift noon "$room"
-check "blinds" refuses 2 "lm83 or none" $annual --blinds white "$room"
+check "blinds" refuses 2 "lm83, always, never or none" $annual --blinds white "$room"
+check "blinds of two kinds" refuses 2 "--blinds-schedule" $annual --blinds always \
+    --blinds-schedule a.csv "$room"
+check "a schedule that is missing" refuses 1 "none.csv" $annual \
+    --blinds-schedule "$scratch/none.csv" "$room"
+
+# A blind of its own, closed by the rule, always, and in the afternoon.
+cat >"$scratch/blind.xml" <<'END'
+<room version="1"><plan width="3" depth="5" height="2.7"/>
+  <window wall="south" left="0.5" sill="0.8" width="2" height="1.6"><blind angle="-45"/></window>
+  <point x="1.5" y="1"/><point x="1.5" y="3"/>
+</room>
+END
+awk 'BEGIN { print "closed"; for (i = 0; i < 8760; i++) print i "," (i % 24 > 11) }' \
+    >"$scratch/afternoon.csv"
+check "a blind of its own" shows '"closed_h": [1-9]' $annual -f json "$scratch/blind.xml"
+check "a blind that is always closed" shows '"closed_h": 3650' $annual -f json --blinds always \
+    "$scratch/blind.xml"
+check "its kind" shows '"device": "blind"' $annual -f json --blinds always "$scratch/blind.xml"
+check "no sDA" shows '"blinds-da300/50-area"' $annual -f json --blinds always "$scratch/blind.xml"
+check "a blind that is never closed" lacks "with blinds" $annual --blinds never \
+    "$scratch/blind.xml"
+check "a schedule" shows '"closed_h": 2190' $annual -f json \
+    --blinds-schedule "$scratch/afternoon.csv" "$scratch/blind.xml"
+head -8760 "$scratch/afternoon.csv" >"$scratch/short.csv"
+check "a schedule that is too short" refuses 1 "8759 values; expected 8760" $annual \
+    --blinds-schedule "$scratch/short.csv" "$scratch/blind.xml"
+echo "1,0.5" >>"$scratch/short.csv"
+check "a half-closed blind" refuses 1 'short.csv:8761: the last field is "0.5"' $annual \
+    --blinds-schedule "$scratch/short.csv" "$scratch/blind.xml"
 check "hours of a building" refuses 1 "--hourly" $annual --hourly "$scratch/h.csv" \
     "$examples/building.xml"
 check "a name of hours" refuses 2 ".npy" $annual --hourly hours.txt "$room"

@@ -139,7 +139,7 @@ check "an absurd power" refuses 2 "installed power" $weather --lighting dimmed,p
 check "a target of 0" refuses 2 "target=LX" $weather --lighting dimmed,target=0 "$room"
 check "half a step" refuses 2 "steps=N" $weather --lighting stepped,steps=2.5 "$room"
 check "a point that there is not" refuses 1 "has 2 points" $weather --lighting dimmed,at=3 "$room"
-check "blinds that there are not" refuses 2 "--blinds none" $weather --blinds none \
+check "blinds that there are not" refuses 2 "--blinds never" $weather --blinds none \
     --lighting dimmed,blinds=lm83 "$room"
 check "nine controls" refuses 2 "at most 8" $weather $dimmed $dimmed $dimmed $dimmed $dimmed $dimmed \
     $dimmed $dimmed $dimmed "$room"

@@ -10,8 +10,8 @@ struct pp_annual_leed pp_annual_sheet_leed(const struct pp_annual_sheet *sheet)
 {
     struct pp_annual_leed leed = {.why_not = NULL};
     double sda = sheet->plane.sda.value;
-    if (!sheet->has_blinds)
-        leed.why_not = "sDA needs blinds";
+    if (!sheet->has_blinds || !sheet->blinds_of_lm83)
+        leed.why_not = "sDA needs blinds operated as in LM-83";
     else if (!sheet->is_grid)
         leed.why_not = "the points do not form a grid";
     else if (!sheet->standard_hours)

@@ -60,7 +60,7 @@ static inline struct pp_annual_value *pp_annual_sheet_figure(
 /* Shares of the points in the plane. */
 struct pp_annual_plane {
     struct pp_annual_value autonomous; /* 300 lx in half of the hours or more */
-    struct pp_annual_value sda;        /* sDA: the same with blinds; NAN: no blinds */
+    struct pp_annual_value sda;        /* the same with blinds; NAN: no blinds */
     struct pp_annual_value ase;        /* ASE: more than 250 h with more than 1000 lx of
                                  * direct sun */
     struct pp_annual_value level[PP_ANNUAL_LEVELS]; /* EN 17037, method 2 */
@@ -73,9 +73,10 @@ enum {
 /* Openings whose blinds close together: same wall and same glass. */
 struct pp_annual_group {
     char name[64];
-    double closed_h; /* occupied hours with blinds closed */
-    double
-        unmet_h; /* of those: hours in which blinds are not enough; 0 for opaque ones */
+    const char *device; /* "blind", "screen" or "curtain" of its own; NULL: none */
+    double closed_h;    /* occupied hours with blinds closed */
+    double unmet_h; /* of those: hours in which more than 2 % of the points have 1000
+                         * lx of direct sun through the closed device */
     struct pp_annual_value
         light_lxh; /* annual light through the group, mean of the points */
 };
@@ -119,7 +120,8 @@ struct pp_annual_sheet {
     double diffuse_median_lx; /* reached in 2190 of the brightest 4380 h */
     bool is_grid;             /* the points are a grid over the plane; else `plane`
                                * is not defined */
-    bool has_blinds;
+    bool has_blinds;          /* there are figures with blinds */
+    bool blinds_of_lm83; /* operated as in LM-83: the share with blinds is its sDA */
     bool standard_hours; /* 8 to 18 h on all days, as in LM-83 */
     bool finished;
 
@@ -138,14 +140,15 @@ struct pp_annual_sheet {
     struct pp_annual_hour *hours; /* owned */
     const char *sky_name;         /* of a moment: "perez", "iso-12", ...; not owned */
     int sky_count;
-    float *lx; /* [receiver][sky]: illuminances, blinds open; owned */
+    float *lx; /* [receiver][sky]: illuminances, blinds open, except if they are
+                * always closed or have a schedule; owned */
     int patch_count;
     float *
         coefficients; /* [receiver][1 + patch]: lx over cd/m2 of the ground, of patches of
                           * the sky; owned; NULL: not kept */
     char coefficient_record[320]; /* of the room and options of the coefficients, lines
                                    * "NAME=value" */
-    float *sun_lx; /* [receiver][sky]: direct sun, included in lx; owned */
+    float *sun_lx;                /* [receiver][sky]: direct sun, blinds open; owned */
 };
 
 /* Credits of LEED v4.1, daylight, option 1. They depend on the mean sDA of all

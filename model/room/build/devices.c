@@ -22,12 +22,12 @@ static bool is_upright(const struct pp_opening *opening)
            && opening->slope_rad <= PP_PI - VERTICAL_FROM;
 }
 
-/* Blind of an earlier opening with the same slats and glass; NULL if there is none. */
-static struct pp_blind *shared_blind(const struct pp_world *world,
+/* Blind of one of these openings with the same slats and glass; NULL if there is none. */
+static struct pp_blind *shared_blind(const struct pp_opening *openings, int count,
                                      const struct pp_opening *opening)
 {
-    for (int i = 0; i < world->opening_count; i++) {
-        const struct pp_opening *other = &world->openings[i];
+    for (int i = 0; i < count; i++) {
+        const struct pp_opening *other = &openings[i];
         if (other->blind && same_slats(&other->device.slats, &opening->device.slats)
             && other->device.vertical == opening->device.vertical
             && other->device.position == opening->device.position
@@ -53,26 +53,34 @@ static const char *wrong_glass(const struct pp_opening *opening,
     return NULL;
 }
 
-static enum pp_status put_blind(struct pp_resolver *r, struct pp_opening *opening,
-                                struct pp_error *err)
+enum pp_status pp_devices_hang(struct pp_opening *opening,
+                               const struct pp_opening *openings, int count,
+                               struct pp_error *err)
 {
-    struct pp_error fault = {0};
-    opening->blind = shared_blind(r->world, opening);
+    opening->blind = shared_blind(openings, count, opening);
     if (opening->blind) {
         opening->blind->holders++;
     } else {
         enum pp_status status =
             pp_blind_create(&opening->blind, &opening->device, &opening->glass,
-                            is_upright(opening), &fault);
-        if (status == PP_BAD_INPUT) {
-            pp_mistakes_add(r->mistakes, opening->device.line, "blind: %s",
-                            fault.message);
-            return PP_OK;
-        }
+                            is_upright(opening), err);
         if (status != PP_OK)
-            return pp_fail(err, status, "%s", fault.message);
+            return status;
     }
     opening->scatter = &opening->blind->scatter;
+    return PP_OK;
+}
+
+static enum pp_status put_blind(struct pp_resolver *r, struct pp_opening *opening,
+                                struct pp_error *err)
+{
+    struct pp_error fault = {0};
+    enum pp_status status =
+        pp_devices_hang(opening, r->world->openings, r->world->opening_count, &fault);
+    if (status == PP_BAD_INPUT)
+        pp_mistakes_add(r->mistakes, opening->device.line, "blind: %s", fault.message);
+    else if (status != PP_OK)
+        return pp_fail(err, status, "%s", fault.message);
     return PP_OK;
 }
 
@@ -81,6 +89,7 @@ enum pp_status pp_devices_put(struct pp_resolver *r, struct pp_opening *opening,
 {
     const char *why = wrong_glass(opening, &part->device);
     opening->device = part->device;
+    opening->uncovered = opening->glass;
     if (why) {
         pp_mistakes_add(r->mistakes, part->device.line, "%s: the %s has %s",
                         pp_window_device_word(part->device.kind),

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/base/thread_pool.h"
+#include "model/room/build/device_states.h"
 #include "studies/study_report.h"
 #include "studies/year/hand/hand_figures.h"
 #include "studies/year/hand/hand_range.h"
@@ -280,6 +281,26 @@ static enum pp_status run_methods(struct hand_run *run,
     return status;
 }
 
+/* Calculates the methods for the room with its blinds open, as the simulated figures
+ * beside them are. */
+static enum pp_status run_open(struct hand_run *run, const struct pp_weather_year *year,
+                               struct pp_error *err)
+{
+    struct pp_study_room open = *run->room;
+    struct pp_world *opened = NULL;
+    enum pp_status status = PP_OK;
+    if (run->annual->blinds != PP_BLINDS_AS_DRAWN
+        && pp_device_states_exist(open.world)) {
+        status = pp_device_states_open(&opened, open.world, err);
+        open.world = opened;
+        run->room = &open;
+    }
+    if (status == PP_OK)
+        status = run_methods(run, year, err);
+    pp_device_states_destroy(opened);
+    return status;
+}
+
 enum pp_status pp_hand_year_of_room(struct pp_hand_year_sheet *sheet,
                                     const struct pp_study_room *room,
                                     const struct pp_weather_year *year,
@@ -294,7 +315,7 @@ enum pp_status pp_hand_year_of_room(struct pp_hand_year_sheet *sheet,
         pp_year_clock_init(&run.clock, year, &annual->hours, &annual->summer, err);
     if (status != PP_OK)
         return status;
-    status = run_methods(&run, year, err);
+    status = run_open(&run, year, err);
     for (int i = 0; i < PP_YEAR_METHODS_MOST; i++) {
         free(run.entries[i].tools);
         pp_formulary_destroy(run.entries[i].formulary);

@@ -71,7 +71,8 @@ enum pp_status pp_reference_skies_simulate(struct pp_reference_skies *skies,
     all.hours = (struct pp_working_hours){0.0, 24.0, PP_ALL_DAYS};
     all.summer = (struct pp_summer_time){{0, 0}, {0, 0}};
     all.illuminance_count = all.lighting_count = 0;
-    all.blinds = all.measure = all.coefficients = all.strict = false;
+    all.blinds = PP_BLINDS_NEVER;
+    all.measure = all.coefficients = all.strict = false;
     struct pp_weather_hour *hours = calloc((size_t)skies->count + 1, sizeof *hours);
     if (!hours)
         return pp_fail_memory(err);

@@ -1,6 +1,7 @@
 /* The year's daylight of a room against what is known on paper, and by other routes. */
 #include "simulate/scene/light_scene_of_world.h"
 #include "tests/lib/light_on.h"
+#include "tests/lib/made_year.h"
 #include "tests/lib/near.h"
 #include "tests/lib/room_of.h"
 
@@ -10,7 +11,6 @@
 #include "model/light/sun.h"
 #include "simulate/fast/tracer.h"
 #include "simulate/year/sun_on_surface.h"
-#include "studies/year/annual.h"
 #include "studies/year/annual_work.h"
 
 static const char street[] =
@@ -24,85 +24,6 @@ static const char street[] =
     "<working-plane height='0.85'/><point x='1.1' y='0.9'/><point x='2.3' y='2.2'/>"
     "<point x='1.9' y='4.6'/></room>";
 
-/* A made-up year: hours from 8 on, days on end, with the given skies. */
-struct made_year {
-    struct pp_epw epw;
-    struct pp_weather_year year;
-    struct pp_weather_hour hours[240];
-    struct pp_perez_sky skies[240];
-};
-
-static struct pp_vec3 toward(double altitude_deg, double bearing_deg)
-{
-    double h = altitude_deg * PP_RAD, az = bearing_deg * PP_RAD;
-    return pp_vec(cos(h) * sin(az), cos(h) * cos(az), sin(h));
-}
-
-static void add_made_hour(struct made_year *made, const struct pp_perez_sky *sky)
-{
-    int i = made->year.count++;
-    made->hours[i] = (struct pp_weather_hour){.date = {1 + i / 20, 1},
-                                              .weekday = 0,
-                                              .start_h = i % 20,
-                                              .length_h = 1.0,
-                                              .known = true,
-                                              .lit = sky != NULL,
-                                              .sky = sky ? made->year.sky_count : -1};
-    if (sky)
-        made->skies[made->year.sky_count++] = *sky;
-}
-
-static void make_year(struct made_year *made)
-{
-    memset(made, 0, sizeof *made);
-    static char nowhere[] = "Nowhere";
-    made->epw.place = nowhere;
-    made->epw.record_h = 1.0;
-    made->year.epw = &made->epw;
-    made->year.hours = made->hours;
-    made->year.skies = made->skies;
-}
-
-/* Clear, half-clear and overcast hours, with suns in the east, south and west. */
-static void make_mixed_year(struct made_year *made)
-{
-    static const double bearings[] = {97.0, 131.0, 163.0, 179.0, 208.0, 247.0};
-    make_year(made);
-    for (int i = 0; i < 6; i++)
-        for (int k = 0; k < 4; k++) {
-            struct pp_perez_conditions conditions = {
-                .direct_w_m2 = 260.0 * k,
-                .diffuse_w_m2 = 190.0 - 35.0 * k,
-                .sun = toward(13.0 + 11.0 * k - fabs(i - 2.5), bearings[i]),
-                .sun_distance_au = 1.0,
-                .dew_point_c = 9.0};
-            struct pp_perez_sky sky = pp_perez_sky_of(&conditions);
-            add_made_hour(made, &sky);
-        }
-}
-
-static struct pp_annual_options whole_day(int samples)
-{
-    return (struct pp_annual_options){.hours = {0.0, 24.0, PP_ALL_DAYS},
-                                      .illuminance_count = 1,
-                                      .illuminances_lx = {300.0},
-                                      .patches = 577,
-                                      .samples = samples,
-                                      .blinds = true,
-                                      .seed = 3};
-}
-
-static void compute(struct pp_annual_sheet *sheet, const struct pp_world *world,
-                    const struct pp_outside_light *light, const struct made_year *made,
-                    const struct pp_annual_options *options)
-{
-    assert_int_equal(pp_annual_of_room(sheet, world, light, world->receivers,
-                                       world->receiver_count, false, &made->year,
-                                       options, NULL),
-                     PP_OK);
-    assert_true(sheet->finished);
-}
-
 /* ---- one sky ---- */
 
 /* a and c of 0 make every direction as bright: the daylight factor of a uniform sky, which
@@ -112,14 +33,14 @@ static void under_a_uniform_sky_it_is_the_daylight_factor(void **state)
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, street);
-    struct made_year made;
-    make_year(&made);
+    struct pp_test_year made;
+    pp_test_make_year(&made);
     struct pp_perez_sky sky = {.b = -1.0, .sun = {0, 0, 1}, .N = 2000.0};
     sky.diffuse_lx = PP_PI * sky.N;
-    add_made_hour(&made, &sky);
+    pp_test_add_hour(&made, &sky);
     struct pp_annual_sheet sheet;
-    struct pp_annual_options options = whole_day(256);
-    compute(&sheet, world, &light, &made, &options);
+    struct pp_annual_options options = pp_test_whole_day(256);
+    pp_test_year_of(&sheet, world, &light, &made, &options);
 
     light.sky = pp_sky_uniform();
     struct pp_light_scene *scene;
@@ -155,15 +76,15 @@ static void patches_and_cells_agree_with_the_plain_year(void **state)
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, street);
-    struct made_year made;
-    make_mixed_year(&made);
+    struct pp_test_year made;
+    pp_test_make_mixed_year(&made);
     struct pp_annual_sheet fast, plain;
-    struct pp_annual_options options = whole_day(256);
-    compute(&fast, world, &light, &made, &options);
+    struct pp_annual_options options = pp_test_whole_day(256);
+    pp_test_year_of(&fast, world, &light, &made, &options);
     options.exact_sky = true;
-    options.blinds = false;
+    options.blinds = PP_BLINDS_NEVER;
     options.samples = 1024;
-    compute(&plain, world, &light, &made, &options);
+    pp_test_year_of(&plain, world, &light, &made, &options);
     for (int x = 0; x < world->receiver_count; x++) {
         const struct pp_annual_value *a = &fast.points[x].year_lxh;
         const struct pp_annual_value *b = &plain.points[x].year_lxh;
@@ -189,25 +110,25 @@ static void patches_err_under_uneven_skies_alone(void **state)
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, street);
-    struct made_year made;
-    make_year(&made);
+    struct pp_test_year made;
+    pp_test_make_year(&made);
     struct pp_perez_sky sky = {.b = -1.0, .sun = {0, 0, 1}, .N = 2000.0};
     sky.diffuse_lx = PP_PI * sky.N;
-    add_made_hour(&made, &sky);
+    pp_test_add_hour(&made, &sky);
     struct pp_annual_sheet even, coarse, fine;
-    struct pp_annual_options options = whole_day(32);
+    struct pp_annual_options options = pp_test_whole_day(32);
     options.measure = true;
-    compute(&even, world, &light, &made, &options);
+    pp_test_year_of(&even, world, &light, &made, &options);
     assert_int_equal(even.discretisation.points, 3);
     assert_int_equal(even.discretisation.hours, 1);
     assert_near(even.discretisation.sky.value, 0.0, 1e-6);
     assert_near(even.discretisation.sky_rms, 0.0, 1e-6);
 
-    make_mixed_year(&made);
+    pp_test_make_mixed_year(&made);
     options.patches = 145;
-    compute(&coarse, world, &light, &made, &options);
+    pp_test_year_of(&coarse, world, &light, &made, &options);
     options.patches = 2305;
-    compute(&fine, world, &light, &made, &options);
+    pp_test_year_of(&fine, world, &light, &made, &options);
     const struct pp_annual_discretisation *a = &coarse.discretisation,
                                           *b = &fine.discretisation;
     assert_int_equal(a->hours, 16);
@@ -241,12 +162,12 @@ static void a_turned_plan_has_the_same_year(void **state)
     struct pp_outside_light light;
     struct pp_world *a = pp_test_lit_world(&light, south);
     struct pp_world *b = pp_test_lit_world(&light, turned);
-    struct made_year made;
-    make_mixed_year(&made);
+    struct pp_test_year made;
+    pp_test_make_mixed_year(&made);
     struct pp_annual_sheet sheet_a, sheet_b;
-    struct pp_annual_options options = whole_day(256);
-    compute(&sheet_a, a, &light, &made, &options);
-    compute(&sheet_b, b, &light, &made, &options);
+    struct pp_annual_options options = pp_test_whole_day(256);
+    pp_test_year_of(&sheet_a, a, &light, &made, &options);
+    pp_test_year_of(&sheet_b, b, &light, &made, &options);
     for (int x = 0; x < 2; x++) {
         const struct pp_annual_figures *p = &sheet_a.points[x], *q = &sheet_b.points[x];
         assert_relative(p->sun_lxh.value, q->sun_lxh.value, 1e-6);
@@ -274,14 +195,14 @@ static void opposite_windows_give_half_of_the_light_each(void **state)
                 "<window wall='south' left='0.6' sill='0.9' width='2.3' height='1.7'/>"
                 "<window wall='north' left='1.1' sill='0.9' width='2.3' height='1.7'/>"
                 "<point x='2' y='2.2'/></room>");
-    struct made_year made;
-    make_year(&made);
+    struct pp_test_year made;
+    pp_test_make_year(&made);
     struct pp_perez_sky sky = {.b = -1.0, .sun = {0, 0, 1}, .N = 2000.0};
     sky.diffuse_lx = PP_PI * sky.N;
-    add_made_hour(&made, &sky);
+    pp_test_add_hour(&made, &sky);
     struct pp_annual_sheet sheet;
-    struct pp_annual_options options = whole_day(256);
-    compute(&sheet, world, &light, &made, &options);
+    struct pp_annual_options options = pp_test_whole_day(256);
+    pp_test_year_of(&sheet, world, &light, &made, &options);
     assert_int_equal(sheet.group_count, 2);
     const struct pp_annual_value all = sheet.points[0].year_lxh,
                                  *half[2] = {&sheet.groups[0].light_lxh,
@@ -353,7 +274,7 @@ static void the_sun_is_seen_where_a_ray_reaches_it(void **state)
                                         receiver->normal, PP_INDOORS};
         for (double h = 2.3; h < 80.0; h += 4.1)
             for (double az = 91.7; az < 270.0; az += 6.3) {
-                struct pp_vec3 sun = toward(h, az);
+                struct pp_vec3 sun = pp_test_toward(h, az);
                 double seen = pp_sky_view_sun(&view, sun, NULL);
                 double traced = pp_sun_on_surface(scene, &at, sun, &opening);
                 assert_near(seen, traced, 1e-6);
@@ -374,13 +295,13 @@ static void dark_hours_count(void **state)
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, street);
-    struct made_year made;
-    make_mixed_year(&made); /* hours 0 to 19, then 0 to 3 of the next month */
+    struct pp_test_year made;
+    pp_test_make_mixed_year(&made); /* hours 0 to 19, then 0 to 3 of the next month */
     for (int i = 0; i < 16; i++)
-        add_made_hour(&made, NULL);
+        pp_test_add_hour(&made, NULL);
     struct pp_annual_sheet sheet;
-    struct pp_annual_options options = whole_day(16);
-    compute(&sheet, world, &light, &made, &options);
+    struct pp_annual_options options = pp_test_whole_day(16);
+    pp_test_year_of(&sheet, world, &light, &made, &options);
     assert_near(sheet.occupied_h, 40.0, 0.0);
     assert_true(sheet.points[0].udi_below.value >= 16.0 / 40.0);
     assert_true(sheet.points[0].autonomy[0].value <= 24.0 / 40.0);
@@ -396,14 +317,14 @@ static void it_is_the_same_with_any_number_of_threads(void **state)
     (void)state;
     struct pp_outside_light light;
     struct pp_world *world = pp_test_lit_world(&light, street);
-    struct made_year made;
-    make_mixed_year(&made);
+    struct pp_test_year made;
+    pp_test_make_mixed_year(&made);
     struct pp_annual_sheet one, three;
-    struct pp_annual_options options = whole_day(16);
+    struct pp_annual_options options = pp_test_whole_day(16);
     options.threads = 1;
-    compute(&one, world, &light, &made, &options);
+    pp_test_year_of(&one, world, &light, &made, &options);
     options.threads = 3;
-    compute(&three, world, &light, &made, &options);
+    pp_test_year_of(&three, world, &light, &made, &options);
     assert_memory_equal(one.points, three.points, 3 * sizeof *one.points);
     assert_memory_equal(one.lx, three.lx,
                         3 * (size_t)made.year.sky_count * sizeof *one.lx);
