@@ -367,12 +367,72 @@ static enum pp_status cut_convex(double (**triangles)[3][2], int *count,
     return PP_OK;
 }
 
+/* The vertex of `region` whose counterpart in `turned` is nearest to a corner. */
+static const double *vertex_at(const struct pp_region *region,
+                               const struct pp_region *turned, const double corner[2])
+{
+    const double *nearest = NULL;
+    double least = INFINITY;
+    for (int i = 0; i < turned->count; i++)
+        for (int k = 0; k < turned->rings[i].count; k++) {
+            const double *at = turned->rings[i].xy[k];
+            double distance = hypot(at[0] - corner[0], at[1] - corner[1]);
+            if (distance < least) {
+                least = distance;
+                nearest = region->rings[i].xy[k];
+            }
+        }
+    return nearest;
+}
+
+/* Triangulates the region turned by an angle; the triangles have the vertices of the
+ * region itself. */
+static enum pp_status triangulate_turned(struct pp_clipper *clipper,
+                                         struct pp_region *triangles,
+                                         const struct pp_region *region,
+                                         double turn_rad, struct pp_error *err)
+{
+    GEOSContextHandle_t geos = clipper->geos;
+    double c = cos(turn_rad), s = sin(turn_rad);
+    struct pp_region turned;
+    enum pp_status status = pp_region_copy(&turned, region, err);
+    if (status != PP_OK)
+        return status;
+    for (int i = 0; i < turned.count; i++)
+        for (int k = 0; k < turned.rings[i].count; k++) {
+            double *at = turned.rings[i].xy[k], x = at[0], y = at[1];
+            at[0] = c * x - s * y;
+            at[1] = s * x + c * y;
+        }
+    GEOSGeometry *shape = pp_geos_region_polygons(geos, &turned, 1);
+    GEOSGeometry *mesh =
+        shape ? GEOSConstrainedDelaunayTriangulation_r(geos, shape) : NULL;
+    if (mesh)
+        status = pp_geos_region_from(triangles, geos, mesh, clipper->grid, err);
+    else if (shape)
+        status = fail_geos(clipper, "the triangulation of an outline", err);
+    else
+        status = pp_fail_memory(err);
+    if (shape)
+        GEOSGeom_destroy_r(geos, shape);
+    for (int i = 0; status == PP_OK && turn_rad != 0.0 && i < triangles->count; i++)
+        for (int k = 0; k < triangles->rings[i].count; k++) {
+            double *corner = triangles->rings[i].xy[k];
+            memcpy(corner, vertex_at(region, &turned, corner), sizeof(double[2]));
+        }
+    pp_region_clear(&turned);
+    return status;
+}
+
 enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       double (**triangles)[3][2], int *count,
                                       const struct pp_region *region,
                                       struct pp_error *err)
 {
-    GEOSContextHandle_t geos = clipper->geos;
+    /* GEOS 3.11 cannot connect some holes to an outline that has corners at the same
+     * coordinate; turned by another angle it can. */
+    static const double turns_rad[] = {0.0, 0.3, 0.7, 1.1};
+    enum { TURNS = sizeof turns_rad / sizeof *turns_rad };
     *triangles = NULL;
     *count = 0;
     if (region->count == 0)
@@ -381,15 +441,10 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
     if (region->count == 1 && first->count <= 4 && !(clipper->grid > 0.0)
         && ring_is_convex((const double(*)[2])first->xy, first->count))
         return cut_convex(triangles, count, first, err);
-    GEOSGeometry *shape = pp_geos_region_polygons(geos, region, 1);
-    if (!shape)
-        return pp_fail_memory(err);
-    GEOSGeometry *mesh = GEOSConstrainedDelaunayTriangulation_r(geos, shape);
-    GEOSGeom_destroy_r(geos, shape);
-    if (!mesh)
-        return fail_geos(clipper, "the triangulation of an outline", err);
     struct pp_region rings;
-    enum pp_status status = pp_geos_region_from(&rings, geos, mesh, clipper->grid, err);
+    enum pp_status status = PP_BAD_INPUT;
+    for (int i = 0; i < TURNS && status == PP_BAD_INPUT; i++)
+        status = triangulate_turned(clipper, &rings, region, turns_rad[i], err);
     if (status != PP_OK)
         return status;
     double(*list)[3][2] = malloc((size_t)rings.count * sizeof *list + 1);

@@ -212,6 +212,49 @@ static void triangles_cover_an_outline_with_a_hole(void **state)
     pp_region_clear(&wall);
 }
 
+/* A wall with five windows, three of them at its edges: GEOS 3.11 does not find triangles
+ * of this outline, in which a corner and a corner of a hole have the same coordinate but
+ * for rounding. */
+static void triangles_cover_a_wall_with_windows_at_its_edges(void **state)
+{
+    (void)state;
+    double outer[][2] = {{1.05, -3.0},
+                         {1.05, -2.4},
+                         {2.1, -2.4},
+                         {2.1, 0.0},
+                         {1.6800000000000002, 0.0},
+                         {1.6800000000000002, -0.60000000000000009},
+                         {0.63, -0.60000000000000009},
+                         {0.63, 0.0},
+                         {0.0, 0.0},
+                         {0.0, -1.92},
+                         {1.05, -1.92},
+                         {1.05, -2.34},
+                         {0.0, -2.34},
+                         {0.0, -3.0}};
+    double low[][2] = {{0.63, -1.2000000000000002},
+                       {1.6800000000000002, -1.2000000000000002},
+                       {1.6800000000000002, -1.8},
+                       {0.63, -1.8}};
+    double high[][2] = {{0.63, -0.7200000000000002},
+                        {1.6800000000000002, -0.7200000000000002},
+                        {1.6800000000000002, -1.1400000000000001},
+                        {0.63, -1.1400000000000001}};
+    struct pp_ring rings[] = {{14, outer}, {4, low}, {4, high}};
+    const struct pp_region wall = {3, rings};
+    double(*triangles)[3][2], area = 0.0;
+    int count;
+    assert_int_equal(pp_clipper_triangulate(clipper, &triangles, &count, &wall, NULL),
+                     PP_OK);
+    for (int i = 0; i < count; i++) {
+        double part = pp_region_ring_area((const double(*)[2])triangles[i], 3);
+        assert_true(part > 0.0);
+        area += part;
+    }
+    assert_near(area, pp_region_area(&wall), ROUNDING);
+    free(triangles);
+}
+
 static void the_union_of_nothing_is_empty(void **state)
 {
     (void)state;
@@ -312,6 +355,7 @@ TEST_FILE
         cmocka_unit_test(two_windows_with_holes_keep_each_its_own),
         cmocka_unit_test(figures_that_only_touch_share_nothing),
         cmocka_unit_test(triangles_cover_an_outline_with_a_hole),
+        cmocka_unit_test(triangles_cover_a_wall_with_windows_at_its_edges),
         cmocka_unit_test(the_union_of_nothing_is_empty),
         cmocka_unit_test(inside_its_edge_an_l_is_a_smaller_l),
     };
