@@ -3,9 +3,9 @@
 #include "cli/atlas/atlas_file.h"
 
 #include <errno.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/atlas/locked_file.h"
@@ -84,13 +84,12 @@ enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
                                   const char *head, struct pp_error *err)
 {
     *file = (struct pp_atlas_file){.path = path};
+    file->is_new = access(path, F_OK) != 0;
     enum pp_status status = pp_locked_file_open(&file->stream, path, err);
     if (status != PP_OK)
         return status;
     status = take_up(file, head, err);
-    if (status != PP_OK)
-        fclose(file->stream);
-    return status;
+    return status == PP_OK ? PP_OK : pp_atlas_file_close(file, status, err);
 }
 
 enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
@@ -104,7 +103,11 @@ enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
 enum pp_status pp_atlas_file_close(struct pp_atlas_file *file, enum pp_status status,
                                    struct pp_error *err)
 {
+    struct stat there;
     if (fclose(file->stream) != 0 && status == PP_OK)
-        return fail(file, err, "written");
+        status = fail(file, err, "written");
+    if (status != PP_OK && file->is_new && stat(file->path, &there) == 0
+        && there.st_size == 0)
+        unlink(file->path);
     return status;
 }

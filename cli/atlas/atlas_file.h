@@ -8,6 +8,7 @@
 #ifndef PP_CLI_ATLAS_ATLAS_FILE_H
 #define PP_CLI_ATLAS_ATLAS_FILE_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "model/base/error.h"
@@ -16,6 +17,7 @@ struct pp_atlas_file {
     const char *path; /* not owned */
     FILE *stream;     /* positioned at the end of the last complete room */
     int rooms;        /* number of complete rooms in the file */
+    bool is_new;      /* made by this run: removed if it stays empty */
 };
 
 /* Creates the file, or continues it if it begins with the same head (comments and the
@@ -28,6 +30,8 @@ enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
 enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
                                  size_t length, struct pp_error *err);
 
+/* Closes the file. `status` is that of the run, and is returned unless closing fails; after
+ * a failure a new file to which nothing was written is removed. */
 enum pp_status pp_atlas_file_close(struct pp_atlas_file *file, enum pp_status status,
                                    struct pp_error *err);
 

@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <glib.h>
 #include <locale.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -135,11 +136,27 @@ static void occupy_standard_streams(void)
             open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+/* Errors for which GLib, below Pango, would abort: it cannot start a thread or allocate
+ * memory. */
+static GLogWriterOutput write_glib_log(GLogLevelFlags level, const GLogField *fields,
+                                       gsize count, gpointer data)
+{
+    if (!(level & G_LOG_LEVEL_ERROR))
+        return g_log_writer_default(level, fields, count, data);
+    const char *text = "out of memory";
+    for (gsize i = 0; i < count; i++)
+        if (strcmp(fields[i].key, "MESSAGE") == 0)
+            text = fields[i].value;
+    pp_message("the system refused what drawing text needs: %s", text);
+    _exit(PP_EXIT_MACHINE);
+}
+
 int main(int argc, char **argv)
 {
     occupy_standard_streams();
     signal(SIGXFSZ,
            SIG_IGN); /* exceeding the file size limit then fails as a write error */
+    g_log_set_writer_func(write_glib_log, NULL, NULL);
     setlocale(LC_CTYPE, ""); /* the terminal's character set; decimal points stay */
 
     struct pp_mpirun mpirun;

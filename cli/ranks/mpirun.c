@@ -5,6 +5,7 @@
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "cli/message.h"
@@ -14,15 +15,20 @@
 #define MODULE "pepperpot-mpi.so"
 
 /* True if there are several ranks. mpirun and srun give their number; other starters
- * give only the index. A single rank is an ordinary process. */
-static bool is_rank(void)
+ * give only the index. A single rank is an ordinary process. *first: the process has the
+ * index 0, and the number is not known. */
+static bool is_rank(bool *first)
 {
     static const char *const counts[] = {"PMI_SIZE", "SLURM_STEP_NUM_TASKS",
                                          "SLURM_NTASKS"};
     const char *count = getenv("OMPI_COMM_WORLD_SIZE");
-    bool ranked = count || getenv("PMI_RANK") || getenv("PMIX_RANK");
+    const char *index = getenv("PMI_RANK");
+    if (!index)
+        index = getenv("PMIX_RANK");
+    bool ranked = count || index;
     for (int i = 0; i < 3 && ranked && !count; i++)
         count = getenv(counts[i]);
+    *first = ranked && !count && strcmp(index, "0") == 0;
     return ranked && (!count || atoi(count) > 1);
 }
 
@@ -54,12 +60,15 @@ static void *load_module(void)
 enum pp_exit pp_mpirun_begin(struct pp_mpirun *mpirun)
 {
     *mpirun = (struct pp_mpirun){.end = NULL};
-    if (!is_rank())
+    bool first;
+    if (!is_rank(&first))
         return PP_EXIT_DONE;
     void *module = load_module();
     pp_mpirun_module_begin *begin = NULL;
     if (module)
         *(void **)&begin = dlsym(module, "pp_mpirun_module");
+    if (!begin && first)
+        return PP_EXIT_DONE;
     if (!begin) {
         pp_message("several ranks were started, but the MPI module cannot be loaded "
                    "(%s); configure with --with-mpi to build it",

@@ -71,11 +71,11 @@ static enum pp_status read_stream(char **bytes, size_t *length, size_t most, int
     return status;
 }
 
-enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
-                            struct pp_error *err)
+/* standard: read standard input in place of the path. */
+static enum pp_status read_path(char **bytes, size_t *length, const char *path,
+                                bool standard, size_t most, struct pp_error *err)
 {
-    const char *name = pp_read_file_title(path);
-    bool standard = name != path;
+    const char *name = standard ? pp_read_file_title(path) : path;
     *bytes = NULL;
     if (!*path)
         return pp_fail(
@@ -99,4 +99,20 @@ enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size
         *bytes = NULL;
     }
     return status;
+}
+
+enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
+                            struct pp_error *err)
+{
+    return read_path(bytes, length, path, strcmp(path, "-") == 0, most, err);
+}
+
+enum pp_status pp_read_file_regular(char **bytes, size_t *length, const char *path,
+                                    size_t most, struct pp_error *err)
+{
+    struct stat there;
+    *bytes = NULL;
+    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode))
+        return pp_fail(err, PP_BAD_INPUT, "%.200s: this is not a regular file", path);
+    return read_path(bytes, length, path, false, most, err);
 }

@@ -17,6 +17,11 @@
 enum pp_status pp_read_file(char **bytes, size_t *length, const char *path, size_t most,
                             struct pp_error *err);
 
+/* Reads a file that is named in another file: a regular file only, since a pipe might
+ * never end, and never standard input. Else like pp_read_file. */
+enum pp_status pp_read_file_regular(char **bytes, size_t *length, const char *path,
+                                    size_t most, struct pp_error *err);
+
 /* Name of a path in messages: the path, or "standard input" for "-". */
 const char *pp_read_file_title(const char *path);
 

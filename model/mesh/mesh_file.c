@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <sys/stat.h>
 
 #include "model/base/read_file.h"
 #include "model/mesh/mesh_dxf.h"
@@ -35,14 +34,6 @@ enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
     return fail_kind(name, err);
 }
 
-/* True if the path is a regular file, or if it does not exist: the reader reports that.
- * Reading a pipe might never end. */
-static bool is_plain_file(const char *path)
-{
-    struct stat found;
-    return stat(path, &found) != 0 || S_ISREG(found.st_mode);
-}
-
 enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *path,
                                  struct pp_error *err)
 {
@@ -50,10 +41,8 @@ enum pp_status pp_mesh_file_read(struct pp_mesh_triangles *mesh, const char *pat
     size_t length;
     if (!ends_with(path, ".obj") && !ends_with(path, ".dxf"))
         return fail_kind(path, err);
-    if (!is_plain_file(path))
-        return pp_fail(err, PP_BAD_INPUT, "%.200s: this is not a regular file", path);
     enum pp_status status =
-        pp_read_file(&bytes, &length, path, PP_MESH_FILE_BYTES_MOST, err);
+        pp_read_file_regular(&bytes, &length, path, PP_MESH_FILE_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
     char *text = realloc(bytes, length + 1);

@@ -41,7 +41,8 @@ static enum pp_status read_picture(struct file *file, const char *path,
     char *bytes = NULL;
     size_t length = 0;
     *file = (struct file){.notes = {.exposure = 1.0}};
-    enum pp_status status = pp_read_file(&bytes, &length, path, BYTES_MOST, err);
+    enum pp_status status =
+        pp_read_file_regular(&bytes, &length, path, BYTES_MOST, err);
     if (status != PP_OK)
         return status;
     const unsigned char *data = (const unsigned char *)bytes;

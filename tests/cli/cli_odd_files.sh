@@ -51,4 +51,18 @@ check "a single rank" sh -c "PMI_RANK=0 PMI_SIZE=1 '$pepperpot' --version >/dev/
 check "a file that may not grow is an error" sh -c \
     "ulimit -f 1; '$pepperpot' df -m all -f csv '$examples/office.xml' -o '$scratch/big.csv' 2>'$scratch/said'; test \$? -eq 3"
 check "with nothing left of it" test ! -e "$scratch/big.csv"
+# Files that are named in a file: a pipe would be waited for without end.
+mkfifo "$scratch/pipe.hdr" "$scratch/pipe.rad"
+echo "<room version=\"1\"><sky type=\"picture\" file=\"pipe.hdr\"/>$box<point x=\"2\" y=\"2\"/></room>" \
+    >"$scratch/piped.xml"
+check "a sky that is a pipe" refuses 1 "pipe.hdr: this is not a regular file" df "$scratch/piped.xml"
+echo "<room version=\"1\">$box<rooflight x=\"1\" y=\"1\" width=\"1\" depth=\"1\" glazing-file=\"pipe.hdr\"/></room>" \
+    >"$scratch/piped.xml"
+check "a pane that is a pipe" refuses 1 "pipe.hdr: this is not a regular file" df "$scratch/piped.xml"
+echo "!xform $scratch/pipe.rad" >"$scratch/piped.rad"
+check "a scene that is a pipe" refuses 1 "pipe.rad: this is not a regular file" import --summary "$scratch/piped.rad"
+# An atlas grows in its file; where nothing could be written, nothing is left.
+check "an atlas on a full disk is an error" sh -c \
+    "ulimit -f 0; '$pepperpot' atlas -n 1 -o '$scratch/atlas.csv' 2>/dev/null; test \$? -eq 3"
+check "with no empty file left of it" test ! -e "$scratch/atlas.csv"
 tap_done

@@ -23,8 +23,9 @@ struct scene_text {
     size_t length;
 };
 
+/* named: by another scene. */
 static enum pp_status read_scene_text(struct scene_text *text, const char *path,
-                                      struct pp_error *err);
+                                      bool named, struct pp_error *err);
 static enum pp_status read_text(struct pp_rad_reader *reader,
                                 const struct scene_text *text, const char *path,
                                 const struct pp_rad_context *context,
@@ -54,7 +55,7 @@ static enum pp_status read_files(struct pp_rad_reader *reader,
                 xform->files[i]);
         }
         if (!texts[i].bytes)
-            status = read_scene_text(&texts[i], xform->files[i], err);
+            status = read_scene_text(&texts[i], xform->files[i], true, err);
         if (status == PP_OK)
             status = read_text(reader, &texts[i], xform->files[i], &context, err);
         if (status == PP_OK && reader->bytes > PP_RAD_BYTES_MOST)
@@ -239,10 +240,10 @@ static enum pp_status read_words(struct pp_rad_reader *reader,
 }
 
 static enum pp_status read_scene_text(struct scene_text *text, const char *path,
-                                      struct pp_error *err)
+                                      bool named, struct pp_error *err)
 {
-    enum pp_status status =
-        pp_read_file(&text->bytes, &text->length, path, PP_RAD_BYTES_MOST, err);
+    enum pp_status status = (named ? pp_read_file_regular : pp_read_file)(
+        &text->bytes, &text->length, path, PP_RAD_BYTES_MOST, err);
     if (status == PP_OK && text->length > PP_RAD_BYTES_MOST)
         return pp_fail(err, PP_BAD_INPUT, "%s: the file is larger than 4 GiB",
                        pp_read_file_title(path));
@@ -286,7 +287,7 @@ static enum pp_status read_scene_file(struct pp_rad_reader *reader, const char *
         struct pp_rad_words words = {"command line", path, strlen(path), 0, 1};
         return read_words(reader, &words, context, err);
     }
-    enum pp_status status = read_scene_text(&text, path, err);
+    enum pp_status status = read_scene_text(&text, path, false, err);
     if (status == PP_OK)
         status = read_text(reader, &text, path, context, err);
     free(text.bytes);

@@ -311,7 +311,7 @@ enum pp_status pp_bsdf_file_read(struct pp_bsdf *bsdf, const char *path,
     char *bytes;
     size_t length;
     enum pp_status status =
-        pp_read_file(&bytes, &length, path, PP_BSDF_FILE_BYTES_MOST, err);
+        pp_read_file_regular(&bytes, &length, path, PP_BSDF_FILE_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
     status = length > PP_BSDF_FILE_BYTES_MOST
