@@ -20,8 +20,7 @@ static bool is_refused(char *why, size_t size, const struct pp_method *method,
                        const struct pp_outside_light *light,
                        const struct pp_receiver *receiver)
 {
-    const char *reason =
-        method->refuses_room ? method->refuses_room(world, light, receiver) : NULL;
+    const char *reason = pp_method_refuses_room(method, world, light, receiver);
     if (reason) {
         snprintf(why, size, "%s: %s", method->name, reason);
         return true;

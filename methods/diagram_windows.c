@@ -10,7 +10,7 @@ enum pp_status pp_diagram_windows_check(const struct pp_method *method,
                                         const struct pp_receiver *receiver,
                                         struct pp_error *err)
 {
-    const char *why = method->refuses_room(world, light, receiver);
+    const char *why = pp_method_refuses_room(method, world, light, receiver);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "%s: %s", method->name, why);
     for (int i = 0; i < world->opening_count; i++) {

@@ -78,8 +78,7 @@ static enum pp_status check_method(const struct pp_method *method,
                                    const struct pp_outside_light *light,
                                    struct pp_error *err)
 {
-    const char *why =
-        method->refuses_room ? method->refuses_room(world, light, NULL) : NULL;
+    const char *why = pp_method_refuses_room(method, world, light, NULL);
     if (why)
         return pp_fail(err, PP_BAD_INPUT, "%s: %s", method->name, why);
     for (int i = 0; i < world->opening_count; i++) {

@@ -118,10 +118,8 @@ static enum pp_status answer_all(const struct pp_method_run *run,
         return status;
 
     for (int i = 0; i < count && !by_point; i++) {
-        const char *why = NULL;
-        if (run->method->refuses_room)
-            why = run->method->refuses_room(run->world, run->light,
-                                            report->receivers + i);
+        const char *why = pp_method_refuses_room(run->method, run->world, run->light,
+                                                 report->receivers + i);
         answers[i] = why ? (struct pp_method_answer){.why = why} : *average;
     }
     if (run->method->speaks_for == PP_FOR_MINIMUM && !average->why)

@@ -51,6 +51,17 @@ const struct pp_method *pp_method_find(const char *name)
     return NULL;
 }
 
+const char *pp_method_refuses_room(const struct pp_method *method,
+                                   const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const struct pp_receiver *receiver)
+{
+    if (world->outer_pane_count > 0)
+        return "does not cover rooms nested within a model that has glass between the "
+               "room and the sky";
+    return method->refuses_room ? method->refuses_room(world, light, receiver) : NULL;
+}
+
 const char *pp_method_refuses_opening(const struct pp_method *method,
                                       const struct pp_world *world,
                                       const struct pp_outside_light *light,

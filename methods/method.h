@@ -98,7 +98,8 @@ struct pp_method {
 
     /* Reason why the method does not apply to this room, or to this receiver in the
      * room (NULL: the room as a whole): a static sentence ("valid only for the CIE
-     * overcast sky"), or NULL if the method applies. NULL function: it always does. */
+     * overcast sky"), or NULL if the method applies. NULL function: it always does.
+     * Called by pp_method_refuses_room. */
     const char *(*refuses_room)(const struct pp_world *world,
                                 const struct pp_outside_light *light,
                                 const struct pp_receiver *receiver);
@@ -180,6 +181,13 @@ const struct pp_method *pp_method_at(int index);
 
 /* The method of that name, or NULL. */
 const struct pp_method *pp_method_find(const char *name);
+
+/* Reason why the method does not cover the room, as pp_method.refuses_room: also for
+ * rooms that no method covers. NULL: it covers the room. */
+const char *pp_method_refuses_room(const struct pp_method *method,
+                                   const struct pp_world *world,
+                                   const struct pp_outside_light *light,
+                                   const struct pp_receiver *receiver);
 
 /* Reason why the method does not cover an opening, as pp_method.refuses: also for
  * openings with a blind, unless the method takes them, and for panes that scatter by

@@ -35,8 +35,7 @@ static bool method_refuses(const struct pp_method_run *run,
                            struct pp_method_answer *answer)
 {
     const struct pp_method *method = run->method;
-    if (method->refuses_room)
-        answer->why = method->refuses_room(run->world, run->light, receiver);
+    answer->why = pp_method_refuses_room(method, run->world, run->light, receiver);
     if (answer->why)
         return true;
     answer->opening = run->refused;
@@ -71,8 +70,7 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
     }
     for (int i = 0; i < world->opening_count; i++)
         run->factors[i] = pp_allowance_of(method, world, world->openings + i);
-    bool refused =
-        method->refuses_room && method->refuses_room(world, run->light, NULL);
+    bool refused = pp_method_refuses_room(method, world, run->light, NULL) != NULL;
     if (method->refuses_alike && !refused)
         run->refused = refused_opening(run, NULL, &run->why_refused);
     run->plain = report->options && report->options->plain;

@@ -48,6 +48,11 @@ static void doubt_openings(struct pp_mistakes *doubts, const struct pp_world *wo
                         world->name ? world->name : "", world->name ? "\"" : "");
     for (int i = 0; i < world->opening_count; i++) {
         const struct pp_opening *opening = &world->openings[i];
+        if (world->within && !opening->is_nested)
+            pp_mistakes_add(doubts, opening->line,
+                            "%s has no counterpart in the coarse model; its light "
+                            "comes past the outside of that model",
+                            opening->label);
         if (opening->frame_factor < PP_DOUBTS_FACTOR_LEAST)
             pp_mistakes_add(
                 doubts, opening->line,

@@ -255,7 +255,7 @@ enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                  .world = world,
                                  .light = light,
                                  .receiver = receiver};
-    const char *why = room.method->refuses_room(world, light, receiver);
+    const char *why = pp_method_refuses_room(room.method, world, light, receiver);
     if (!why && position)
         why = pp_nomogram_reading_refuses_room(world);
     if (why)

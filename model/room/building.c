@@ -7,6 +7,7 @@
 
 #include "model/base/array.h"
 #include "model/base/read_file.h"
+#include "model/room/outside/named_block.h"
 #include "model/room/outside/building_site.h"
 #include "model/room/read/read_elements.h"
 #include "model/room/room_parts.h"
@@ -93,21 +94,134 @@ static enum pp_status parse_changed(struct pp_building **building, const char *b
     return status;
 }
 
-enum pp_status pp_building_read_changed(struct pp_building **building, const char *path,
-                                        const struct pp_room_changes *changes,
-                                        struct pp_mistakes *mistakes,
-                                        struct pp_error *err)
+/* Reads a file without the coarse models that its rooms are nested in. is_named: it is
+ * named in another file. */
+static enum pp_status read_alone(struct pp_building **building, const char *path,
+                                 bool is_named, const struct pp_room_changes *changes,
+                                 struct pp_mistakes *mistakes, struct pp_error *err)
 {
     char *bytes;
     size_t length;
     *building = NULL;
     enum pp_status status =
-        pp_read_file(&bytes, &length, path, PP_READ_ELEMENTS_BYTES_MOST, err);
+        is_named
+            ? pp_read_file_regular(&bytes, &length, path, PP_READ_ELEMENTS_BYTES_MOST,
+                                   err)
+            : pp_read_file(&bytes, &length, path, PP_READ_ELEMENTS_BYTES_MOST, err);
     if (status != PP_OK)
         return status;
     status = parse_changed(building, bytes, length, path, changes, mistakes, err);
     free(bytes);
     return status;
+}
+
+/* ---- coarse models ---- */
+
+/* The room of a coarse model's file; NULL, with a mistake, if the file has no single
+ * room, or a room that is itself nested. */
+static const struct pp_room *coarse_room(const struct pp_building *coarse,
+                                         struct pp_mistakes *found)
+{
+    const struct pp_room *room = coarse->rooms;
+    if (coarse->room_count != 1)
+        pp_mistakes_add(found, 0, "has %d rooms; expected one", coarse->room_count);
+    else if (room->within.path)
+        pp_mistakes_add(found, room->line,
+                        "is itself nested in another model; expected a room without "
+                        "within");
+    else
+        return room;
+    return NULL;
+}
+
+/* Reads and resolves a coarse model. Its mistakes are reported on the line of the
+ * nested room. */
+static enum pp_status read_coarse(struct pp_within_part *within,
+                                  struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    const struct pp_room_changes none = {0};
+    struct pp_mistakes found;
+    struct pp_building *coarse = NULL;
+    struct pp_error why = {0};
+    pp_mistakes_init(&found, within->path);
+    enum pp_status status =
+        read_alone(&coarse, within->path, true, &none, &found, &why);
+    const struct pp_room *room = status == PP_OK ? coarse_room(coarse, &found) : NULL;
+    if (room)
+        status = pp_world_create(&within->world, room, &found, &why);
+    for (int i = 0; i < found.count; i++)
+        pp_mistakes_add(mistakes, within->line, "room: within \"%.200s\", line %d: %s",
+                        within->path, found.list[i].line, found.list[i].text);
+    if (status == PP_BAD_INPUT && found.count == 0)
+        pp_mistakes_add(mistakes, within->line, "room: within: %s", why.message);
+    pp_mistakes_clear(&found);
+    pp_building_destroy(coarse);
+    return status == PP_OK || status == PP_BAD_INPUT
+               ? PP_OK
+               : pp_fail(err, status, "%s", why.message);
+}
+
+/* The coarse model of another room of the list that is nested in the same file. */
+static struct pp_world *known_coarse(const struct pp_room *rooms, int count,
+                                     const char *path)
+{
+    for (int i = 0; i < count; i++)
+        if (rooms[i].within.world && strcmp(rooms[i].within.path, path) == 0)
+            return rooms[i].within.world;
+    return NULL;
+}
+
+/* Reads the coarse models of all rooms in both lists of the building. */
+static enum pp_status read_coarse_models(struct pp_building *building,
+                                         struct pp_mistakes *mistakes,
+                                         struct pp_error *err)
+{
+    enum pp_status status = PP_OK;
+    int before = mistakes->count;
+    for (int i = 0; i < building->read_count + building->room_count && status == PP_OK;
+         i++) {
+        bool read = i < building->read_count;
+        struct pp_room *room =
+            read ? &building->read[i] : &building->rooms[i - building->read_count];
+        struct pp_world *known = NULL;
+        if (!room->within.path)
+            continue;
+        known = known_coarse(building->read, building->read_count, room->within.path);
+        if (!known)
+            known =
+                known_coarse(building->rooms, building->room_count, room->within.path);
+        room->within.world = pp_world_hold(known);
+        if (!known)
+            status = read_coarse(&room->within, mistakes, err);
+    }
+    pp_mistakes_sort(mistakes);
+    if (status == PP_OK && mistakes->count > before)
+        status = pp_fail(err, PP_BAD_INPUT, "%s: %d mistakes", mistakes->file,
+                         mistakes->count);
+    return status;
+}
+
+/* Adds coarse models to a building that has been read, unless that has failed. */
+static enum pp_status complete(struct pp_building **building, enum pp_status status,
+                               struct pp_mistakes *mistakes, struct pp_error *err)
+{
+    if (!*building || (status != PP_OK && status != PP_BAD_INPUT))
+        return status;
+    enum pp_status added = read_coarse_models(*building, mistakes, err);
+    if (added != PP_OK && added != PP_BAD_INPUT) {
+        pp_building_destroy(*building);
+        *building = NULL;
+    }
+    return added != PP_OK ? added : status;
+}
+
+enum pp_status pp_building_read_changed(struct pp_building **building, const char *path,
+                                        const struct pp_room_changes *changes,
+                                        struct pp_mistakes *mistakes,
+                                        struct pp_error *err)
+{
+    enum pp_status status = read_alone(building, path, false, changes, mistakes, err);
+    return complete(building, status, mistakes, err);
 }
 
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
@@ -122,8 +236,9 @@ enum pp_status pp_building_read_again(struct pp_building **building,
                                       struct pp_mistakes *mistakes,
                                       struct pp_error *err)
 {
-    return parse(building, other->text, other->text_length, other->folder, mistakes,
-                 err);
+    enum pp_status status =
+        parse(building, other->text, other->text_length, other->folder, mistakes, err);
+    return complete(building, status, mistakes, err);
 }
 
 void pp_building_destroy(struct pp_building *building)
@@ -222,59 +337,15 @@ static struct pp_room *holder(const struct pp_building *building)
                                                            : &own->read[0];
 }
 
-static bool is_called(const char *own, const char *name)
-{
-    return own && strcmp(own, name) == 0;
-}
-
-/* Finds the lowest and highest z of the surfaces of the block on that line: its roof,
- * or its walls over a footprint. The box itself is not included. */
-static void find_reach(double reach_m[2], const struct pp_room *room, int line)
-{
-    reach_m[0] = INFINITY;
-    reach_m[1] = -INFINITY;
-    for (int i = 0; i < room->surface_count; i++)
-        for (int k = 0;
-             k < room->surfaces[i].vertices.count && room->surfaces[i].is_of_block
-             && room->surfaces[i].line == line;
-             k++) {
-            double z = room->surfaces[i].vertices.list[k].z;
-            reach_m[0] = fmin(reach_m[0], z);
-            reach_m[1] = fmax(reach_m[1], z);
-        }
-}
-
-/* Line of the only block with that name; 0 if there is none, or several. *box: its
- * index among the room's boxes; -1: it has a footprint instead. */
-static int find_block(const struct pp_room *room, const char *name, int *box)
-{
-    int line = 0;
-    *box = -1;
-    for (int i = 0; i < room->block_count; i++)
-        if (is_called(room->blocks[i].name, name)) {
-            if (line)
-                return 0;
-            line = room->blocks[i].line;
-            *box = i;
-        }
-    for (int i = 0; i < room->surface_count; i++)
-        if (room->surfaces[i].is_of_block && is_called(room->surfaces[i].name, name)) {
-            if (line && line != room->surfaces[i].line)
-                return 0;
-            line = room->surfaces[i].line;
-        }
-    return line;
-}
-
 double pp_building_block_height(const struct pp_building *building, const char *name)
 {
     int box;
     const struct pp_room *room = holder(building);
-    int line = find_block(room, name, &box);
+    int line = pp_named_block_find(room, name, &box);
     if (!line)
         return NAN;
     double reach_m[2];
-    find_reach(reach_m, room, line);
+    pp_named_block_reach(reach_m, room, line);
     return box >= 0 ? room->blocks[box].height_m : reach_m[1] - reach_m[0];
 }
 
@@ -283,11 +354,11 @@ void pp_building_set_block_height(struct pp_building *building, const char *name
 {
     int box;
     struct pp_room *room = holder(building);
-    int line = find_block(room, name, &box);
+    int line = pp_named_block_find(room, name, &box);
     double more = height_m - pp_building_block_height(building, name), reach_m[2];
     if (!line || !isfinite(more))
         return;
-    find_reach(reach_m, room, line);
+    pp_named_block_reach(reach_m, room, line);
     double base = box >= 0 ? room->blocks[box].corner.z : reach_m[0];
     if (box >= 0)
         room->blocks[box].height_m = height_m;
@@ -319,7 +390,7 @@ enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
 {
     int box;
     const struct pp_room *room = holder(building);
-    int line = find_block(room, name, &box);
+    int line = pp_named_block_find(room, name, &box);
     *corners = NULL;
     *count = 0;
     if (box >= 0 && line) {
@@ -341,44 +412,9 @@ enum pp_status pp_building_block_footprint(struct pp_vec3 **corners, int *count,
         return pp_fail(err, PP_BAD_INPUT, "expected exactly one block named \"%.60s\"",
                        name);
     double reach_m[2];
-    find_reach(reach_m, room, line);
+    pp_named_block_reach(reach_m, room, line);
     return copy_corners(corners, count, roof->vertices.list, roof->vertices.count,
                         reach_m[0], err);
-}
-
-/* Removes all boxes and surfaces of blocks with that name. *like: an unnamed box with
- * their properties. False if there are none. */
-static bool take_out(struct pp_block *like, struct pp_room *room, const char *name)
-{
-    int kept = 0;
-    bool found = false;
-    for (int i = 0; i < room->surface_count; i++) {
-        struct pp_surface_part *part = &room->surfaces[i];
-        if (!part->is_of_block || !is_called(part->name, name)) {
-            room->surfaces[kept++] = *part;
-            continue;
-        }
-        *like = (struct pp_block){.reflectance = part->reflectance,
-                                  .finish = part->finish,
-                                  .state = part->state,
-                                  .line = part->line};
-        found = true;
-        pp_room_parts_clear_surface(part);
-    }
-    room->surface_count = kept;
-    kept = 0;
-    for (int i = 0; i < room->block_count; i++) {
-        if (!is_called(room->blocks[i].name, name)) {
-            room->blocks[kept++] = room->blocks[i];
-            continue;
-        }
-        free(room->blocks[i].name);
-        *like = room->blocks[i];
-        like->name = NULL;
-        found = true;
-    }
-    room->block_count = kept;
-    return found;
 }
 
 enum pp_status pp_building_divide_block(struct pp_building *building, const char *name,
@@ -387,7 +423,7 @@ enum pp_status pp_building_divide_block(struct pp_building *building, const char
 {
     struct pp_room *room = holder(building);
     struct pp_block like;
-    if (!take_out(&like, room, name))
+    if (!pp_named_block_take_out(&like, room, name))
         return pp_fail(err, PP_BAD_INPUT, "no block is named \"%.60s\"", name);
     for (int i = 0; i < count; i++) {
         struct pp_block added = like;

@@ -114,6 +114,9 @@ static void copy_parts(struct pp_room *room, bool *good)
     COPY_LIST(room->views, room->view_count, good);
     for (int i = 0; i < room->view_count; i++)
         copy_text(&room->views[i].name, good);
+    copy_text(&room->within.path, good);
+    copy_text(&room->within.window, good);
+    pp_world_hold(room->within.world);
 }
 
 enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,

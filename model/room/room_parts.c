@@ -104,6 +104,9 @@ void pp_room_parts_clear(struct pp_room *room)
     for (int i = 0; i < room->view_count; i++)
         free(room->views[i].name);
     free(room->views);
+    free(room->within.path);
+    free(room->within.window);
+    pp_world_destroy(room->within.world);
     for (int i = 0; i < room->wall_kind_count; i++)
         free(room->wall_kinds[i].name);
     pp_rough_finishes_release(room->materials);

@@ -234,6 +234,15 @@ struct pp_garden_part {
     int line;
 };
 
+/* The coarse model that a room is nested in. */
+struct pp_within_part {
+    char *path;             /* NULL: the room is not nested */
+    char *window;           /* in the coarse model: the counterpart of the room's only
+                             * window; NULL: windows are matched by name */
+    struct pp_world *world; /* the coarse model; held; NULL: it has mistakes */
+    int line;
+};
+
 /* All data it points to are its own: see pp_room_parts_clear and pp_room_copy. */
 struct pp_room {
     char *name, *ref, *address; /* NULL: not given */
@@ -278,6 +287,7 @@ struct pp_room {
     int receiver_count;
     struct pp_view_part *views;
     int view_count;
+    struct pp_within_part within;
     int line;
 };
 

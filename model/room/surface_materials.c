@@ -1,11 +1,13 @@
 /* surface_materials.c - see surface_materials.h. */
 #include "model/room/surface_materials.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "model/base/array.h"
+#include "model/geometry/tolerance.h"
 #include "model/light/rough/rough_finishes.h"
 #include "model/light/slats/blind.h"
 
@@ -50,6 +52,8 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int ind
     struct pp_material material = pp_material_diffuse(pp_rgb_grey(reflectance));
     const struct pp_rough_surface *rough =
         pp_rough_finishes_surface(world->materials, surface->finish);
+    if (!rough && world->within)
+        rough = pp_rough_finishes_surface(world->within->materials, surface->finish);
     bool finished = surface->finish
                     && (front || !surface->inside || surface->role == PP_FREE_SURFACE
                         || surface->role == PP_COVER);
@@ -135,6 +139,29 @@ double pp_surface_materials_pane_from(const struct pp_opening *opening,
            * clean_share(opening);
 }
 
+double pp_surface_materials_past_outer_panes(const struct pp_world *world,
+                                             struct pp_vec3 point, struct pp_vec3 u)
+{
+    double share = 1.0;
+    for (int i = 0; i < world->outer_pane_count; i++) {
+        const struct pp_outer_pane *pane = &world->outer_panes[i];
+        double approach = pp_vec_dot(pane->outline.normal, u),
+               away_m = -pp_polygon_height(&pane->outline, point) / approach;
+        if (approach == 0.0 || !(away_m > 0.0)
+            || pp_polygon_side(&pane->outline, pp_vec_along(point, away_m, u),
+                               PP_ROUNDING_M)
+                   == PP_OUTSIDE)
+            continue;
+        struct pp_opening opening = world->within->openings[pane->opening];
+        opening.up = pane->up;
+        opening.along = pp_vec_cross(pane->up, pane->outline.normal);
+        share *= opening.glass.diffusing
+                     ? 0.0
+                     : pp_surface_materials_pane_from(&opening, u, fabs(approach));
+    }
+    return share;
+}
+
 /* Reflectance of what covers part of the pane, on that side. */
 static double cover_reflectance(const struct pp_world *world,
                                 const struct pp_opening *opening, bool inside)
@@ -154,17 +181,33 @@ struct pp_material pp_surface_materials_glass(const struct pp_world *world,
     return material;
 }
 
+/* The pane of an opening of that world; up: an axis of the opening. */
+static struct pp_material pane_of(const struct pp_world *world,
+                                  const struct pp_opening *opening, struct pp_vec3 up,
+                                  bool inside)
+{
+    if (!opening->scatter)
+        return pp_surface_materials_glass(world, opening, inside);
+    struct pp_material material = pp_material_scattering(
+        opening->scatter, !inside, up, open_share(opening), clean_share(opening),
+        cover_reflectance(world, opening, inside));
+    name(&material, "glazing", !inside);
+    return material;
+}
+
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int index,
                                              bool inside)
 {
     const struct pp_opening *opening = &world->openings[index];
-    if (!opening->scatter)
-        return pp_surface_materials_glass(world, opening, inside);
-    struct pp_material material = pp_material_scattering(
-        opening->scatter, !inside, opening->up, open_share(opening),
-        clean_share(opening), cover_reflectance(world, opening, inside));
-    name(&material, "glazing", !inside);
-    return material;
+    return pane_of(world, opening, opening->up, inside);
+}
+
+struct pp_material pp_surface_materials_outer_pane(const struct pp_world *world,
+                                                   int index, bool inside)
+{
+    const struct pp_outer_pane *pane = &world->outer_panes[index];
+    return pane_of(world->within, &world->within->openings[pane->opening], pane->up,
+                   inside);
 }
 
 /* Writes the number at *end and advances *end. */
@@ -244,8 +287,12 @@ static enum pp_status find_material(struct pp_surface_materials *materials,
 static struct pp_material surface_side_material(const struct pp_world *world, int index,
                                                 bool front, enum pp_surface_look look)
 {
-    if (index >= world->surface_count)
-        return pp_surface_materials_pane(world, index - world->surface_count, front);
+    int pane = index - world->surface_count;
+    if (pane >= world->opening_count)
+        return pp_surface_materials_outer_pane(world, pane - world->opening_count,
+                                               front);
+    if (pane >= 0)
+        return pp_surface_materials_pane(world, pane, front);
     if (look == PP_LOOK_COLOURED)
         return pp_surface_materials_of(world, index, front);
     if (look == PP_LOOK_GREY && world->materials) {
@@ -261,7 +308,7 @@ enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
                                          enum pp_surface_look look,
                                          struct pp_error *err)
 {
-    int count = world->surface_count + world->opening_count;
+    int count = world->surface_count + world->opening_count + world->outer_pane_count;
     *materials = (struct pp_surface_materials){
         .sides = malloc(((size_t)count + 1) * sizeof *materials->sides)};
     enum pp_status status = materials->sides ? PP_OK : pp_fail_memory(err);

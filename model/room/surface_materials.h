@@ -42,6 +42,14 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int s
  */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
+/* The same for an outer pane of the world; inside: the side towards the room's
+ * windows. */
+struct pp_material pp_surface_materials_outer_pane(const struct pp_world *world,
+                                                   int index, bool inside);
+/* Share of the light that passes the outer panes straight, against the unit direction
+ * u, to a point inside; 1 if there are none in that direction. */
+double pp_surface_materials_past_outer_panes(const struct pp_world *world,
+                                             struct pp_vec3 point, struct pp_vec3 u);
 /* The same of the glass alone, without a blind or other scattering. */
 struct pp_material pp_surface_materials_glass(const struct pp_world *world,
                                               const struct pp_opening *opening,
@@ -77,7 +85,8 @@ bool pp_surface_materials_same(const struct pp_material *a,
 struct pp_surface_materials {
     struct pp_material *list;
     int count;
-    int (*sides)[2]; /* indices of front and back; surfaces, then panes */
+    int (*sides)[2]; /* indices of front and back; surfaces, openings,
+                      * outer panes */
 };
 
 /* Makes the materials; equal ones usually share an entry. */

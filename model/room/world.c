@@ -24,14 +24,26 @@
 #include "model/room/outside/blocks.h"
 #include "model/room/outside/facades.h"
 #include "model/room/outside/meshes.h"
+#include "model/room/outside/nested.h"
 #include "model/room/outside/shades.h"
 #include "model/room/outside/skylines.h"
 #include "model/room/section.h"
 
+struct pp_world *pp_world_hold(struct pp_world *world)
+{
+    if (world)
+        world->holders++;
+    return world;
+}
+
 void pp_world_destroy(struct pp_world *world)
 {
-    if (!world)
+    if (!world || world->holders-- > 0)
         return;
+    pp_world_destroy(world->within);
+    for (int i = 0; i < world->outer_pane_count; i++)
+        pp_polygon_clear(&world->outer_panes[i].outline);
+    free(world->outer_panes);
     pp_rough_finishes_release(world->materials);
     for (int i = 0; i < world->surface_count; i++) {
         pp_polygon_clear(&world->surfaces[i].outline);
@@ -335,7 +347,8 @@ static enum pp_status resolve_world(struct pp_resolver *r, struct pp_error *err)
         pp_build_free_surfaces, pp_build_fittings,       pp_build_covers,
         mark_inner_walls,       pp_build_shades,         resolve_gardens,
         resolve_working_plane,  pp_build_receivers,      pp_build_views,
-        find_triangles,         pp_build_meshes,         resolve_self_occlusion};
+        pp_build_nested,        find_triangles,          pp_build_meshes,
+        resolve_self_occlusion};
     enum pp_status status = pp_clipper_create(&r->clipper, err);
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == PP_OK; i++)
         status = steps[i](r, err);
@@ -370,6 +383,7 @@ enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *ro
     if (!made)
         return pp_fail_memory(err);
     made->materials = pp_rough_finishes_hold(room->materials);
+    made->within = pp_world_hold(room->within.world);
     struct pp_resolver r = {.room = room, .world = made, .mistakes = mistakes};
     struct pp_error fault = {0};
     enum pp_status status = resolve_world(&r, &fault);

@@ -112,12 +112,21 @@ struct pp_opening {
         label[PP_WORLD_LABEL]; /* for people: its name, shortened to fit, or by its kind
                                  * and place in the file W1, W2 or RL1 (a rooflight) */
     int part;                  /* index among its room's openings, in file order */
+    bool is_nested;            /* its light comes from the coarse model */
     int line;
 
     /* True if no corner of the opening is behind the plane of a face. For a point with
      * the same property no face hides the opening. */
     bool faces_open_in;
     bool faces_open_out; /* no face has a part outside the plane of its glass */
+};
+
+/* A pane of the coarse model between the room's windows and the sky
+ * (outside/nested.h). */
+struct pp_outer_pane {
+    struct pp_polygon outline; /* in the room's axes; normal into the coarse model */
+    struct pp_vec3 up;         /* axis of its opening */
+    int opening;               /* index in the coarse model's world */
 };
 
 /* An infinitely long obstruction parallel to a wall, from the ground up. With a
@@ -261,6 +270,15 @@ struct pp_world {
     struct pp_world_view *views;
     int view_count;
 
+    struct pp_world *within; /* the coarse model that the room is nested in, in its own
+                              * axes; held; NULL: none */
+    struct pp_outer_pane *outer_panes; /* glass of the coarse model */
+    int outer_pane_count;
+    int coarse_surface_count; /* surfaces taken from the coarse model */
+    bool within_is_before;    /* it is the space in front of the windows; else it is in
+                               * the place of the room */
+    int holders;              /* holders in addition to the first */
+
     bool is_empty; /* no surfaces in the room except covers */
 
     double height_m;               /* z of the highest point of the envelope */
@@ -293,6 +311,10 @@ struct pp_room;
  * *world NULL if there are any. */
 enum pp_status pp_world_create(struct pp_world **world, const struct pp_room *room,
                                struct pp_mistakes *mistakes, struct pp_error *err);
+
+/* Holds a world for one more owner, and returns it; NULL is allowed. Each owner
+ * destroys it. Not for several threads at once. */
+struct pp_world *pp_world_hold(struct pp_world *world);
 void pp_world_destroy(struct pp_world *world); /* NULL is allowed */
 
 #endif

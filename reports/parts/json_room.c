@@ -212,6 +212,24 @@ static bool add_plane(struct json_object *object, const struct pp_region *plane)
     return good;
 }
 
+/* The coarse model that the room is nested in. */
+static bool add_within(struct json_object *model, const struct pp_world *world)
+{
+    struct json_object *within = json_object_new_object();
+    if (!world->within) {
+        json_object_put(within);
+        return true;
+    }
+    return pp_json_add(model, "within", within)
+           && pp_json_text(within, "name", world->within->name)
+           && pp_json_add(within, "in-front",
+                          json_object_new_boolean(world->within_is_before))
+           && pp_json_add(within, "surfaces",
+                          json_object_new_int(world->coarse_surface_count))
+           && pp_json_add(within, "panes",
+                          json_object_new_int(world->outer_pane_count));
+}
+
 bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
                       const struct pp_outside_light *light)
 {
@@ -234,5 +252,6 @@ bool pp_json_room_add(struct json_object *object, const struct pp_world *world,
            && pp_json_add(model, "blocks", json_object_new_int(world->block_count))
            && pp_json_add(model, "surfaces-outside", json_object_new_int(outside))
            && pp_json_add(model, "meshes", json_object_new_int(world->mesh_count))
-           && pp_json_add(model, "mesh-triangles", json_object_new_int(triangles));
+           && pp_json_add(model, "mesh-triangles", json_object_new_int(triangles))
+           && add_within(model, world);
 }

@@ -292,6 +292,7 @@ static void tell_outside(const struct pp_world *world,
     for (int i = 0; i < pp_world_before_meshes(world); i++)
         loose +=
             world->surfaces[i].role == PP_FREE_SURFACE && !world->surfaces[i].inside;
+    loose -= world->coarse_surface_count;
     if (loose > 0)
         pp_text_append(text, TEXT_BYTES, "; %d surface%s", loose, loose > 1 ? "s" : "");
     int triangles = world->surface_count - pp_world_before_meshes(world);
@@ -299,9 +300,26 @@ static void tell_outside(const struct pp_world *world,
         pp_text_append(text, TEXT_BYTES, "; %d mesh%s of %d triangle%s",
                        world->mesh_count, world->mesh_count > 1 ? "es" : "", triangles,
                        triangles > 1 ? "s" : "");
-    if (world->skyline_count + world->block_count + loose + triangles == 0)
+    if (world->skyline_count + world->block_count + loose + triangles == 0
+        && !world->within)
         pp_text_append(text, TEXT_BYTES, "; no obstruction");
     tell(listener, "outside", "%s", text);
+}
+
+/* The coarse model that the room is nested in. */
+static void tell_within(const struct pp_world *world, const struct listener *listener)
+{
+    int panes = world->outer_pane_count;
+    if (!world->within)
+        return;
+    const char *name = world->within->name ? world->within->name : "coarse model";
+    if (world->within_is_before)
+        tell(listener, "within", "%s, in front of the windows; %d surface%s, %d pane%s",
+             name, world->coarse_surface_count,
+             world->coarse_surface_count == 1 ? "" : "s", panes, panes == 1 ? "" : "s");
+    else
+        tell(listener, "within", "%s, with its outside; %d surface%s", name,
+             world->coarse_surface_count, world->coarse_surface_count == 1 ? "" : "s");
 }
 
 void pp_print_facts(const struct pp_world *world, const struct pp_outside_light *light,
@@ -314,6 +332,7 @@ void pp_print_facts(const struct pp_world *world, const struct pp_outside_light 
     tell_rough_materials(world, &listener);
     tell_openings(world, &listener);
     tell_outside(world, light, &listener);
+    tell_within(world, &listener);
     tell(&listener, "working plane", "at %.2f m; averages cover the whole plane",
          world->working_plane_m);
 }

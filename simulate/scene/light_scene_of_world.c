@@ -74,6 +74,13 @@ static void make_parts(struct pp_light_scene *scene, const int (*sides)[2])
         scene->reflects |=
             opening->glass.panes > 0 || world->surfaces[opening->face].front > 0.0;
     }
+    for (int i = 0; i < world->outer_pane_count; i++) {
+        int index = scene->part_count++;
+        struct pp_light_part part =
+            part_of_outline(scene, index, &world->outer_panes[i].outline, sides[index]);
+        part.space[0] = part.space[1] = PP_OUTDOORS;
+        scene->parts[index] = part;
+    }
 }
 
 static enum pp_status add_world_triangles(struct pp_light_scene *scene,
@@ -85,6 +92,10 @@ static enum pp_status add_world_triangles(struct pp_light_scene *scene,
     enum pp_status status = pp_clipper_create(&clipper, err);
     for (int i = 0; status == PP_OK && i < world->surface_count; i++)
         status = pp_triangles_of_surface(list, clipper, world, i, scene->centre, err);
+    for (int i = 0; status == PP_OK && i < world->outer_pane_count; i++)
+        status = pp_triangles_of_polygon(
+            list, clipper, &world->outer_panes[i].outline,
+            world->surface_count + world->opening_count + i, scene->centre, err);
     int first_pane = list->count;
     for (int i = 0; status == PP_OK && i < world->opening_count; i++)
         status = pp_triangles_of_polygon(list, clipper, &world->openings[i].outer,
@@ -144,9 +155,9 @@ static enum pp_status build_world_scene(struct pp_light_scene *scene,
     scene->has_room = world->face_count > 0;
     scene->decorations = world->decorations;
     measure_world_scene(scene);
-    scene->parts =
-        calloc((size_t)world->surface_count + (size_t)world->opening_count + 1,
-               sizeof *scene->parts);
+    scene->parts = calloc((size_t)world->surface_count + (size_t)world->opening_count
+                              + (size_t)world->outer_pane_count + 1,
+                          sizeof *scene->parts);
     if (!scene->parts)
         return pp_fail_memory(err);
     enum pp_status status = pp_surface_materials_init(&materials, world, look, err);

@@ -19,6 +19,9 @@ static bool is_unobstructed(const struct pp_world *world,
     for (int i = 0; i < world->opening_count; i++)
         if (!pp_polygon_is_before(&world->openings[i].outer, &opening->outer))
             return false;
+    for (int i = 0; i < world->outer_pane_count; i++)
+        if (!pp_polygon_is_before(&world->outer_panes[i].outline, &opening->outer))
+            return false;
     return true;
 }
 

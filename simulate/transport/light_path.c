@@ -1,5 +1,4 @@
-/* light_path.c - path tracing: emission and direct light at each surface, continuation
- * by a random lobe, Russian roulette. */
+/* light_path.c - emission and direct light at each surface, and the next ray. */
 #include "simulate/transport/light_path.h"
 
 #include <math.h>
@@ -62,6 +61,7 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     const struct pp_light_scene *scene = state->scene;
     const struct pp_light_ray *ray = &sample->ray;
     const struct pp_pane *pane = &scene->panes[sample->opening];
+    const struct pp_opening_store *store = state->options.stored ? state->store : NULL;
     struct pp_rgb radiance = pp_rgb_grey(0.0);
     struct pp_light_hit hit;
     bool is_sky;
@@ -78,10 +78,10 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
         return radiance;
     }
     if (meeting == PP_MEETS_LEAK
-        || (state->options.stored && state->store
-            && pp_opening_table_radiance(&state->store->tables[sample->opening],
-                                         &pane->target, ray->from, ray->to,
-                                         hit.distance_m, &radiance)))
+        || (store && pp_opening_table_takes(scene, meeting, &hit)
+            && pp_opening_table_radiance(&store->tables[sample->opening], &pane->target,
+                                         ray->from, ray->to, hit.distance_m,
+                                         &radiance)))
         return radiance;
     struct pp_light_path path = pp_light_path_outside(
         state, ray, pp_sample_openings_vertex(shading, sample->opening),

@@ -58,7 +58,7 @@ static bool outside_radiance(struct pp_radiance_state *state,
     struct pp_light_path path = pp_light_path_outside(state, ray, 1, 0);
     enum pp_meeting meeting = pp_radiance_state_meet(state, ray, &hit);
     *distance_m = hit.distance_m;
-    if (meeting != PP_MEETS_PART && meeting != PP_MEETS_GROUND)
+    if (!pp_opening_table_takes(state->scene, meeting, &hit))
         return false;
     *radiance = pp_rgb_grey(0.0);
     if (pp_light_path_arrive(state, &path, meeting, &hit, radiance))

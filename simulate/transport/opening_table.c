@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "simulate/scene/light_scene_parts.h"
+
 enum {
     SIDE = PP_OPENING_TABLE_SIDE,
     BINS = PP_OPENING_TABLE_BINS,
@@ -93,6 +95,14 @@ static int bin_of(const struct pp_target *target, struct pp_vec3 to)
     int column = kept_within((pp_vec_dot(to, target->along) + 1.0) / 2.0 * SIDE, SIDE);
     int row = kept_within((pp_vec_dot(to, target->up) + 1.0) / 2.0 * SIDE, SIDE);
     return row * SIDE + column;
+}
+
+bool pp_opening_table_takes(const struct pp_light_scene *scene, enum pp_meeting meeting,
+                            const struct pp_light_hit *hit)
+{
+    return meeting == PP_MEETS_GROUND
+           || (meeting == PP_MEETS_PART
+               && scene->materials[hit->material].kind == PP_MATERIAL_OPAQUE);
 }
 
 bool pp_opening_table_radiance(const struct pp_opening_table *table,

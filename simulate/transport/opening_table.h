@@ -14,6 +14,7 @@
 #include "model/base/error.h"
 #include "model/light/rgb.h"
 #include "simulate/sampling/sample_polygon.h"
+#include "simulate/scene/light_scene.h"
 
 enum {
     PP_OPENING_TABLE_SIDE =
@@ -42,6 +43,11 @@ struct pp_vec3 pp_opening_table_point(const struct pp_opening_table *table,
                                       double u, double v);
 bool pp_opening_table_direction(const struct pp_target *target, int bin, double u,
                                 double v, struct pp_vec3 *to);
+
+/* True if a table has the radiance of what a ray has met: ground, or a surface. It has
+ * none of panes outside, since their light changes with every direction. */
+bool pp_opening_table_takes(const struct pp_light_scene *scene, enum pp_meeting meeting,
+                            const struct pp_light_hit *hit);
 
 /* The radiance of the surface that is met outside, at that distance along `to`, from a
  * point of the opening; false if the table has no value. */

@@ -86,11 +86,12 @@ static void follow_ray(struct pp_eye_ray *ray, const struct pp_light_scene *scen
         if (window >= 0 && ray->opening < 0)
             ray->opening = window;
         hit.point = pp_rays_draw_back(hit.point, ray->u);
-        if (window < 0 || !pp_light_scene_parts_pass(scene, &hit, &light, &through)) {
+        if (!pp_light_scene_parts_pass(scene, &hit, &light, &through)) {
             end_at_part(ray, scene, &hit);
             return;
         }
-        ray->clear_share *= frame_factor(scene, window);
+        if (window >= 0)
+            ray->clear_share *= frame_factor(scene, window);
     }
 }
 

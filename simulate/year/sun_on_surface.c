@@ -71,13 +71,14 @@ static double traced(const struct pp_light_scene *scene, struct pp_light_ray ray
         enum pp_meeting meeting = pp_light_scene_meet(scene, &ray, &hit);
         if (meeting == PP_MEETS_ENVIRONMENT)
             return light.g;
-        if (meeting != PP_MEETS_PART || scene->parts[hit.part].window < 0)
+        if (meeting != PP_MEETS_PART)
             return 0.0;
+        int window = scene->parts[hit.part].window; /* -1: surface or outer pane */
         hit.point = pp_rays_draw_back(hit.point, ray.to);
         if (!pp_light_scene_parts_pass(scene, &hit, &ray, &light))
             return 0.0;
-        if (!hit.back)
-            *opening = scene->parts[hit.part].window;
+        if (window >= 0 && !hit.back)
+            *opening = window;
     }
 }
 

@@ -14,6 +14,11 @@ static enum pp_status create_radiosity_engine(void **data,
     enum pp_status able = pp_scattering_panes_refuse(report->world, "radiosity", err);
     if (able != PP_OK)
         return able;
+    if (report->world->outer_pane_count > 0)
+        return pp_fail(err, PP_BAD_INPUT,
+                       "engine radiosity: the coarse model of within has panes between "
+                       "the room and the sky, which this engine cannot follow; "
+                       "expected the engine path, cache or photons");
     const struct pp_radiosity_options wanted = {.error = options->error,
                                                 .threads = options->threads};
     struct pp_radiosity *radiosity;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "methods/exact/sky_view.h"
+#include "model/room/surface_materials.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "studies/year/annual_work.h"
 
@@ -111,6 +112,7 @@ enum pp_status pp_annual_state_light(struct pp_annual_state *state,
 struct piece_sums {
     const struct pp_annual_work *work;
     const struct pp_light_columns *columns;
+    struct pp_vec3 point;
     float *rows;
 };
 
@@ -121,12 +123,14 @@ static void add_piece_of_sky(void *data, const struct pp_sky_piece *piece)
     float *row =
         sums->rows
         + work->groups.of_opening[piece->opening] * sums->columns->column_count;
+    double coefficient =
+        piece->coefficient
+        * pp_surface_materials_past_outer_panes(work->world, sums->point, piece->u);
     if (piece->ground)
         row[sums->columns->patches.count] +=
-            (float)(piece->coefficient * pp_outside_light_ground(work->light) / PP_PI);
+            (float)(coefficient * pp_outside_light_ground(work->light) / PP_PI);
     else
-        row[pp_sky_patches_of(&sums->columns->patches, piece->u)] +=
-            (float)piece->coefficient;
+        row[pp_sky_patches_of(&sums->columns->patches, piece->u)] += (float)coefficient;
 }
 
 enum pp_status pp_annual_state_see(struct pp_annual_state *state,
@@ -139,7 +143,7 @@ enum pp_status pp_annual_state_see(struct pp_annual_state *state,
     if (status != PP_OK)
         return status;
     struct piece_sums sums = {
-        work, &state->columns,
+        work, &state->columns, work->receivers[x].position,
         state->direct + (size_t)x * groups * (size_t)state->columns.column_count};
     status = pp_sky_view_pieces(&view, PIECE_RAD, add_piece_of_sky, &sums, NULL);
     float *sun = state->direct_sun + (size_t)x * groups * count;
@@ -148,6 +152,9 @@ enum pp_status pp_annual_state_see(struct pp_annual_state *state,
         int opening;
         double share =
             sky->direct_lx > 0.0 ? pp_sky_view_sun(&view, sky->sun, &opening) : 0.0;
+        if (share > 0.0)
+            share *= pp_surface_materials_past_outer_panes(
+                state->world, work->receivers[x].position, sky->sun);
         if (share > 0.0)
             sun[(size_t)work->groups.of_opening[opening] * count + t] =
                 (float)(share * sky->direct_lx);

@@ -7,6 +7,7 @@
 #include "methods/exact/sky_view.h"
 #include "model/base/thread_pool.h"
 #include "model/room/position.h"
+#include "model/room/surface_materials.h"
 #include "studies/criteria/grid/plane_grid.h"
 
 enum { SUB = PP_MOMENT_PLAN_SUB };
@@ -165,8 +166,10 @@ static enum pp_status light_part(struct parts_work *work, int column, int row)
         pp_sky_view_init_for_sun(&view, work->world, &receiver, NULL);
     if (status != PP_OK)
         return status;
-    plan->sun[part] =
-        (float)(pp_sky_view_sun(&view, work->sky.sun, NULL) * work->sky.direct_lx);
+    plan->sun[part] = (float)(pp_sky_view_sun(&view, work->sky.sun, NULL)
+                              * pp_surface_materials_past_outer_panes(
+                                  work->world, receiver.position, work->sky.sun)
+                              * work->sky.direct_lx);
     pp_sky_view_clear(&view);
     return PP_OK;
 }

@@ -150,6 +150,29 @@ static enum pp_status add_panes(struct rad_room_builder *b)
     return status;
 }
 
+/* Adds the panes of the coarse model that the room is nested in. */
+static enum pp_status add_outer_panes(struct rad_room_builder *b)
+{
+    enum pp_status status = PP_OK;
+    for (int i = 0; i < b->world->outer_pane_count && status == PP_OK; i++) {
+        const struct pp_outer_pane *pane = &b->world->outer_panes[i];
+        const struct pp_opening *opening = &b->world->within->openings[pane->opening];
+        int front, back;
+        if (opening->blind)
+            return pp_fail(b->err, PP_BAD_INPUT,
+                           "%s %s of the coarse model has a blind, which the export "
+                           "cannot write; expected a coarse model without blinds",
+                           pp_world_kind(b->world->within, opening->line),
+                           opening->label);
+        status = sides_of(b, b->world->surface_count + b->world->opening_count + i,
+                          &front, &back);
+        if (status == PP_OK)
+            status = add_polygon(b, pane->outline.vertices, pane->outline.count, front,
+                                 back);
+    }
+    return status;
+}
+
 /* ---- skylines at infinite distance ---- */
 
 static struct pp_vec3 outward_of(const struct pp_world *world,
@@ -382,6 +405,8 @@ static enum pp_status add_inside(struct rad_room_builder *b)
 static enum pp_status add_outside(struct rad_room_builder *b)
 {
     enum pp_status status = add_surfaces(b, false);
+    if (status == PP_OK)
+        status = add_outer_panes(b);
     return status != PP_OK || b->world->ground_is_open ? status : add_rad_ground(b);
 }
 

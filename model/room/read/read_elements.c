@@ -304,6 +304,27 @@ static void begin_room(struct pp_reader *r, struct pp_room *room,
     room->working_plane_m = 0.85;
 }
 
+/* Sets the path of the coarse model that the room is nested in, if there is one.
+ * building.c reads the file. */
+static void read_within(struct pp_reader *r, struct pp_room *room,
+                        const struct pp_room_form *form, int line)
+{
+    if (form->window && !form->within)
+        pp_mistakes_add(r->mistakes, line,
+                        "room: window is given without within; expected both");
+    if (!form->within)
+        return;
+    if (!r->folder) {
+        pp_mistakes_add(r->mistakes, line,
+                        "room: the room was not read from a file, so the file of "
+                        "within cannot be located; expected a room read from a file");
+        return;
+    }
+    room->within.path = pp_reader_path(r, form->within);
+    room->within.window = pp_reader_copy_text(r, form->window);
+    room->within.line = line;
+}
+
 static void read_room(struct pp_reader *r, struct pp_room *room,
                       const struct pp_xml_element *e, bool root)
 {
@@ -320,6 +341,8 @@ static void read_room(struct pp_reader *r, struct pp_room *room,
     if (!good)
         form.north_rad = form.x = form.y = form.z = form.rotate_rad = NAN;
     begin_room(r, room, &form);
+    if (good)
+        read_within(r, room, &form, e->line);
     for (const struct pp_xml_element *c = e->child; c && !pp_reader_should_stop(r);
          c = c->next)
         read_child(r, room, c);

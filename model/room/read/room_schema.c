@@ -430,6 +430,8 @@ static const struct pp_attribute_rule room_rows[] = {
     {"ref", &text, OR(NAN), IN(room, ref)},
     {"address", &text, OR(NAN), IN(room, address)},
     {"use", &pp_room_values_use, OR(0), IN(room, use)},
+    {"within", &file_name, OR(NAN), IN(room, within)},
+    {"window", &face_name, OR(NAN), IN(room, window)},
     /* For rooms in a building only. */
     {"x", &pp_room_values_coordinate, OR(NAN), IN(room, x)},
     {"y", &pp_room_values_coordinate, OR(NAN), IN(room, y)},

@@ -95,10 +95,11 @@ struct pp_room_form {
     int version; /* -1: not given */
     int units;   /* 1: millimetres; root only */
     const char *name, *ref, *address;
-    double north_rad;           /* NAN: not given */
-    double x, y, z, rotate_rad; /* NAN: not given */
-    int use;                    /* enum pp_room_use, 0: not given */
-    int state;                  /* enum pp_site_state */
+    double north_rad;            /* NAN: not given */
+    double x, y, z, rotate_rad;  /* NAN: not given */
+    int use;                     /* enum pp_room_use, 0: not given */
+    int state;                   /* enum pp_site_state */
+    const char *within, *window; /* NULL: not given */
 };
 
 struct pp_project_form {

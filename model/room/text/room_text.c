@@ -143,6 +143,7 @@ enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
 static struct pp_room_tag file_of(struct pp_room_tag tag)
 {
     static const char *const elements[][2] = {{"mesh", "file"},
+                                              {"room", "within"},
                                               {"window", "glazing-file"},
                                               {"rooflight", "glazing-file"},
                                               {"opening", "glazing-file"}};

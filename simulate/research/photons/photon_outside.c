@@ -20,11 +20,11 @@ static struct pp_rgb emission(const struct pp_light_scene *scene,
     return material->emits == PP_EMITS_NOTHING ? pp_rgb_grey(0.0) : material->radiance;
 }
 
-/* Scatters the path at the surface met and returns its next ray; false if the path
- * ends. */
-static bool next_photon_ray(struct pp_photon_state *state,
-                            const struct pp_light_hit *hit, int vertex,
-                            struct pp_light_ray *ray, struct pp_rgb *throughput)
+/* Scatters the path at the surface met and sets its next ray; returns the lobe,
+ * PP_LOBE_COUNT if the path ends. */
+static enum pp_lobe next_photon_ray(struct pp_photon_state *state,
+                                    const struct pp_light_hit *hit, int vertex,
+                                    struct pp_light_ray *ray, struct pp_rgb *throughput)
 {
     double u[3]; /* direction (2), lobe */
     struct pp_lobes lobes = pp_photon_lobes_at(state, hit, ray->to);
@@ -34,14 +34,17 @@ static bool next_photon_ray(struct pp_photon_state *state,
     pp_photon_state_draw(state, vertex, 3, u);
     enum pp_lobe lobe = pp_photon_lobes_choose(&lobes, NULL, LEAST, u[2], throughput);
     return lobe != PP_LOBE_COUNT
-           && pp_photon_lobes_turn(state, &lobes, lobe, hit, u[0], u[1], ray,
-                                   throughput);
+                   && pp_photon_lobes_turn(state, &lobes, lobe, hit, u[0], u[1], ray,
+                                           throughput)
+               ? lobe
+               : PP_LOBE_COUNT;
 }
 
 struct pp_rgb pp_photon_outside(struct pp_photon_state *state, struct pp_light_ray ray,
                                 bool free, int vertex, bool *is_sky)
 {
     struct pp_rgb sum = pp_rgb_grey(0.0), throughput = pp_rgb_grey(1.0);
+    bool straight = true; /* only panes passed so far */
     *is_sky = false;
     for (int i = 0; i < PP_PHOTON_MOST_VERTICES; i++) {
         struct pp_light_hit hit;
@@ -54,12 +57,14 @@ struct pp_rgb pp_photon_outside(struct pp_photon_state *state, struct pp_light_r
         if (meeting == PP_MEETS_ENVIRONMENT) {
             struct pp_rgb light = pp_light_scene_environment(
                 state->scene, state->environment, ray.to, &sky);
-            *is_sky = i == 0 && sky;
+            *is_sky = straight && sky;
             return pp_rgb_add(sum, pp_rgb_times(throughput, light));
         }
         sum = pp_rgb_add(sum, pp_rgb_times(throughput, emission(state->scene, &hit)));
-        if (!next_photon_ray(state, &hit, vertex + i, &ray, &throughput))
+        enum pp_lobe lobe = next_photon_ray(state, &hit, vertex + i, &ray, &throughput);
+        if (lobe == PP_LOBE_COUNT)
             return sum;
+        straight = straight && lobe == PP_LOBE_STRAIGHT;
     }
     return sum;
 }
