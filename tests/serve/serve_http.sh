@@ -98,6 +98,10 @@ for command in df plan check assess report trace; do
     ask $command
     check "$command reads no file that a room names" holds 'the room was not read from a file'
 done
+printf '<room version="1" within="/etc/passwd"><plan width="3" depth="4" height="3"/></room>' >"$scratch/within.xml"
+asks "$scratch/within.xml" '{}'
+ask df
+check "nor the model that a room is nested in" holds 'the room was not read from a file'
 asks "$deep" '{"sky":"picture,/etc/passwd"}'
 for command in df plan trace chart/section availability; do
     check "$command takes no photograph as a sky" answers 400 $command
