@@ -57,7 +57,8 @@ static void count_limits(struct pp_weather_year *year, unsigned limits)
     year->positive_b += (limits & PP_PEREZ_B_POSITIVE) != 0;
     year->brightness += (limits & PP_PEREZ_BRIGHTNESS) != 0;
     year->clearness += (limits & PP_PEREZ_CLEARNESS) != 0;
-    year->no_diffuse += (limits & PP_PEREZ_NO_DIFFUSE) != 0;
+    if (limits & PP_PEREZ_NO_DIFFUSE && year->no_diffuse++ == 0)
+        year->first_no_diffuse = year->count - 1;
 }
 
 static void add_sky(struct pp_weather_year *year, const struct pp_epw_record *record,
@@ -213,8 +214,16 @@ const char *pp_weather_year_notes(char *text, size_t room,
         text, room, year->sunless_beams,
         "records with direct light while the sun is below the horizon (direct light "
         "ignored)");
-    append_count(text, room, year->no_diffuse,
-                 "records with direct light but no diffuse light (black sky)");
+    if (year->no_diffuse > 0) {
+        const struct pp_weather_hour *first = &year->hours[year->first_no_diffuse];
+        char date[32], words[120];
+        snprintf(
+            words, sizeof words,
+            "records with direct light but no diffuse light (black sky), the first "
+            "on %s at %g h",
+            pp_month_day_words(date, sizeof date, first->date), first->start_h);
+        append_count(text, room, year->no_diffuse, words);
+    }
     append_count(text, room, year->no_dew_point,
                  "records without a dew point (10.97 degrees C used)");
     append_count(text, room, year->positive_b,

@@ -144,6 +144,95 @@ static void skies_turn_with_the_room(void **state)
     assert_near(pp_weather_year_turned(&sky, PP_PI / 2.0).sun.x, -0.8, 1e-12);
 }
 
+/* A dark year at a place, except for one record of an hour. */
+struct one_hour {
+    struct pp_epw epw;
+    struct pp_epw_record records[8760];
+};
+
+static struct pp_weather_year lit_hour(struct one_hour *made, double latitude_deg,
+                                       double longitude_deg, double time_zone_h,
+                                       const struct pp_epw_record *lit)
+{
+    static const int days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+    static char place[] = "made up";
+    made->epw = (struct pp_epw){.place = place,
+                                .latitude_rad = latitude_deg * PP_RAD,
+                                .longitude_rad = longitude_deg * PP_RAD,
+                                .time_zone_h = time_zone_h,
+                                .record_h = 1.0,
+                                .records = made->records};
+    for (int month = 1; month <= 12; month++)
+        for (int day = 1; day <= days[month - 1]; day++)
+            for (int hour = 0; hour < 24; hour++) {
+                struct pp_epw_record *record = &made->records[made->epw.record_count++];
+                *record = (struct pp_epw_record){.year = 2001,
+                                                 .date = {month, day},
+                                                 .weekday = PP_WEEKDAY_UNKNOWN,
+                                                 .start_h = hour,
+                                                 .global_w_m2 = NAN,
+                                                 .diffuse_lx = NAN};
+                if (pp_month_day_same(record->date, lit->date)
+                    && record->start_h == lit->start_h)
+                    *record = *lit;
+            }
+    return year_of(&made->epw, 0.0, false);
+}
+
+/* At Oslo on 31 January the sun is 0.57 degrees high at 16:15 and sets at 16:21, before
+ * the middle of the record from 16 to 17 h. That record's direct light falls in its sunlit
+ * part; the sun is about 1.1 degrees high in the middle of it. */
+static void the_hour_of_sunset_has_the_sun_of_its_sunlit_part(void **state)
+{
+    (void)state;
+    static struct one_hour made;
+    struct pp_epw_record lit = {.year = 2001,
+                                .date = {1, 31},
+                                .weekday = PP_WEEKDAY_UNKNOWN,
+                                .start_h = 16.0,
+                                .direct_w_m2 = 60.0,
+                                .diffuse_w_m2 = 9.0,
+                                .global_w_m2 = NAN,
+                                .diffuse_lx = NAN};
+    struct pp_weather_year year = lit_hour(&made, 59.9, 10.62, 1.0, &lit);
+    assert_int_equal(year.sky_count, 1);
+    assert_int_equal(year.moved_suns, 1);
+    assert_near(asin(year.skies[0].sun.z), 1.1 * PP_RAD, 0.2 * PP_RAD);
+    assert_true(year.skies[0].direct_lx > 0.0 && year.skies[0].diffuse_lx > 0.0);
+    pp_weather_year_clear(&year);
+    lit.start_h = 18.0; /* the sun is down throughout: the sky remains */
+    year = lit_hour(&made, 59.9, 10.62, 1.0, &lit);
+    assert_int_equal(year.sky_count, 1);
+    assert_int_equal(year.sunless_beams, 1);
+    assert_near(year.skies[0].direct_lx, 0.0, 0.0);
+    assert_true(year.skies[0].diffuse_lx > 0.0);
+    pp_weather_year_clear(&year);
+}
+
+/* As in a weather file of New Delhi: the ratio in the clearness is infinite. */
+static void direct_light_alone_is_counted_and_dated(void **state)
+{
+    (void)state;
+    static struct one_hour made;
+    char text[600];
+    const struct pp_epw_record lit = {.year = 2001,
+                                      .date = {5, 5},
+                                      .weekday = PP_WEEKDAY_UNKNOWN,
+                                      .start_h = 10.0,
+                                      .direct_w_m2 = 640.0,
+                                      .diffuse_w_m2 = 0.0,
+                                      .global_w_m2 = NAN,
+                                      .diffuse_lx = NAN};
+    struct pp_weather_year year = lit_hour(&made, 28.58, 77.2, 5.5, &lit);
+    assert_int_equal(year.no_diffuse, 1);
+    assert_int_equal(year.skies[0].bin, 8);
+    assert_true(isfinite(year.skies[0].clearness));
+    assert_true(year.skies[0].direct_lx > 4e4 && year.skies[0].direct_lx < 9e4);
+    pp_weather_year_notes(text, sizeof text, &year);
+    assert_non_null(strstr(text, "the first on 5 May at 10 h"));
+    pp_weather_year_clear(&year);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -151,6 +240,8 @@ TEST_FILE
         cmocka_unit_test(the_shift_found_is_used_unless_another_is_chosen),
         cmocka_unit_test(every_record_has_its_place),
         cmocka_unit_test(skies_turn_with_the_room),
+        cmocka_unit_test(the_hour_of_sunset_has_the_sun_of_its_sunlit_part),
+        cmocka_unit_test(direct_light_alone_is_counted_and_dated),
     };
     add_tests(tests, NULL, NULL);
 }
