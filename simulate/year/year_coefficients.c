@@ -296,23 +296,23 @@ enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *c, in
     return PP_OK;
 }
 
-enum pp_status pp_year_coefficients_sky(const struct pp_year_coefficients *c,
-                                        int receiver, const float *direct, float *sky,
+enum pp_status pp_year_coefficients_sky(const struct pp_year_coefficients *c, int first,
+                                        int count, const float *direct, float *sky,
                                         struct pp_error *err)
 {
     int groups = c->task.group_count, columns = c->task.column_count;
-    int row_count = groups * PP_YEAR_BATCHES;
-    float *rows = malloc((size_t)row_count * (size_t)columns * sizeof *rows);
+    int row_count = count * groups * PP_YEAR_BATCHES;
+    float *rows = malloc(((size_t)row_count * (size_t)columns + 1) * sizeof *rows);
     if (!rows)
         return pp_fail_memory(err);
-    for (int g = 0; g < groups; g++)
-        for (int b = 0; b < PP_YEAR_BATCHES; b++) {
-            float *row = rows + (size_t)(g * PP_YEAR_BATCHES + b) * (size_t)columns;
-            const float *light =
-                c->batches[b].light + (size_t)(receiver * groups + g) * (size_t)columns;
-            for (int k = 0; k < columns; k++)
-                row[k] = light[k] + (direct ? direct[g * columns + k] : 0.0f);
-        }
+    for (int i = 0; i < row_count; i++) {
+        int b = i % PP_YEAR_BATCHES, of = i / PP_YEAR_BATCHES; /* point and group */
+        float *row = rows + (size_t)i * (size_t)columns;
+        const float *light =
+            c->batches[b].light + (size_t)(first * groups + of) * (size_t)columns;
+        for (int k = 0; k < columns; k++)
+            row[k] = light[k] + (direct ? direct[of * columns + k] : 0.0f);
+    }
     pp_year_product(sky, rows, row_count, c->light);
     free(rows);
     return PP_OK;

@@ -68,14 +68,14 @@ struct pp_year_point {
     float *sun; /* sunlight reflected by surfaces: same order */
 };
 
-/* Fills `sky` of a point. direct: [group][column], added to the coefficients of all
- * batches; NULL: nothing is added. */
+/* Fills `sky` of receivers first to first + count - 1, one after the other. direct:
+ * [receiver][group][column], added to the coefficients of all batches; NULL: nothing is
+ * added. */
 enum pp_status pp_year_coefficients_sky(const struct pp_year_coefficients *coefficients,
-                                        int receiver, const float *direct, float *sky,
-                                        struct pp_error *err);
+                                        int first, int count, const float *direct,
+                                        float *sky, struct pp_error *err);
 
-/* Fills `sun` of receivers first to first + count - 1, one after the other; count: at
- * most PP_YEAR_BLOCK. */
+/* Fills `sun` in the same way; count: at most PP_YEAR_BLOCK. */
 enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *coefficients,
                                         int first, int count, float *sun,
                                         struct pp_error *err);

@@ -12,7 +12,6 @@
 #include "studies/year/annual_work.h"
 
 /* With an error to reach, a run of PILOT paths first estimates their number. */
-/* With an error to reach, a run of PILOT paths first estimates their number. */
 enum { PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
 /* Shares of the whole after the steps with open windows: paths, sunlit cells,
@@ -28,7 +27,9 @@ static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *
     struct pp_annual_sheet *sheet = work->sheet;
     int share = (work->receiver_count - 1) / pp_thread_pool_size(work->pool) + 1;
     work->block = pp_annual_point_block_size(work->groups.count);
-    work->block = share < work->block ? share : work->block;
+    work->block = work->options->exact_sky ? 1
+                  : share < work->block    ? share
+                                           : work->block;
     work->closes = calloc(groups * skies + 1, 1);
     work->taken = calloc(groups * skies + 1, 1);
     work->on_panes =

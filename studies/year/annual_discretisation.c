@@ -83,7 +83,7 @@ static enum pp_status sample_year(struct discretisation_work *d, int p,
     size_t row =
         (size_t)d->points[p] * (size_t)groups * (size_t)open->columns.column_count;
     enum pp_status status = pp_year_coefficients_sky(
-        open->coefficients, d->points[p], open->direct + row, point->sky, NULL);
+        open->coefficients, d->points[p], 1, open->direct + row, point->sky, NULL);
     if (status == PP_OK)
         status = pp_year_coefficients_sun(open->coefficients, d->points[p], 1,
                                           point->sun, NULL);

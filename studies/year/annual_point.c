@@ -7,8 +7,9 @@
 
 /* Working memory of one thread. */
 struct pp_annual_space {
-    float *sky;     /* [group][batch][step] */
-    float *suns;    /* [point of the block][group][batch][step] */
+    float *skies;   /* [point of the block][group][batch][step] */
+    float *suns;    /* the same order */
+    float *sky;     /* the part of skies of the current point */
     float *sun;     /* the part of suns of the current point */
     float *open;    /* [batch][step]: all light */
     float *blinds;  /* [point of the block][batch][step]: all light with blinds */
@@ -24,7 +25,7 @@ void pp_annual_point_clear_spaces(struct pp_annual_work *work)
 {
     for (int i = 0; work->spaces && i < pp_thread_pool_size(work->pool); i++) {
         struct pp_annual_space *space = &work->spaces[i];
-        free(space->sky);
+        free(space->skies);
         free(space->suns);
         free(space->open);
         free(space->blinds);
@@ -58,13 +59,13 @@ enum pp_status pp_annual_point_make_spaces(struct pp_annual_work *work,
         return pp_fail_memory(err);
     for (int i = 0; i < pp_thread_pool_size(work->pool); i++) {
         struct pp_annual_space *space = &work->spaces[i];
-        space->sky = calloc(all, sizeof(float));
+        space->skies = calloc(all * (size_t)work->block, sizeof(float));
         space->suns = calloc(all * (size_t)work->block, sizeof(float));
         space->open = calloc(batches, sizeof(float));
         space->blinds = calloc(batches * (size_t)work->block, sizeof(float));
         space->rank = calloc(work->open.step, sizeof(float));
         enough &=
-            space->sky && space->suns && space->open && space->blinds && space->rank;
+            space->skies && space->suns && space->open && space->blinds && space->rank;
         for (int k = 0; k < 5; k++)
             enough &= (space->sums[k] = calloc(work->open.step, sizeof(float))) != NULL;
     }
@@ -221,40 +222,43 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
     }
 }
 
-/* Calculates sky and sun of point x in the hours of a state. */
-static enum pp_status light_point(const struct pp_annual_work *work,
+/* Calculates sky and sun of a block of points in the hours of a state. */
+static enum pp_status light_block(const struct pp_annual_work *work,
                                   struct pp_annual_space *space,
-                                  const struct pp_annual_state *state, int x)
+                                  const struct pp_annual_state *state, int first,
+                                  int count)
 {
-    struct pp_year_point point = {space->sky, space->sun};
-    size_t row =
-        (size_t)x * (size_t)work->groups.count * (size_t)state->columns.column_count;
-    return state->plain
-               ? pp_plain_year_point(state->plain, x, &state->columns, false, &point,
-                                     NULL)
-               : pp_year_coefficients_sky(state->coefficients, x, state->direct + row,
-                                          space->sky, NULL);
+    if (state->plain) {
+        struct pp_year_point point = {space->skies, space->suns};
+        return pp_plain_year_point(state->plain, first, &state->columns, false, &point,
+                                   NULL);
+    }
+    size_t row = (size_t)first * (size_t)work->groups.count
+                 * (size_t)state->columns.column_count;
+    enum pp_status status =
+        pp_year_coefficients_sun(state->coefficients, first, count, space->suns, NULL);
+    return status == PP_OK
+               ? pp_year_coefficients_sky(state->coefficients, first, count,
+                                          state->direct + row, space->skies, NULL)
+               : status;
 }
 
 /* Calculates points first to end - 1 with the windows in one state. */
-static enum pp_status light_block(struct pp_annual_work *work,
-                                  struct pp_annual_space *space,
-                                  const struct pp_annual_state *state, int first,
-                                  int end)
+static enum pp_status compute_block(struct pp_annual_work *work,
+                                    struct pp_annual_space *space,
+                                    const struct pp_annual_state *state, int first,
+                                    int end)
 {
     size_t numbers = (size_t)work->groups.count * PP_YEAR_BATCHES * state->step;
     size_t all = PP_YEAR_BATCHES * work->open.step;
-    enum pp_status status = PP_OK;
-    if (state->coefficients)
-        status = pp_year_coefficients_sun(state->coefficients, first, end - first,
-                                          space->suns, NULL);
+    enum pp_status status = light_block(work, space, state, first, end - first);
     for (int x = first; x < end && status == PP_OK; x++) {
         float *blinds = space->blinds + (size_t)(x - first) * all;
+        space->sky = space->skies + (size_t)(x - first) * numbers;
         space->sun = space->suns + (size_t)(x - first) * numbers;
-        status = light_point(work, space, state, x);
-        if (status == PP_OK && state != &work->open) {
+        if (state != &work->open) {
             add_closed(work, space, state, x, blinds);
-        } else if (status == PP_OK) {
+        } else {
             add_up(work, space, x, blinds);
             judge(work, space, x, blinds);
         }
@@ -272,9 +276,9 @@ bool pp_annual_point_block(void *data, int worker, int block)
     memset(space->blinds, 0,
            (size_t)work->block * PP_YEAR_BATCHES * work->open.step * sizeof(float));
     for (int s = 0; s < work->closed_count && status == PP_OK; s++)
-        status = light_block(work, space, &work->closed[s], first, end);
+        status = compute_block(work, space, &work->closed[s], first, end);
     if (status == PP_OK)
-        status = light_block(work, space, &work->open, first, end);
+        status = compute_block(work, space, &work->open, first, end);
     work->status[first] = status;
     return status == PP_OK;
 }

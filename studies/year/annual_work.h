@@ -77,7 +77,7 @@ enum pp_status pp_annual_direct_share(struct pp_annual_work *work,
 /* True if the group has a device of its own. */
 bool pp_annual_direct_has_device(const struct pp_annual_work *work, int group);
 
-/* Number of points in a block: the reflected sunlight of a block takes 20 MB at most,
+/* Number of points in a block: the light of a block takes 40 MB at most,
  * with any number of groups of openings. Allocates space for the hours of a block, for
  * each worker; computes hours and figures of the points of a block. (annual_point.c) */
 int pp_annual_point_block_size(int groups);
