@@ -200,8 +200,8 @@ const struct pp_option pp_light_options[] = {
 
 const struct pp_option pp_working_time_options[] = {
     {"hours", 0, "H-H,...",
-     "Working hours by the clock, such as 8-18,8:30-17, with one curve for each period "
-     "(default 8-18,9-17).",
+     "Working hours by the clock, such as 8:30-17 (default 8-18). availability has a "
+     "curve for each of several periods (default 8-18,9-17).",
      read_hours, PLACE(hours)},
     {"days", 0, "DAYS",
      "Working days: all (default), or days such as mon-fri or mon,wed,sat.", read_days,

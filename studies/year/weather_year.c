@@ -195,43 +195,48 @@ struct pp_perez_sky pp_weather_year_turned(const struct pp_perez_sky *sky,
 
 /* ---- sentences ---- */
 
-static void append_count(char *text, size_t room, int count, const char *words)
+/* A noun in the singular and in the plural. */
+static const char *const record_nouns[2] = {"record", "records"};
+static const char *const sky_nouns[2] = {"sky", "skies"};
+
+static void append_count(char *text, size_t room, int count, const char *const nouns[2],
+                         const char *words)
 {
     if (count > 0)
-        pp_text_append(text, room, "%s%d %s", text[0] ? "; " : "", count, words);
+        pp_text_append(text, room, "%s%d %s %s", text[0] ? "; " : "", count,
+                       nouns[count > 1], words);
 }
 
 const char *pp_weather_year_notes(char *text, size_t room,
                                   const struct pp_weather_year *year)
 {
     text[0] = '\0';
-    append_count(text, room, year->leap_records, "records of 29 February ignored");
-    append_count(text, room, year->missing, "records without irradiance ignored");
-    append_count(text, room, year->moved_suns,
-                 "records at sunrise or sunset, with the mean position of the sun "
+    append_count(text, room, year->leap_records, record_nouns,
+                 "of 29 February ignored");
+    append_count(text, room, year->missing, record_nouns, "without irradiance ignored");
+    append_count(text, room, year->moved_suns, record_nouns,
+                 "at sunrise or sunset, with the mean position of the sun "
                  "above the horizon");
-    append_count(
-        text, room, year->sunless_beams,
-        "records with direct light while the sun is below the horizon (direct light "
-        "ignored)");
+    append_count(text, room, year->sunless_beams, record_nouns,
+                 "with direct light while the sun is below the horizon (direct light "
+                 "ignored)");
     if (year->no_diffuse > 0) {
         const struct pp_weather_hour *first = &year->hours[year->first_no_diffuse];
         char date[32], words[120];
-        snprintf(
-            words, sizeof words,
-            "records with direct light but no diffuse light (black sky), the first "
-            "on %s at %g h",
-            pp_month_day_words(date, sizeof date, first->date), first->start_h);
-        append_count(text, room, year->no_diffuse, words);
+        snprintf(words, sizeof words,
+                 "with direct light but no diffuse light (black sky), the first "
+                 "on %s at %g h",
+                 pp_month_day_words(date, sizeof date, first->date), first->start_h);
+        append_count(text, room, year->no_diffuse, record_nouns, words);
     }
-    append_count(text, room, year->no_dew_point,
-                 "records without a dew point (10.97 degrees C used)");
-    append_count(text, room, year->positive_b,
-                 "skies with a Perez coefficient b above 0 (0 used)");
-    append_count(text, room, year->brightness,
-                 "skies beyond Perez's limits of brightness");
-    append_count(text, room, year->clearness,
-                 "skies beyond Perez's limits of clearness");
+    append_count(text, room, year->no_dew_point, record_nouns,
+                 "without a dew point (10.97 degrees C used)");
+    append_count(text, room, year->positive_b, sky_nouns,
+                 "with a Perez coefficient b above 0 (0 used)");
+    append_count(text, room, year->brightness, sky_nouns,
+                 "beyond Perez's limits of brightness");
+    append_count(text, room, year->clearness, sky_nouns,
+                 "beyond Perez's limits of clearness");
     return text;
 }
 
