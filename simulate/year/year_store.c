@@ -18,7 +18,7 @@ enum {
     VERSION = 1,
     START = 8 + 4,
     NAME = 64,
-    HEAD = 4 + NAME + 4 * 8 + 8 + 4 * 4 + 8 + 4 + 8
+    HEAD = 2 * 4 + NAME + 4 * 8 + 8 + 4 * 4 + 8 + 4 + 8
 };
 
 struct stored_batch {
@@ -44,6 +44,7 @@ static void put_batch_head(unsigned char *at, const struct stored_batch *batch)
     const struct pp_year_origin *origin = &batch->origin;
     const unsigned char *begin = at;
     pp_little_endian_put(&at, (uint64_t)origin->room, 4);
+    pp_little_endian_put(&at, (uint64_t)origin->state, 4);
     memcpy(at, origin->name, NAME);
     at += NAME;
     pp_little_endian_put(&at, origin->scene, 8);
@@ -68,6 +69,7 @@ static bool take_batch_head(const unsigned char *at, struct stored_batch *batch)
     uint64_t hash = pp_little_endian_hash(VERSION, at, HEAD);
     *batch = (struct stored_batch){.index = 0};
     origin->room = (int)pp_little_endian_take(&at, 4);
+    origin->state = (int)pp_little_endian_take(&at, 4);
     memcpy(origin->name, at, NAME - 1);
     at += NAME;
     origin->scene = pp_little_endian_take(&at, 8);
@@ -88,10 +90,15 @@ static bool take_batch_head(const unsigned char *at, struct stored_batch *batch)
 
 /* ---- origins ---- */
 
+static bool is_same_room(const struct pp_year_origin *a, const struct pp_year_origin *b)
+{
+    return a->room == b->room && a->state == b->state;
+}
+
 /* Ignores the numbers of paths. */
 static bool is_same(const struct pp_year_origin *a, const struct pp_year_origin *b)
 {
-    return a->room == b->room && strcmp(a->name, b->name) == 0 && a->scene == b->scene
+    return is_same_room(a, b) && strcmp(a->name, b->name) == 0 && a->scene == b->scene
            && a->light == b->light && a->points == b->points && a->groups == b->groups
            && a->north_rad == b->north_rad && a->point_count == b->point_count
            && a->group_count == b->group_count && a->patches == b->patches
@@ -188,13 +195,17 @@ enum pp_status pp_year_store_check(const struct pp_year_store *store,
                                    const struct pp_year_origin *origin, int *paths,
                                    struct pp_error *err)
 {
+    bool has_state = false;
     for (int i = 0; i < store->count; i++) {
         const struct pp_year_origin *is = &store->list[i].origin;
-        if (is->room == origin->room && !is_same(is, origin))
+        if (is_same_room(is, origin) && !is_same(is, origin))
             return fail_other(store, err, is, origin);
+        has_state |= is_same_room(is, origin);
     }
-    return store->use == PP_YEAR_STORE_READ ? check_complete(store, origin, paths, err)
-                                            : PP_OK;
+    bool is_required = has_state || origin->state == 0;
+    return store->use == PP_YEAR_STORE_READ && is_required
+               ? check_complete(store, origin, paths, err)
+               : PP_OK;
 }
 
 /* ---- the file ---- */

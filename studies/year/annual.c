@@ -66,7 +66,8 @@ static enum pp_status trace(struct pp_annual_work *work, struct pp_error *err)
     const struct pp_annual_options *options = work->options;
     struct pp_year_stores stores;
     int samples = options->samples;
-    enum pp_status status = pp_annual_store_begin(&stores, work, &samples, err);
+    enum pp_status status =
+        pp_annual_store_begin(&stores, work, &work->open, &samples, err);
     if (status != PP_OK)
         return status;
     bool by_error = samples == 0 && options->error > 0.0 && !options->exact_sky;
@@ -131,6 +132,21 @@ static enum pp_status see_state(struct pp_annual_work *work,
     return pp_annual_work_for_points(work, 1, pp_annual_direct_see, err);
 }
 
+/* Traces a closed state with as many paths as the open one. */
+static enum pp_status trace_closed(struct pp_annual_work *work,
+                                   struct pp_annual_state *state, struct pp_error *err)
+{
+    struct pp_year_stores stores;
+    int samples = work->samples;
+    enum pp_status status = pp_annual_store_begin(&stores, work, state, &samples, err);
+    stores.origin.paths = work->samples;
+    if (status == PP_OK && !pp_annual_work_next_step(work, 0.7))
+        status = PP_INTERRUPTED;
+    return status == PP_OK
+               ? pp_annual_state_trace(state, work, work->samples, &stores, err)
+               : status;
+}
+
 /* Calculates the room with its own blinds in the hours in which any are closed. */
 static enum pp_status close_windows(struct pp_annual_work *work, struct pp_error *err)
 {
@@ -146,9 +162,7 @@ static enum pp_status close_windows(struct pp_annual_work *work, struct pp_error
         work->closed_count = 1;
         status = pp_annual_state_init(&work->closed[0], work, work->world, marked, err);
         if (status == PP_OK)
-            status = pp_annual_work_next_step(work, 0.7) ? pp_annual_state_trace(
-                         &work->closed[0], work, work->samples, NULL, err)
-                                                         : PP_INTERRUPTED;
+            status = trace_closed(work, &work->closed[0], err);
         if (status == PP_OK)
             status = see_state(work, &work->closed[0], 0.75, 0.85, err);
         if (status == PP_OK)

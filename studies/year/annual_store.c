@@ -6,13 +6,14 @@
 #include "model/base/text.h"
 #include "simulate/sampling/hash.h"
 
-static struct pp_year_origin origin_of(const struct pp_annual_work *work)
+static struct pp_year_origin origin_of(const struct pp_annual_work *work,
+                                       const struct pp_annual_state *state)
 {
     const struct pp_annual_options *options = work->options;
     struct pp_year_origin origin = {.room = options->room_number,
-                                    .scene = pp_light_scene_hash(work->open.scene),
-                                    .light =
-                                        pp_environment_hash(work->open.environment),
+                                    .state = state == &work->open ? 0 : 1,
+                                    .scene = pp_light_scene_hash(state->scene),
+                                    .light = pp_environment_hash(state->environment),
                                     .north_rad = work->world->north_rad,
                                     .point_count = work->receiver_count,
                                     .group_count = work->groups.count,
@@ -32,12 +33,13 @@ static struct pp_year_origin origin_of(const struct pp_annual_work *work)
 }
 
 enum pp_status pp_annual_store_begin(struct pp_year_stores *stores,
-                                     const struct pp_annual_work *work, int *samples,
+                                     const struct pp_annual_work *work,
+                                     const struct pp_annual_state *state, int *samples,
                                      struct pp_error *err)
 {
     const struct pp_annual_options *options = work->options;
-    *stores =
-        (struct pp_year_stores){options->stores, options->store_count, origin_of(work)};
+    *stores = (struct pp_year_stores){options->stores, options->store_count,
+                                      origin_of(work, state)};
     enum pp_status status = PP_OK;
     for (int i = 0; i < stores->count && status == PP_OK; i++)
         status = pp_year_store_check(stores->list[i], &stores->origin, samples, err);

@@ -5,12 +5,14 @@
 
 #include "studies/year/annual_work.h"
 
-/* Sets the stores of the options, and the origin except for its number of paths.
+/* Sets the stores of the options, and the origin of the coefficients of a state, except
+ * for its number of paths.
  * *samples: paths per point, as in pp_annual_options; it becomes that of a store to read.
- * PP_BAD_INPUT if a store has the room with another origin, or if a store to read does not
+ * PP_BAD_INPUT if a store has the room and state with another origin, or if a store to read does not
  * have all of it. */
 enum pp_status pp_annual_store_begin(struct pp_year_stores *stores,
-                                     const struct pp_annual_work *work, int *samples,
+                                     const struct pp_annual_work *work,
+                                     const struct pp_annual_state *state, int *samples,
                                      struct pp_error *err);
 
 /* Writes the origin as lines "NAME=value" for the head of a matrix. */

@@ -115,6 +115,19 @@ head -c 500000 "$matrix.randomisations" >"$scratch/short"
 check "an incomplete file" refuses 1 "of the 16 randomisations" $annual \
     -w "$scratch/year.epw" --coefficients-from "$scratch/short" "$room"
 
+# A room with blinds of its own has coefficients for closed windows, too.
+sed 's|height="1.6"/>|height="1.6"><blind slat-width="0.05" spacing="0.04" angle="40"/></window>|' \
+    "$room" >"$scratch/blind.xml"
+kept blind --samples 32 -w "$scratch/year.epw" --coefficients "$scratch/blind.mtx" \
+    "$scratch/blind.xml"
+check "blinds are read back" kept reread -w "$scratch/year.epw" \
+    --coefficients-from "$scratch/blind.mtx" "$scratch/blind.xml"
+check "with the same results" equal blind reread
+sed 's/angle="40"/angle="35"/' "$scratch/blind.xml" >"$scratch/slats.xml"
+check "other slats are refused" refuses 1 "geometry or materials" annual \
+    -w "$scratch/year.epw" --coefficients-from "$scratch/blind.mtx" --blinds always \
+    --samples 32 "$scratch/slats.xml"
+
 # ---- interrupted runs ----
 
 # Other randomisations than in the file are calculated, and added.
