@@ -21,6 +21,8 @@ enum pp_status pp_draw_moment_plan(struct pp_canvas *canvas,
     struct pp_moment_plan plan;
     struct pp_error own = {0};
     enum pp_status status = pp_moment_at(&moment, choice->moment, room->world, &own);
+    if (status == PP_OK)
+        status = pp_moment_turn_slats(room->world, &moment, &own);
     if (status != PP_OK)
         return pp_fail(err, status, "%s: %s", pp_read_file_title(room->file),
                        own.message);

@@ -40,6 +40,8 @@ static enum pp_status compute_moment(void *data, struct pp_error *err)
         run->results.list[i].file = room->file;
         struct pp_error own = {0};
         status = pp_moment_choice_find(&moment, run->choice, room->world, &own);
+        if (status == PP_OK)
+            status = pp_moment_turn_slats(room->world, &moment, &own);
         if (status != PP_OK)
             return pp_fail(err, status, "%s: %s", pp_read_file_title(room->file),
                            own.message);

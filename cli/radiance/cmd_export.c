@@ -124,6 +124,8 @@ static enum pp_status take_moment(struct pp_study_room *room,
     double north_rad = room->world->north_rad;
     enum pp_status status = pp_moment_choice_find(&moment, choice, room->world, err);
     if (status == PP_OK)
+        status = pp_moment_turn_slats(room->world, &moment, err);
+    if (status == PP_OK)
         status = pp_moment_light(&room->light, &moment, north_rad, err);
     if (status != PP_OK)
         return status;

@@ -126,6 +126,8 @@ static enum pp_exit take_moment(struct pp_study_room *room,
         return result;
     enum pp_status status = pp_moment_choice_find(&moment, choice, room->world, &own);
     if (status == PP_OK)
+        status = pp_moment_turn_slats(room->world, &moment, &own);
+    if (status == PP_OK)
         status = pp_moment_light(&room->light, &moment, room->world->north_rad, &own);
     if (status == PP_OK) {
         options->study.external_lux = moment.sky.diffuse_lx;

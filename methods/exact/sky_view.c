@@ -219,8 +219,8 @@ double pp_sky_view_sun(const struct pp_sky_view *view, struct pp_vec3 u, int *op
                 if (opening)
                     *opening = i;
                 return cosine
-                       * pp_surface_materials_pane_from(&view->world->openings[i], u,
-                                                        own.z);
+                       * pp_surface_materials_pane_sun(&view->world->openings[i], u,
+                                                       own.z);
             }
     }
     return 0.0;

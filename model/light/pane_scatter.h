@@ -38,6 +38,10 @@
 struct pp_angle_basis; /* model/light/bsdf/angle_basis.h */
 
 struct pp_pane_scatter {
+    const struct pp_pane_scatter
+        *for_sun;     /* the pane as it is for light of the sun, in a
+                                            * year of suns: slats that follow it; not
+                                            * owned; NULL: the same */
     const void *data; /* first argument of all functions; not owned */
     uint64_t id;      /* hash of the data: panes with equal ids are the same */
     double reflect_outside, reflect_room; /* reflectances of the two sides */

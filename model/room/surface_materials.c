@@ -127,16 +127,31 @@ double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
     return pp_glass_reflectance(&opening->glass, cosine) * open_share(opening);
 }
 
-double pp_surface_materials_pane_from(const struct pp_opening *opening,
-                                      struct pp_vec3 u, double cosine)
+/* The straight share of a pane that is `scatter`, or glass if that is NULL. */
+static double straight_from(const struct pp_opening *opening,
+                            const struct pp_pane_scatter *scatter, struct pp_vec3 u,
+                            double cosine)
 {
-    const struct pp_pane_scatter *scatter = opening->scatter;
     if (!scatter)
         return pp_surface_materials_pane_straight(opening, cosine);
     struct pp_vec3 travel =
         pp_vec(-pp_vec_dot(u, opening->along), -pp_vec_dot(u, opening->up), cosine);
     return scatter->straight(scatter->data, travel) * open_share(opening)
            * clean_share(opening);
+}
+
+double pp_surface_materials_pane_from(const struct pp_opening *opening,
+                                      struct pp_vec3 u, double cosine)
+{
+    return straight_from(opening, opening->scatter, u, cosine);
+}
+
+double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp_vec3 u,
+                                     double cosine)
+{
+    const struct pp_pane_scatter *scatter = opening->scatter;
+    return straight_from(
+        opening, scatter && scatter->for_sun ? scatter->for_sun : scatter, u, cosine);
 }
 
 double pp_surface_materials_past_outer_panes(const struct pp_world *world,

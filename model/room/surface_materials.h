@@ -67,6 +67,9 @@ double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
  * of incidence; also for panes that scatter. */
 double pp_surface_materials_pane_from(const struct pp_opening *opening,
                                       struct pp_vec3 u, double cosine);
+/* The same of the sun, which slats can follow. */
+double pp_surface_materials_pane_sun(const struct pp_opening *opening, struct pp_vec3 u,
+                                     double cosine);
 
 /* All fields of a material, including its name. Materials are the same if their keys
  * are equal byte for byte; -0 counts as 0. */

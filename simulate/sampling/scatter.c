@@ -113,8 +113,10 @@ struct pp_rgb pp_scatter_straight(const struct pp_material *material, struct pp_
     struct pp_frame frame = {.z = n};
     lay_frame(&frame, material);
     struct pp_vec3 out = in_pane_axes(&frame, material->is_outside, eye);
-    return pp_rgb_grey(material->scatter->straight(material->scatter->data, out)
-                       * material->clear_share * material->dirt);
+    const struct pp_pane_scatter *scatter =
+        material->scatter->for_sun ? material->scatter->for_sun : material->scatter;
+    return pp_rgb_grey(scatter->straight(scatter->data, out) * material->clear_share
+                       * material->dirt);
 }
 
 /* Sets the shares of the lobes of a scattering pane. */

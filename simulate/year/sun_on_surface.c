@@ -106,7 +106,8 @@ double pp_sun_on_surface(const struct pp_light_scene *scene,
 double pp_sun_on_surface_scattered(const struct pp_opening *opening, struct pp_vec3 sun,
                                    int leaving)
 {
-    const struct pp_pane_scatter *scatter = opening->scatter;
+    const struct pp_pane_scatter *scatter =
+        opening->scatter->for_sun ? opening->scatter->for_sun : opening->scatter;
     struct pp_vec3 in =
         pp_vec(-pp_vec_dot(sun, opening->along), -pp_vec_dot(sun, opening->up),
                -pp_vec_dot(sun, opening->inner.normal));

@@ -15,10 +15,10 @@
 enum { PILOT = 32, SAMPLES = 128, SAMPLES_MOST = 8192 };
 
 /* Shares of the whole after the steps with open windows: paths, sunlit cells,
- * direct light. With closed blinds these steps take OPEN_SHARE of the whole, and those
- * of the closed states as much again. */
+ * direct light. With closed blinds these steps end at OPEN_SHARE of the whole, and
+ * those of all closed states at CLOSED. */
 static const double TRACED = 0.4, LIT = 0.6, SEEN = 0.9;
-static const double OPEN_SHARE = 0.45;
+static const double OPEN_SHARE = 0.3, CLOSED = 0.85;
 
 static enum pp_status make_tables(struct pp_annual_work *work, struct pp_error *err)
 {
@@ -109,9 +109,9 @@ static enum pp_status prepare(struct pp_annual_work *work, struct pp_error *err)
     if (status == PP_OK && options->blinds != PP_BLINDS_AS_DRAWN
         && pp_device_states_exist(work->world))
         status = pp_device_states_open(&work->opened, work->world, err);
+    work->open.world = work->opened ? work->opened : work->world;
     if (status == PP_OK)
-        status = pp_annual_state_init(
-            &work->open, work, work->opened ? work->opened : work->world, NULL, err);
+        status = pp_annual_state_init(&work->open, work, err);
     if (status == PP_OK)
         status = make_tables(work, err);
     work->scale = work->opened && options->blinds != PP_BLINDS_NEVER ? OPEN_SHARE : 1.0;
@@ -132,16 +132,17 @@ static enum pp_status see_state(struct pp_annual_work *work,
     return pp_annual_work_for_points(work, 1, pp_annual_direct_see, err);
 }
 
-/* Traces a closed state with as many paths as the open one. */
+/* Traces a closed state with as many paths as the open one. States of slats that follow the
+ * sun are not stored, as another year needs others of them. */
 static enum pp_status trace_closed(struct pp_annual_work *work,
                                    struct pp_annual_state *state, struct pp_error *err)
 {
     struct pp_year_stores stores;
     int samples = work->samples;
+    if (state->turned)
+        return pp_annual_state_trace(state, work, work->samples, NULL, err);
     enum pp_status status = pp_annual_store_begin(&stores, work, state, &samples, err);
     stores.origin.paths = work->samples;
-    if (status == PP_OK && !pp_annual_work_next_step(work, 0.7))
-        status = PP_INTERRUPTED;
     return status == PP_OK
                ? pp_annual_state_trace(state, work, work->samples, &stores, err)
                : status;
@@ -150,27 +151,22 @@ static enum pp_status trace_closed(struct pp_annual_work *work,
 /* Calculates the room with its own blinds in the hours in which any are closed. */
 static enum pp_status close_windows(struct pp_annual_work *work, struct pp_error *err)
 {
-    size_t count = (size_t)work->year->sky_count;
-    unsigned char *marked = calloc(count + 1, 1);
-    work->closed = calloc(1, sizeof *work->closed);
-    bool any = false;
-    for (int g = 0; marked && g < work->groups.count; g++)
-        for (size_t t = 0; pp_annual_direct_has_device(work, g) && t < count; t++)
-            any |= marked[t] |= work->closes[(size_t)g * count + t];
-    enum pp_status status = marked && work->closed ? PP_OK : pp_fail_memory(err);
-    if (status == PP_OK && any) {
-        work->closed_count = 1;
-        status = pp_annual_state_init(&work->closed[0], work, work->world, marked, err);
+    enum pp_status status = pp_annual_closed_plan(work, err);
+    for (int s = 0; s < work->closed_count && status == PP_OK; s++) {
+        struct pp_annual_state *state = &work->closed[s];
+        double begun = OPEN_SHARE + (CLOSED - OPEN_SHARE) * s / work->closed_count;
+        double share = (CLOSED - OPEN_SHARE) / work->closed_count;
+        status = pp_annual_state_init(state, work, err);
+        if (status == PP_OK && !pp_annual_work_next_step(work, begun + TRACED * share))
+            status = PP_INTERRUPTED;
         if (status == PP_OK)
-            status = trace_closed(work, &work->closed[0], err);
+            status = trace_closed(work, state, err);
         if (status == PP_OK)
-            status = see_state(work, &work->closed[0], 0.75, 0.85, err);
-        if (status == PP_OK)
-            status = pp_annual_direct_share(work, &work->closed[0], err);
-        if (status == PP_OK)
-            pp_annual_direct_count_unmet(work);
+            status =
+                see_state(work, state, begun + LIT * share, begun + SEEN * share, err);
     }
-    free(marked);
+    if (status == PP_OK)
+        pp_annual_direct_count_unmet(work);
     return status;
 }
 

@@ -1,6 +1,4 @@
 /* annual_direct.c - the hours in which blinds are closed, with the direct sun at the points. */
-#include <stdlib.h>
-
 #include "studies/year/annual_work.h"
 
 bool pp_annual_direct_see(void *data, int worker, int x)
@@ -78,36 +76,25 @@ void pp_annual_direct_find(struct pp_annual_work *work)
     }
 }
 
-enum pp_status pp_annual_direct_share(struct pp_annual_work *work,
-                                      struct pp_annual_state *state,
-                                      struct pp_error *err)
+/* True if an earlier state than s has a share of the group's light, too. */
+static bool is_in_earlier(const struct pp_annual_work *work, int s, size_t at)
 {
-    size_t skies = (size_t)work->year->sky_count, count = (size_t)state->count;
-    state->share = calloc((size_t)work->groups.count * count + 1, sizeof(float));
-    if (!state->share)
-        return pp_fail_memory(err);
-    for (int g = 0; g < work->groups.count; g++) {
-        bool device = pp_annual_direct_has_device(work, g);
-        for (size_t i = 0; i < count; i++) {
-            size_t at = (size_t)g * skies + (size_t)state->hours[i];
-            if (work->closes[at] != device)
-                continue;
-            state->share[(size_t)g * count + i] = 1.0f;
-            work->taken[at] = true;
-        }
-    }
-    return PP_OK;
+    for (int k = 0; k < s; k++)
+        if (work->closed[k].share[at] > 0.0f)
+            return true;
+    return false;
 }
 
 void pp_annual_direct_count_unmet(struct pp_annual_work *work)
 {
-    size_t count = (size_t)work->year->sky_count;
+    size_t skies = (size_t)work->year->sky_count;
     for (int s = 0; s < work->closed_count; s++)
         for (int g = 0; g < work->groups.count; g++)
             for (int i = 0; i < work->closed[s].count; i++) {
                 int sky = work->closed[s].hours[i];
-                if (work->closes[(size_t)g * count + (size_t)sky]
-                    && pp_annual_direct_has_device(work, g)
+                size_t at = (size_t)g * skies + (size_t)sky;
+                if (work->closes[at] && work->closed[s].share[at] > 0.0f
+                    && !is_in_earlier(work, s, at)
                     && is_sunlit(work, &work->closed[s], g, i))
                     work->sheet->groups[g].unmet_h += work->clock.occupied_h[sky];
             }

@@ -77,20 +77,21 @@ static void add_closed(const struct pp_annual_work *work,
                        const struct pp_annual_space *space,
                        const struct pp_annual_state *state, int x, float *blinds)
 {
-    size_t count = (size_t)state->count;
+    size_t count = (size_t)state->count, skies = (size_t)work->year->sky_count;
     for (int g = 0; g < work->groups.count; g++) {
-        const float *share = state->share + (size_t)g * count;
+        const float *share = state->share + (size_t)g * skies;
         const float *direct =
             state->direct_sun
             + ((size_t)x * (size_t)work->groups.count + (size_t)g) * count;
         for (int b = 0; b < PP_YEAR_BATCHES; b++) {
             size_t row = (size_t)(g * PP_YEAR_BATCHES + b) * state->step;
             float *to = blinds + (size_t)b * work->open.step;
-            for (size_t i = 0; i < count; i++)
-                if (share[i] > 0.0f)
-                    to[state->hours[i]] +=
-                        share[i]
-                        * (space->sky[row + i] + space->sun[row + i] + direct[i]);
+            for (size_t i = 0; i < count; i++) {
+                int t = state->hours[i];
+                if (share[t] > 0.0f)
+                    to[t] += share[t]
+                             * (space->sky[row + i] + space->sun[row + i] + direct[i]);
+            }
         }
     }
 }

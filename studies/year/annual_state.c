@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "methods/exact/sky_view.h"
+#include "model/room/build/device_states.h"
 #include "model/room/surface_materials.h"
 #include "simulate/scene/light_scene_of_world.h"
 #include "studies/year/annual_work.h"
@@ -13,36 +14,44 @@ enum { CELLS = 600 };
 /* Largest pieces of sky, a third of the patches: 1.7 degrees. */
 static const double PIECE_RAD = 0.03;
 
+/* True if a group takes light of the state in that hour of the year. */
+static bool is_used(const struct pp_annual_state *state,
+                    const struct pp_annual_work *work, int t)
+{
+    size_t skies = (size_t)work->year->sky_count;
+    for (int g = 0; g < work->groups.count; g++)
+        if (state->share[(size_t)g * skies + (size_t)t] > 0.0f)
+            return true;
+    return false;
+}
+
 static enum pp_status choose_hours(struct pp_annual_state *state,
-                                   const struct pp_weather_year *year,
-                                   const unsigned char *marked, double north_rad,
+                                   const struct pp_annual_work *work,
                                    struct pp_error *err)
 {
+    const struct pp_weather_year *year = work->year;
     size_t all = (size_t)year->sky_count + 1;
     state->skies = calloc(all, sizeof *state->skies);
-    state->hours = marked ? calloc(all, sizeof *state->hours) : NULL;
-    if (!state->skies || (marked && !state->hours))
+    state->hours = calloc(all, sizeof *state->hours);
+    if (!state->skies || !state->hours)
         return pp_fail_memory(err);
     for (int t = 0; t < year->sky_count; t++) {
-        if (marked && !marked[t])
+        if (state->share && !is_used(state, work, t))
             continue;
-        if (marked)
-            state->hours[state->count] = t;
+        state->hours[state->count] = t;
         state->skies[state->count++] =
-            pp_weather_year_turned(&year->skies[t], north_rad);
+            pp_weather_year_turned(&year->skies[t], state->world->north_rad);
     }
     return PP_OK;
 }
 
 enum pp_status pp_annual_state_init(struct pp_annual_state *state,
                                     const struct pp_annual_work *work,
-                                    const struct pp_world *world,
-                                    const unsigned char *marked, struct pp_error *err)
+                                    struct pp_error *err)
 {
     size_t rows = (size_t)work->receiver_count * (size_t)work->groups.count;
-    *state = (struct pp_annual_state){.world = world};
-    enum pp_status status =
-        choose_hours(state, work->year, marked, world->north_rad, err);
+    const struct pp_world *world = state->world;
+    enum pp_status status = choose_hours(state, work, err);
     if (status == PP_OK)
         status = pp_light_scene_of_world_matt(&state->scene, world, err);
     if (status == PP_OK)
@@ -73,6 +82,7 @@ void pp_annual_state_clear(struct pp_annual_state *state)
     free(state->direct);
     free(state->direct_sun);
     free(state->share);
+    pp_device_states_destroy(state->turned);
     *state = (struct pp_annual_state){.world = NULL};
 }
 

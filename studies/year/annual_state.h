@@ -15,8 +15,9 @@
 
 struct pp_annual_state {
     const struct pp_world *world; /* not owned */
+    struct pp_world *turned;      /* the same, with slats turned; owned; NULL: none */
     int count;                    /* number of hours */
-    int *hours;                   /* the year's sky of each hour; owned; NULL: all */
+    int *hours;                   /* the year's sky of each hour; owned */
     struct pp_perez_sky *skies;   /* in the room's axes; owned */
     size_t step;                  /* numbers from one row of hours to the next */
     struct pp_light_scene *scene;
@@ -26,18 +27,18 @@ struct pp_annual_state {
     struct pp_plain_year *plain;
     float *direct;     /* [receiver][group][column]: direct light of sky and ground */
     float *direct_sun; /* [receiver][group][hour], lx */
-    float *share; /* [group][hour]: share of the group's light with blinds that is of
-                   * this state; owned; NULL: open windows */
+    float
+        *share; /* [group][sky of the year]: share of the group's light with blinds that
+                   * is of this state; owned; NULL: open windows */
 };
 
 struct pp_annual_work;
 
-/* Prepares the state for the hours of the year whose sky is marked; NULL: all. The caller
- * clears *state, even after a failure. */
+/* Prepares the state of a world: for all hours, or for those in which it has a share. The
+ * caller clears *state, even after a failure. */
 enum pp_status pp_annual_state_init(struct pp_annual_state *state,
                                     const struct pp_annual_work *work,
-                                    const struct pp_world *world,
-                                    const unsigned char *marked, struct pp_error *err);
+                                    struct pp_error *err);
 void pp_annual_state_clear(struct pp_annual_state *state);
 
 /* Traces the paths: `paths` per point and randomisation, unless they are in the stores;

@@ -21,7 +21,7 @@ struct pp_annual_work {
     struct pp_thread_pool *pool;
     struct pp_world *opened;        /* world without its devices; NULL: it has none */
     struct pp_annual_state open;    /* in all hours */
-    struct pp_annual_state *closed; /* the room's own blinds, in the hours with any */
+    struct pp_annual_state *closed; /* with the room's own blinds */
     int closed_count;
     struct pp_annual_state *state;       /* whose direct light is being calculated */
     struct pp_annual_lighting *lighting; /* NULL: no electric light */
@@ -68,11 +68,10 @@ bool pp_annual_direct_see(void *work, int worker, int x);
 void pp_annual_direct_find(struct pp_annual_work *work);
 void pp_annual_direct_count_unmet(struct pp_annual_work *work);
 
-/* Finds the light that is taken from the closed state: that of closed groups with a device
- * of their own and, in the same hours, that of groups without one that are open. */
-enum pp_status pp_annual_direct_share(struct pp_annual_work *work,
-                                      struct pp_annual_state *state,
-                                      struct pp_error *err);
+/* Plans the states of closed windows, each with its shares: those of closed groups with a
+ * device of their own and, in the same hours, of groups without one that are open.
+ * (annual_closed.c) */
+enum pp_status pp_annual_closed_plan(struct pp_annual_work *work, struct pp_error *err);
 
 /* True if the group has a device of its own. */
 bool pp_annual_direct_has_device(const struct pp_annual_work *work, int group);

@@ -7,6 +7,7 @@
 
 #include "model/base/text.h"
 #include "model/light/sun.h"
+#include "model/room/build/device_states.h"
 
 enum pp_status pp_moment_of_weather(struct pp_moment *moment,
                                     const struct pp_weather_year *year,
@@ -152,6 +153,14 @@ enum pp_status pp_moment_at(struct pp_moment *moment,
     of.latitude_rad = world->latitude_rad;
     of.longitude_rad = world->longitude_rad;
     return pp_moment_of_irradiances(moment, &of, err);
+}
+
+enum pp_status pp_moment_turn_slats(struct pp_world *world,
+                                    const struct pp_moment *moment,
+                                    struct pp_error *err)
+{
+    struct pp_perez_sky sky = pp_weather_year_turned(&moment->sky, world->north_rad);
+    return pp_device_states_turn(world, sky.direct_lx > 0.0, sky.sun, err);
 }
 
 enum pp_status pp_moment_light(struct pp_outside_light *light,

@@ -72,6 +72,11 @@ enum pp_status pp_moment_at(struct pp_moment *moment,
                             const struct pp_moment_source *source,
                             const struct pp_world *world, struct pp_error *err);
 
+/* Turns the slats of a room's blinds that follow the sun. */
+enum pp_status pp_moment_turn_slats(struct pp_world *world,
+                                    const struct pp_moment *moment,
+                                    struct pp_error *err);
+
 /* Sky and sun in the axes of a room whose y axis has that bearing, as pictures and
  * other programs use them; the ground's reflectance stays. PP_BAD_INPUT for a black
  * sky. */

@@ -223,6 +223,8 @@ enum pp_status pp_blind_create(struct pp_blind **made,
 
 void pp_blind_release(struct pp_blind *blind)
 {
-    if (blind && --blind->holders == 0)
-        free(blind);
+    if (!blind || --blind->holders > 0)
+        return;
+    pp_blind_release(blind->for_sun);
+    free(blind);
 }

@@ -31,6 +31,7 @@
 enum {
     PP_BLIND_CELLS = 72,              /* of p, from -90 to 90 degrees */
     PP_BLIND_BINS = PP_SLAT_BINS / 2, /* of q, the same */
+    PP_BLIND_SUNS = 360,              /* steps of p for the straight light of the sun */
 };
 
 struct pp_blind {
@@ -48,6 +49,10 @@ struct pp_blind {
     double sky, ground, all; /* transmittances of the blind alone */
     double mean;             /* for hand methods */
     int holders;             /* number of openings that share it */
+
+    /* Of slats that follow the sun (blind_follow.h): */
+    struct pp_blind *for_sun; /* its light of the sun; held; NULL: these slats */
+    double straight_of_sun[PP_BLIND_SUNS + 1]; /* of such a blind for the sun, by p */
 };
 
 /* Makes the blind of a device, with one holder. glass: clear, or none; for a blind

@@ -238,6 +238,23 @@ static void cut_strips(struct pp_slat_cell *cell)
         pp_slats_point(&cell->slats, at[i], &cell->end[i].a, &cell->end[i].b);
 }
 
+/* Lays the cell out; false if neighbouring slats touch. */
+static bool lay_out_cell(struct pp_slat_cell *cell, const struct pp_slats *slats)
+{
+    cell->slats = *slats;
+    cell->slats.tilt_rad = fmax(-STEEPEST, fmin(slats->tilt_rad, STEEPEST));
+    cut_strips(cell);
+    return !slats_cross(cell);
+}
+
+bool pp_slat_cell_fits(const struct pp_slats *slats)
+{
+    struct pp_slat_cell *cell = calloc(1, sizeof *cell);
+    bool fits = cell && lay_out_cell(cell, slats);
+    free(cell);
+    return fits;
+}
+
 enum pp_status pp_slat_cell_create(struct pp_slat_cell **made,
                                    const struct pp_slats *slats, struct pp_error *err)
 {
@@ -247,10 +264,7 @@ enum pp_status pp_slat_cell_create(struct pp_slat_cell **made,
     if (!cell || !rows) {
         status = pp_fail_memory(err);
     } else {
-        cell->slats = *slats;
-        cell->slats.tilt_rad = fmax(-STEEPEST, fmin(slats->tilt_rad, STEEPEST));
-        cut_strips(cell);
-        if (slats_cross(cell))
+        if (!lay_out_cell(cell, slats))
             status = pp_fail(err, PP_BAD_INPUT,
                              "slats turned by %g degrees touch each other: curved by "
                              "%g m, they need more than the spacing of %g m",

@@ -15,6 +15,8 @@
 #ifndef PP_MODEL_LIGHT_SLATS_SLAT_CELL_H
 #define PP_MODEL_LIGHT_SLATS_SLAT_CELL_H
 
+#include <stdbool.h>
+
 #include "model/light/slats/slats.h"
 #include "pepperpot.h"
 
@@ -33,6 +35,8 @@ struct pp_slat_cell;
  * the caller. */
 enum pp_status pp_slat_cell_create(struct pp_slat_cell **cell,
                                    const struct pp_slats *slats, struct pp_error *err);
+/* True if neighbouring slats do not touch. */
+bool pp_slat_cell_fits(const struct pp_slats *slats);
 void pp_slat_cell_destroy(struct pp_slat_cell *cell); /* NULL is allowed */
 
 /* Light of one profile angle, -pi to pi; beyond pi/2 it comes from the room. */

@@ -19,10 +19,11 @@ static void say_blind(const struct pp_window_device *device, char *text, size_t 
                                          [PP_DEVICE_BETWEEN] = "between the panes",
                                          [PP_DEVICE_OUTSIDE] = "outside"};
     const struct pp_slats *slats = &device->slats;
-    pp_text_append(text, room, "; %sblind %s, slats %.4g mm at %.4g mm, tilt %.3g%s",
+    pp_text_append(text, room, "; %sblind %s, slats %.4g mm at %.4g mm, tilt %.3g%s%s",
                    device->vertical ? "vertical " : "", places[device->position],
                    1000.0 * slats->width, 1000.0 * slats->spacing,
-                   slats->tilt_rad / PP_RAD, degrees);
+                   slats->tilt_rad / PP_RAD, degrees,
+                   device->follows_sun ? " (follows the sun)" : "");
     if (slats->rise != 0.0)
         pp_text_append(text, room, ", curved by %.3g mm", 1000.0 * slats->rise);
     pp_text_append(text, room, ", reflectance %.3g", slats->upper);

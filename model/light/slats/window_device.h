@@ -21,6 +21,7 @@ struct pp_window_device {
     enum pp_device_kind kind;
     struct pp_slats slats; /* blind */
     bool vertical;         /* blind: its slats are vertical */
+    bool follows_sun;      /* blind: its slats turn until they cut off the sun */
     enum pp_device_position position;
     double openness;      /* screen: share of its area that is open */
     double reflectance;   /* screen: of its fabric */

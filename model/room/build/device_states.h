@@ -18,4 +18,25 @@ enum pp_status pp_device_states_open(struct pp_world **open,
                                      struct pp_error *err);
 void pp_device_states_destroy(struct pp_world *state); /* NULL is allowed */
 
+/* True if slats of the opening follow the sun. */
+bool pp_device_states_follows(const struct pp_opening *opening);
+
+/* Angle of such slats for the sun in that direction (unit, in the room's axes); 0 if the
+ * sun is not in front of the window, or below the horizon. */
+double pp_device_states_tilt(const struct pp_opening *opening, struct pp_vec3 sun);
+
+/* Turns the slats that follow the sun in the world itself, for its position; has_sun
+ * false: there is no direct sunlight, and the slats stay at 0 degrees. */
+enum pp_status pp_device_states_turn(struct pp_world *world, bool has_sun,
+                                     struct pp_vec3 sun, struct pp_error *err);
+
+/* The room with all slats that follow the sun at one angle, for the light of the sky;
+ * light of the sun is that of slats at their own angle. Their blinds for the sun are
+ * shared with those of the state `other`; NULL: there is none. On success the caller
+ * destroys *state. */
+enum pp_status pp_device_states_tilted(struct pp_world **state,
+                                       const struct pp_world *world, double tilt_rad,
+                                       const struct pp_world *other,
+                                       struct pp_error *err);
+
 #endif

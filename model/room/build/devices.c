@@ -16,7 +16,7 @@ static bool same_slats(const struct pp_slats *a, const struct pp_slats *b)
            && a->lower == b->lower;
 }
 
-static bool is_upright(const struct pp_opening *opening)
+bool pp_devices_is_upright(const struct pp_opening *opening)
 {
     return opening->slope_rad >= VERTICAL_FROM
            && opening->slope_rad <= PP_PI - VERTICAL_FROM;
@@ -31,8 +31,9 @@ static struct pp_blind *shared_blind(const struct pp_opening *openings, int coun
         if (other->blind && same_slats(&other->device.slats, &opening->device.slats)
             && other->device.vertical == opening->device.vertical
             && other->device.position == opening->device.position
+            && other->device.follows_sun == opening->device.follows_sun
             && pp_glass_is_same(&other->glass, &opening->glass)
-            && is_upright(other) == is_upright(opening))
+            && pp_devices_is_upright(other) == pp_devices_is_upright(opening))
             return other->blind;
     }
     return NULL;
@@ -63,7 +64,7 @@ enum pp_status pp_devices_hang(struct pp_opening *opening,
     } else {
         enum pp_status status =
             pp_blind_create(&opening->blind, &opening->device, &opening->glass,
-                            is_upright(opening), err);
+                            pp_devices_is_upright(opening), err);
         if (status != PP_OK)
             return status;
     }

@@ -12,6 +12,9 @@
 enum pp_status pp_devices_put(struct pp_resolver *r, struct pp_opening *opening,
                               const struct pp_opening_part *part, struct pp_error *err);
 
+/* True if the opening is within 15 degrees of the vertical. */
+bool pp_devices_is_upright(const struct pp_opening *opening);
+
 /* Gives an opening the blind of its device and glass, shared with one of `openings` that
  * has the same. PP_BAD_INPUT if its slats touch each other. */
 enum pp_status pp_devices_hang(struct pp_opening *opening,

@@ -20,11 +20,19 @@ static bool read_blind(struct pp_reader *r, struct pp_window_device *device,
                         form.curvature_m, form.width_m);
         return false;
     }
+    if (form.cut_off == 1 && !isnan(form.angle_rad)) {
+        pp_mistakes_add(
+            r->mistakes, e->line,
+            "blind: there are an angle and cut-off=\"yes\", which turns the "
+            "slats; expected one of them");
+        return false;
+    }
+    device->follows_sun = form.cut_off == 1;
     device->slats = (struct pp_slats){
         .width = form.width_m,
         .spacing =
             isnan(form.spacing_m) ? USUAL_SPACING * form.width_m : form.spacing_m,
-        .tilt_rad = form.angle_rad,
+        .tilt_rad = isnan(form.angle_rad) ? 0.0 : form.angle_rad,
         .rise = form.curvature_m,
         .upper = form.upper.reflectance,
         .lower = isnan(form.lower.reflectance) ? form.upper.reflectance

@@ -210,7 +210,8 @@ LEAF(shelf, "shelf", shelf_rows);
 static const struct pp_attribute_rule blind_rows[] = {
     {"slat-width", &pp_room_values_size, OR(0.025), IN(blind, width_m)},
     {"spacing", &pp_room_values_size, OR(NAN), IN(blind, spacing_m)},
-    {"angle", &pp_room_values_slat_angle, OR(0), IN(blind, angle_rad)},
+    {"angle", &pp_room_values_slat_angle, OR(NAN), IN(blind, angle_rad)},
+    {"cut-off", &pp_room_values_yes_no, OR(0), IN(blind, cut_off)},
     {"curvature", &pp_room_values_coordinate, OR(0), IN(blind, curvature_m)},
     {"reflectance", &pp_room_values_reflectance, OR(0.5), IN(blind, upper)},
     {"reflectance-below", &pp_room_values_reflectance, OR(NAN), IN(blind, lower)},

@@ -187,10 +187,12 @@ struct pp_shade_form {
 };
 
 struct pp_blind_form {
-    double width_m, spacing_m, angle_rad, curvature_m; /* spacing NAN: not given */
-    struct pp_finish_value upper, lower;               /* lower NAN: as upper */
-    int direction;                                     /* 0 horizontal, 1 vertical */
-    int position;                                      /* enum pp_device_position */
+    double width_m, spacing_m, angle_rad,
+        curvature_m;                     /* spacing and angle NAN: not given */
+    int cut_off;                         /* 0 no, 1 yes */
+    struct pp_finish_value upper, lower; /* lower NAN: as upper */
+    int direction;                       /* 0 horizontal, 1 vertical */
+    int position;                        /* enum pp_device_position */
 };
 
 struct pp_screen_form {

@@ -212,6 +212,27 @@ static void slats_turn_no_further_than_the_sun_requires(void **state)
     assert_true(pp_slats_cut_off(&even, 60.0 * PP_RAD) == 0.0);
 }
 
+/* A beam can be blocked at some tilt if and only if cos p <= w/s; below, slats across the
+ * ray let 1 - (w/s)/cos p pass. Another program left such slats at 0 degrees (EnergyPlus,
+ * issue 2842). */
+static void slats_narrower_than_their_spacing_block_a_high_sun_only(void **state)
+{
+    (void)state;
+    static const struct {
+        double spacing, limit_deg;
+    } cases[] = {{1.1, 24.6}, {1.2, 33.6}, {1.4, 44.4}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int p = 1; p < 90; p++) {
+            struct pp_slats slats = {1.0, cases[i].spacing, 0.0, 0.0, 0.5, 0.5};
+            double profile = p * PP_RAD;
+            slats.tilt_rad = pp_slats_cut_off(&slats, profile);
+            double straight = pp_slats_straight(&slats, profile);
+            assert_true((straight == 0.0) == (p > cases[i].limit_deg));
+            assert_near(straight, fmax(0.0, 1.0 - 1.0 / slats.spacing / cos(profile)),
+                        1e-6);
+        }
+}
+
 static void slats_that_touch_are_refused(void **state)
 {
     (void)state;
@@ -234,6 +255,7 @@ TEST_FILE
         cmocka_unit_test(uniform_light_passes_alike_both_ways),
         cmocka_unit_test(a_blind_upside_down_does_the_same_upside_down),
         cmocka_unit_test(slats_turn_no_further_than_the_sun_requires),
+        cmocka_unit_test(slats_narrower_than_their_spacing_block_a_high_sun_only),
         cmocka_unit_test(slats_that_touch_are_refused),
     };
     add_tests(tests, NULL, NULL);
