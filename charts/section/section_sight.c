@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "model/geometry/tolerance.h"
+
 /* Mid-height of a face's openings: of those cut, or else of all. False: there are
  * none. */
 static bool middle_of_openings(const struct pp_section_cut *section,
@@ -31,10 +33,26 @@ static bool middle_of_openings(const struct pp_section_cut *section,
     return high > low;
 }
 
+/* True if the surface is the wall round a nested window, on the side of the coarse
+ * model. */
+static bool is_round_window(const struct pp_surface *surface,
+                            const struct pp_world *world)
+{
+    for (int i = 0; i < world->opening_count; i++) {
+        const struct pp_polygon *glass = &world->openings[i].outer;
+        if (world->openings[i].is_nested
+            && fabs(pp_vec_dot(surface->outline.normal, glass->normal)) > 1.0 - 1e-6
+            && fabs(pp_polygon_height(glass, surface->outline.vertices[0])) < PP_SAME_M)
+            return true;
+    }
+    return false;
+}
+
 /* True if the cut is an obstruction outside, other than a facade. */
 static bool stands_outside(const struct pp_cut *cut, const struct pp_world *world)
 {
-    return cut->kind == PP_CUT_OUTSIDE && world->surfaces[cut->of].role != PP_FACADE;
+    return cut->kind == PP_CUT_OUTSIDE && world->surfaces[cut->of].role != PP_FACADE
+           && !is_round_window(&world->surfaces[cut->of], world);
 }
 
 /* True if the sky is visible from the sight's place at that angle. */
@@ -96,6 +114,11 @@ struct pp_section_sight pp_section_sight_of(const struct pp_section_cut *section
     double out = near ? -1.0 : 1.0;
     if (face < 0 || !middle_of_openings(section, world, face, &sight.z))
         return sight;
+    /* A coarse model begins at the glass of a nested window. */
+    for (int i = 0; i < world->opening_count; i++)
+        if (world->openings[i].face == face && world->openings[i].is_nested)
+            sight.s =
+                (near ? 0.0 : section->length_m) + out * world->openings[i].reveal_m;
     /* The head of the obstruction is the end of a cut that is nearest to the edge of
      * the sky. */
     double edge = find_sky(&sight, section, world, out) ? sight.angle_rad : 0.5 * PP_PI;
