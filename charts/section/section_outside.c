@@ -62,10 +62,12 @@ static void draw_overhang(const struct outside_drawing *drawing)
                   drawing->y - run * tan(angle));
     cairo_stroke(drawing->cr);
     snprintf(words, sizeof words, "overhang: sky up to %.0f\u00b0", angle / PP_RAD);
-    double wide =
-        fmax(drawing->reach - facade_mm(drawing) - style->scale, 12.0 * style->scale);
+    /* The building opposite may stand at the end of the strip. */
+    double building = drawing->sight.angle_rad > 0.0 ? 4.0 * style->scale : 0.0;
+    double wide = fmax(drawing->reach - building - facade_mm(drawing) - style->scale,
+                       12.0 * style->scale);
     const struct pp_lettering text = {.down = 1.0, .width = wide, .lines = 3};
-    double end = drawing->x + drawing->out * drawing->reach;
+    double end = drawing->x + drawing->out * (drawing->reach - building);
     pp_lettering_draw_on_white(drawing->cr, style, &text,
                                drawing->out < 0.0 ? end : end - wide,
                                drawing->y - 0.5 * style->scale, words);
@@ -222,6 +224,8 @@ void pp_section_outside_draw(cairo_t *cr, const struct pp_style *style,
         .out = near ? -1.0 : 1.0,
         .reach = (near ? section->left_mm : section->right_mm) - 1.0};
     const struct pp_section_sight *sight = &drawing.sight;
+    drawing.reach -=
+        fabs(sight->s - (near ? 0.0 : section->cut->length_m)) * section->mm_per_m;
     drawing.x = pp_section_frame_x(section, sight->s);
     drawing.y = pp_section_frame_y(section, sight->z);
     if (sight->overhang_rad < 0.5 * PP_PI && !section->no_angles)

@@ -87,6 +87,10 @@ check "hand methods refuse them" shows \
 check "the report names the model" shows \
     "within         atrium, in front of the windows; 20 surfaces, 1 pane" df office.xml
 
+"$pepperpot" chart section -s --error 10% office.xml -o section.pdf 2>/dev/null
+check "the section shows the line of sight to the edge of the roof" says section.pdf \
+    "line of sight 38° at 9.5"
+
 # Turned by 90 degrees, the wall named north of the atrium faces west.
 room turned 'north="-90"' "$(printf %s "$atrium$window$roof" | sed 's/"north"/"east"/
     s/width="6" depth="10"/width="10" depth="6"/
