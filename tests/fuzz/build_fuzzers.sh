@@ -69,6 +69,12 @@ values=$(corpus values)
 printf '%s\n' x,y,z,df_percent 1,2,.85,3.1 >"$values/commas"
 printf '%s\n' 'x [m];y [m];e [lx]' '1,5;2;310,5' >"$values/semicolons"
 printf '%s\n' 3.1 2.9 1e-3 >"$values/bare"
+printf '1.5,0.5 1.5,2;-3,1e-3,.85' >"$(corpus points)/three"
+options=$(corpus options)
+printf '%s\n' -p 1,2 --sky=iso-12,30,90 --set window.W1.width=1.4 --sweep plan.depth=3:9:.5 \
+    -s --error 2% -j 2 --seed=7 --spacing 0.25,.5 --cut x=2 -o out.json file.xml >"$options/many"
+printf '%s\n' --time 500ms -sqm exact+bre --sweep window.sill=.8,1 --room A --state existing -- -x \
+    >"$options/short"
 printf '0.85 W / (A (1 - R_fw)) (1 + 5 sin(theta)) + min(W, 2) / A' >"$(corpus formula)/sum"
 
 # An archive: a target takes the objects that it needs.

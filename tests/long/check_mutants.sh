@@ -1,15 +1,19 @@
 #!/bin/sh
 # check_mutants.sh BUILD - do the tests see it when the program is wrong? Makes the deliberate
-# changes of mutants.txt, one at a time, to the copy of the sources that BUILD was configured
-# from, and runs the quick tests until one fails: those that include the changed file's
-# header, those of its folder's mirror in tests/, then all others. Says of each change which
-# test saw it; fails where more than 5 in 100 were seen by none, or where a change applies no
-# longer, or not to one line alone. A test that fails without any change sees nothing: it is
-# named and left out. Hours; make check-mutants makes the copy.
+# changes of mutants.txt, and others that draw_mutants.awk draws at random, one at a time, to
+# the copy of the sources that BUILD was configured from. Runs the quick tests until one
+# fails: those that include the changed file's header, those of its folder's mirror in
+# tests/, then all others. Prints for each change which test saw it. Fails where more than 5
+# in 100 of the list, or a third of the drawn ones, were seen by none: some drawn changes
+# change no result. Fails where a change of the list applies no longer, or not to one line
+# alone; a drawn one that does not compile does not count. A test that fails without any
+# change sees nothing: it is named and left out. Hours; make check-mutants makes the copy.
 #
-# MUTANTS=REGEX: of the changes only those whose line matches. NEAR=yes: only the tests that
-# come first, minutes; its survivors may be seen by others.
+# MUTANTS=REGEX: of the changes only those whose line matches. DRAWN=N: N drawn changes (60),
+# 0: none. SEED=N: others (1). NEAR=yes: only the tests that come first, minutes; its
+# survivors may be seen by others.
 build=$1 list=$(cd "$(dirname "$0")" && pwd)/mutants.txt
+drawn_from="methods simulate model/light studies/criteria formats"
 source=$(sed -n "s/^abs_srcdir = //p" "$build/Makefile")
 [ -d "$source" ] && [ -r "$list" ] || {
     echo "check_mutants.sh: there is no configured build in $1" >&2
@@ -58,7 +62,7 @@ fails() {
     */test_wrong_rooms) run="sh $source/tests/lib/run.sh ./$1" ;;
     *) run="sh $source/tests/lib/run.sh ./$(program_of "$1") --filter ${1##*/}" ;;
     esac
-    ! timeout 600 $run >mutant.log 2>&1 || grep -q '^not ok' mutant.log
+    ! (ulimit -v 12000000 && timeout 600 $run) >mutant.log 2>&1 || grep -q '^not ok' mutant.log
 }
 
 # once WORD ...: each once, in the order in which it first comes.
@@ -99,31 +103,45 @@ try() {
     done
 }
 
-done=0 survivors=0 wrong=0
+# change_all FILE: makes the changes that the file lists. Sets done, survivors and wrong.
+change_all() {
+    done=0 survivors=0 wrong=0
+    while read -r file change; do
+        first=$(once $(near "$file")) rest=
+        [ -n "${NEAR:-}" ] || rest=$(once $programs $scripts | grep -vxF "$first")
+        try $first
+        kept=$source/$file.kept
+        cp -p "$source/$file" "$kept" && sed "$change" "$kept" >"$source/$file"
+        lines=$(diff "$kept" "$source/$file" | grep -c '^>')
+        done=$((done + 1))
+        if [ "$lines" = 1 ]; then
+            test=$(seen_by $first)
+            [ -n "$test" ] || [ -z "$rest" ] || test=$(seen_by $rest)
+        else
+            test="not made: it changes $lines lines; expected 1"
+        fi
+        case $test in
+        '') survivors=$((survivors + 1)) test='seen by none' ;;
+        not*) wrong=$((wrong + 1)) ;;
+        esac
+        printf '%s: %s %s\n' "$test" "$file" "$change"
+        mv "$kept" "$source/$file" && touch "$source/$file"
+    done <"$1"
+}
+
 : >mutant.tried
 : >mutant.unsound
-grep -v '^#\|^$' "$list" | grep -- "${MUTANTS:-}" >mutants.now
+grep -v '^#\|^$' "$list" | grep -- "${MUTANTS:-}" >mutants.listed
+(cd "$source" &&
+    awk -v count="${DRAWN:-60}" -v seed="${SEED:-1}" -f "$(dirname "$list")/draw_mutants.awk" \
+        $(find $drawn_from -name '*.c' | sort)) | grep -- "${MUTANTS:-}" >mutants.drawn
 [ -n "${NEAR:-}" ] || try $programs $scripts
-while read -r file change; do
-    first=$(once $(near "$file")) rest=
-    [ -n "${NEAR:-}" ] || rest=$(once $programs $scripts | grep -vxF "$first")
-    try $first
-    kept=$source/$file.kept
-    cp -p "$source/$file" "$kept" && sed "$change" "$kept" >"$source/$file"
-    lines=$(diff "$kept" "$source/$file" | grep -c '^>')
-    done=$((done + 1))
-    if [ "$lines" = 1 ]; then
-        test=$(seen_by $first)
-        [ -n "$test" ] || [ -z "$rest" ] || test=$(seen_by $rest)
-    else
-        test="not made: it changes $lines lines; expected 1"
-    fi
-    case $test in
-    '') survivors=$((survivors + 1)) test='seen by none' ;;
-    not*) wrong=$((wrong + 1)) ;;
-    esac
-    printf '%s: %s %s\n' "$test" "$file" "$change"
-    mv "$kept" "$source/$file" && touch "$source/$file"
-done <mutants.now
-echo "$done changes, $survivors seen by no test, $wrong that cannot be made"
-[ $done -gt 0 ] && [ $wrong = 0 ] && [ $((100 * survivors)) -le $((5 * done)) ]
+failed=0
+change_all mutants.listed
+echo "of the list: $done changes, $survivors seen by no test, $wrong that cannot be made"
+[ $wrong = 0 ] && [ $((100 * survivors)) -le $((5 * done)) ] || failed=1
+all=$done
+change_all mutants.drawn
+echo "drawn: $done changes, $survivors seen by no test, $wrong that do not compile"
+[ $((3 * survivors)) -le $done ] || failed=1
+[ $((all + done)) -gt 0 ] && [ $failed = 0 ]
