@@ -40,7 +40,7 @@ static bool method_refuses(const struct pp_method_run *run,
         return true;
     answer->opening = run->refused;
     answer->why = run->why_refused;
-    if (!method->refuses_alike)
+    if (!run->refuses_alike)
         answer->opening = refused_opening(run, receiver, &answer->why);
     return answer->why != NULL;
 }
@@ -71,8 +71,11 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
     for (int i = 0; i < world->opening_count; i++)
         run->factors[i] = pp_allowance_of(method, world, world->openings + i);
     bool refused = pp_method_refuses_room(method, world, run->light, NULL) != NULL;
-    if (method->refuses_alike && !refused)
+    run->refuses_alike = method->refuses_alike || !method->refuses;
+    if (run->refuses_alike && !refused) {
         run->refused = refused_opening(run, NULL, &run->why_refused);
+        refused = run->refused;
+    }
     run->plain = report->options && report->options->plain;
     if (method->prepare_fast && !refused && !run->plain)
         status = method->prepare_fast(&run->tools, world, run->light, err);

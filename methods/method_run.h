@@ -28,8 +28,10 @@ struct pp_method_run {
     const struct pp_outside_light *light;
     double *factors; /* product of the corrections that the figures lack, for each
                       * opening */
-    void *tools;     /* made by the method; NULL for a room that it refuses */
+    void *tools;     /* made by the method; NULL for a room, or an opening, that it
+                      * refuses for any receiver */
     struct pp_formulary *formulary;
+    bool refuses_alike; /* which openings are refused does not depend on the receiver */
     const struct pp_opening *refused; /* with refuses_alike: the first opening that the
                                        * method does not cover; NULL: none */
     const char *why_refused;

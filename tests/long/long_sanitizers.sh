@@ -42,5 +42,7 @@ programs() {
 }
 check "the program builds" build
 check "every script of tests/cli passes" scripts
+rooms() { srcdir=../source sh ../source/tests/long/long_odd_rooms.sh >rooms.log 2>&1 && ! grep -A 20 "^not ok" rooms.log; }
+check "no command on unusual rooms has a memory error" rooms
 check "no pointer into a function that has returned is used" programs
 tap_done

@@ -173,6 +173,16 @@ static void a_written_pane_reads_back(void **state)
     }
 }
 
+/* Rings are bounded by 90 degrees, to the rounding of a file that gives degrees. */
+static void no_ring_of_directions_goes_below_the_surface(void **state)
+{
+    (void)state;
+    struct pp_angle_basis basis = {.count = 0};
+    assert_false(pp_angle_basis_add_ring(&basis, 0.0, 90.9 * PP_RAD, 1));
+    assert_true(pp_angle_basis_add_ring(&basis, 0.0, 90.00005 * PP_RAD, 1));
+    assert_near(basis.rings[0].high_rad, 0.5 * PP_PI, 0.0);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -182,6 +192,7 @@ TEST_FILE
         cmocka_unit_test(radiance_under_an_even_sky_sums_over_arriving_light),
         cmocka_unit_test(panes_are_told_apart_by_their_light),
         cmocka_unit_test(a_written_pane_reads_back),
+        cmocka_unit_test(no_ring_of_directions_goes_below_the_surface),
     };
     add_tests(tests, NULL, NULL);
 }

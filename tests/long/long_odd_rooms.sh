@@ -1,0 +1,76 @@
+#!/bin/sh
+# Commands on valid but unusual rooms (odd_rooms.awk), two minutes: each ends with a result, or
+# with a reason for none; no crash, nothing that takes two minutes, no output that contains "nan".
+# tests/long/long_sanitizers.sh runs the same under clang's sanitizers. A room is made again by
+#     awk -v folder=. -v room=17 -f tests/long/odd_rooms.awk
+# SECONDS_MOST: the time; FIRST_ROOM: the first of the series.
+. "$srcdir/tests/lib/tap.sh"
+. "$srcdir/tests/lib/cli.sh"
+
+seconds=${SECONDS_MOST:-120}
+room=${FIRST_ROOM:-1}
+charts="plan section site elevation note waldram pepper-pot protractor nomogram brs-table
+    vertical-sky skylight-indicator sun-path slats model-net availability"
+kinds=$(echo "$charts" | wc -w)
+
+# The commands, one a line; ROOM, OUT and POINT stand for the room's file, an output without
+# its ending, and a point. A room has every chart in turn.
+commands() {
+    chart=$(echo $charts | cut -d ' ' -f $((1 + room % kinds)))
+    of_point=
+    case $chart in note | waldram | pepper-pot | protractor | brs-table) of_point="-p POINT" ;; esac
+    cat <<LIST
+df -m all -f json ROOM
+df -m all -f csv ROOM
+df -s --samples 2 -f csv ROOM
+df --explain -p POINT ROOM
+assess --by-hand -f json ROOM
+assess --by-hand -f csv ROOM
+chart $chart $of_point ROOM -o OUT.pdf
+size --by-hand --target 2% -f json ROOM
+validate -m exact+bre --samples 2 -f csv ROOM
+export --to radiance ROOM -o OUT
+availability --latitude 51 --illuminance 300 -f csv ROOM
+LIST
+    [ $((room % 4)) != 0 ] || echo "render --samples 1 --size 24x24 ROOM -o OUT.png
+report --by-hand ROOM -o OUT.html
+glare --samples 16 --sky overcast,20000 --view POINT,0 -f json ROOM"
+}
+
+# fault WORDS: runs a command; prints what is wrong with it, if anything is.
+fault() {
+    rm -rf "$scratch"/result*
+    timeout 120 "$pepperpot" "$@" >"$scratch/out" 2>"$scratch/err" </dev/null
+    status=$?
+    case $status in
+    0) grep -liE '(^|[^a-z])nan([^a-z]|$)' "$scratch/out" $(find "$scratch" -name 'result*' \
+        -type f ! -name '*.png') | sed 's/.*/contains nan/' | head -n 1 ;;
+    1) [ -s "$scratch/err" ] || echo "status 1 without a message" ;;
+    124) echo "takes more than two minutes" ;;
+    *) echo "status $status: $(tail -n 1 "$scratch/err")" ;;
+    esac
+}
+
+# sweep: all commands on one room after another; prints what is wrong. Sets valid and room.
+sweep() {
+    end=$(($(date +%s) + seconds))
+    valid=0
+    while [ "$(date +%s)" -lt $end ]; do
+        point=$(awk -v folder="$scratch" -v room=$room -f "$srcdir/tests/long/odd_rooms.awk")
+        "$pepperpot" df -m bre "$scratch/$room.xml" >/dev/null 2>&1 && valid=$((valid + 1))
+        commands | sed "s|ROOM|$scratch/$room.xml|; s|OUT|$scratch/result|; s|POINT|$point|" >"$scratch/commands"
+        while read -r line && [ "$(date +%s)" -lt $end ]; do
+            # shellcheck disable=SC2086 # words
+            found=$(fault $line)
+            [ -z "$found" ] || echo "room $room: ${line%% "$scratch"*}: $found"
+        done <"$scratch/commands"
+        rm -f "$scratch/$room.xml" "$scratch/$room-"*.obj
+        room=$((room + 1))
+    done
+}
+
+first=$room
+sweep >"$scratch/faults"
+check "no command fails on $((room - first)) rooms" nothing "$(cat "$scratch/faults")"
+check "half of them are valid" test $((2 * valid)) -ge $((room - first))
+tap_done
