@@ -17,7 +17,7 @@ static const double bins[][COLUMNS] = {
 };
 
 static const double EPS_MOST = 12.01, D_LEAST = 0.01, D_MOST = 0.6;
-static const double Z_MOST = 87.0 * PP_RAD;
+static const double Z_LEAST = 3.0 * PP_RAD, Z_MOST = 90.0 * PP_RAD;
 
 /* Clamps the value; records the limit if it is exceeded. */
 static double limited(double value, double low, double high, unsigned limit,
@@ -152,7 +152,7 @@ struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions
 {
     struct pp_perez_sky sky = {.sun = conditions->sun, .clearness = 1.0, .bin = 1};
     double Ed = conditions->diffuse_w_m2, En = conditions->direct_w_m2;
-    double Z = fmin(acos(pp_clamp(sky.sun.z, -1.0, 1.0)), Z_MOST);
+    double Z = pp_clamp(acos(pp_clamp(sky.sun.z, -1.0, 1.0)), Z_LEAST, Z_MOST);
     double mass = 1.0 / (cos(Z) + 0.15 * pow(93.885 - Z / PP_RAD, -1.253));
     double distance = conditions->sun_distance_au, cube = 1.041 * Z * Z * Z;
     double clearness = Ed > 0.0   ? ((Ed + En) / Ed + cube) / (1.0 + cube)

@@ -32,8 +32,8 @@
  *
  *     W = exp(0.07 Td - 0.075)    precipitable water, cm; Td dew point, degrees Celsius
  *
- * Limits, mostly those of Radiance's gendaylit: eps 1 to 12.01; D 0.01 to 0.6; Z at
- * most 87 degrees in a ... e and (2); D at least 0.2 in a ... e of bins 2 to 5. b is at
+ * Limits, mostly those of Radiance's gendaylit: eps 1 to 12.01; D 0.01 to 0.6; Z 3
+ * to 90 degrees in a ... e and (2); D at least 0.2 in a ... e of bins 2 to 5. b is at
  * most 0, since (1) is unbounded at the horizon otherwise. Negative values of (1) count
  * as 0.
  */

@@ -117,6 +117,39 @@ static void a_sky_without_bound_at_the_horizon_is_limited(void **state)
     }
 }
 
+/* Two hours of a weather file for Chicago, 1 and 3 January, by an independent program. */
+static void a_low_sun_has_its_own_air_mass(void **state)
+{
+    (void)state;
+    static const struct {
+        double altitude_deg, direct_w_m2, diffuse_w_m2, dew_point_c;
+        double diffuse_lx, direct_lx;
+    } hours[] = {{0.784, 22.0, 10.0, -13.3, 1201.2, 437.8},
+                 {0.7748, 0.0, 20.0, -5.6, 2105.5, 0.0}};
+    for (int i = 0; i < 2; i++) {
+        const struct pp_perez_conditions conditions = {
+            .direct_w_m2 = hours[i].direct_w_m2,
+            .diffuse_w_m2 = hours[i].diffuse_w_m2,
+            .sun = toward(hours[i].altitude_deg, 122.5),
+            .sun_distance_au = 0.9833,
+            .dew_point_c = hours[i].dew_point_c};
+        struct pp_perez_sky sky = pp_perez_sky_of(&conditions);
+        assert_relative(sky.diffuse_lx, hours[i].diffuse_lx, 1e-3);
+        assert_near(sky.direct_lx, hours[i].direct_lx, 2.0);
+    }
+}
+
+/* gendaylit places a sun above 87 degrees at 87 degrees. */
+static void a_sun_near_the_zenith_has_the_sky_of_87_degrees(void **state)
+{
+    (void)state;
+    struct pp_perez_sky high = sky_of(89.0, 0.0, 700.0, 110.0),
+                        limit = sky_of(87.0, 0.0, 700.0, 110.0);
+    assert_near(high.a, limit.a, 1e-12);
+    assert_near(high.c, limit.c, 1e-12);
+    assert_near(high.diffuse_lx, limit.diffuse_lx, 1e-6);
+}
+
 static void direct_light_alone_leaves_a_black_sky(void **state)
 {
     (void)state;
@@ -168,6 +201,8 @@ TEST_FILE
         cmocka_unit_test(its_luminances_are_those_of_another_program),
         cmocka_unit_test(every_sky_gives_its_diffuse_illuminance),
         cmocka_unit_test(a_sky_without_bound_at_the_horizon_is_limited),
+        cmocka_unit_test(a_low_sun_has_its_own_air_mass),
+        cmocka_unit_test(a_sun_near_the_zenith_has_the_sky_of_87_degrees),
         cmocka_unit_test(direct_light_alone_leaves_a_black_sky),
     };
     add_tests(tests, NULL, NULL);
