@@ -69,7 +69,8 @@ const char *pp_method_refuses_opening(const struct pp_method *method,
                                       const struct pp_receiver *receiver)
 {
     if (opening->blind && !method->takes_blinds)
-        return "has a blind, but the method covers only windows without blinds";
+        return "has a blind, but the method covers only windows without blinds; a "
+               "simulation (--simulate) covers blinds";
     const char *why =
         method->refuses ? method->refuses(world, light, opening, receiver) : NULL;
     bool scatters =

@@ -45,7 +45,7 @@ struct plane_screen {
 
 struct pp_traced_plane {
     const struct pp_world *world;
-    struct pp_direct_plane *direct; /* by `exact` */
+    struct pp_direct_plane *direct; /* by `exact`; NULL: it does not cover the room */
     double external; /* ratio of simulated externally reflected light to that of
                       * `exact` */
     double side_m;   /* side of the squares before any is halved */
@@ -285,9 +285,14 @@ enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
     if (!made)
         return pp_fail_memory(err);
     made->world = world;
+    struct pp_error why = {0};
     enum pp_status status =
-        pp_direct_plane_create(&made->direct, world, light, &pp_method_exact, err);
-    if (status == PP_OK)
+        pp_direct_plane_create(&made->direct, world, light, &pp_method_exact, &why);
+    if (status == PP_BAD_INPUT)
+        made->direct = NULL;
+    else if (status != PP_OK)
+        pp_fail(err, status, "%s", why.message);
+    if (status == PP_OK || status == PP_BAD_INPUT)
         status = find_screens(made, err);
     if (status == PP_OK)
         status = find_openings(made, err);
@@ -334,6 +339,9 @@ static enum pp_status known_at(const struct pp_traced_plane *plane, double x, do
                                double *value, struct pp_error *err)
 {
     double sky, external;
+    *value = 0.0;
+    if (!plane->direct)
+        return PP_OK;
     enum pp_status status =
         pp_direct_plane_at(plane->direct, x, y, &sky, &external, err);
     *value = status == PP_OK ? sky + plane->external * external : 0.0;
@@ -348,7 +356,7 @@ static enum pp_status match_external(struct pp_traced_plane *plane,
                                      struct pp_error *err)
 {
     double products = 0.0, weights = 0.0;
-    for (int i = 0; i < plane->count; i++) {
+    for (int i = 0; i < plane->count && plane->direct; i++) {
         double sky, by_exact;
         enum pp_status status =
             pp_direct_plane_at(plane->direct, plane->points[i].x, plane->points[i].y,

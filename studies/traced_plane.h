@@ -8,7 +8,8 @@
  * place, is subtracted from the simulated factors at the points and added again at the
  * place: the sky component, and the externally reflected component times the factor
  * that fits the simulation best. The latter need not be accurate, since the same amount
- * is subtracted and added.
+ * is subtracted and added. Nothing is subtracted if `exact` does not cover the room: light
+ * that blinds scatter has no kinks.
  *
  * The remainder is smooth. Between the points it is a moving least squares fit of a
  * quadratic (moving_fit.h; weights (1 - d²/R²)², R about two and a half squares wide)

@@ -122,11 +122,48 @@ static void only_errors_of_their_own_are_evened_out(void **state)
     clear(&room);
 }
 
+/* `exact` does not cover a window with a blind, so nothing is subtracted. */
+static void a_room_with_a_blind_has_a_plane(void **state)
+{
+    (void)state;
+    struct made_up room;
+    room.world = pp_test_lit_world(
+        &room.light,
+        "<room version='1'><plan width='4' depth='6' height='2.7'/>"
+        "<window wall='south' left='0.5' sill='0.9' width='3' height='1.5'>"
+        "<blind angle='-45'/></window><point x='2' y='1'/></room>");
+    assert_int_equal(pp_traced_plane_create(&room.plane, &room.points, &room.count,
+                                            room.world, &room.light, NULL),
+                     PP_OK);
+    size_t size = (size_t)room.count + 1;
+    struct pp_reading *factors = calloc(size, sizeof *factors);
+    struct pp_reading *external = calloc(size, sizeof *external);
+    for (int i = 0; i < room.count; i++) {
+        struct pp_vec3 at = room.points[i].position;
+        factors[i] = pp_reading_of(0.03 * exp(-0.5 * at.y) * (1.0 + 0.1 * at.x));
+        external[i] = pp_reading_of(0.0);
+    }
+    assert_int_equal(pp_traced_plane_fill(room.plane, factors, external, 0.0, NULL),
+                     PP_OK);
+    for (int i = 0; i < 40; i++) {
+        double x = 0.11 + 0.097 * i, y = 5.83 - 0.139 * i, value;
+        double expected = 0.03 * exp(-0.5 * y) * (1.0 + 0.1 * x);
+        assert_int_equal(pp_traced_plane_value(room.plane, x, y, &value, NULL), PP_OK);
+        assert_near(value, expected, 0.01 * expected);
+    }
+    free(factors);
+    free(external);
+    free(room.points);
+    pp_traced_plane_destroy(room.plane);
+    pp_world_destroy(room.world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(between_points_the_edge_of_the_sky_is_followed),
         cmocka_unit_test(only_errors_of_their_own_are_evened_out),
+        cmocka_unit_test(a_room_with_a_blind_has_a_plane),
     };
     add_tests(tests, NULL, NULL);
 }
