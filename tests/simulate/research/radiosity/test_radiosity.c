@@ -1,4 +1,5 @@
 /* test_radiosity.c - radiosity, against what is known on paper: to 0.1 %. */
+#include "simulate/research/radiosity/plane_points.h"
 #include "tests/lib/radiosity_of.h"
 #include "tests/lib/random_rooms.h"
 #include "tests/lib/sized.h"
@@ -403,6 +404,32 @@ static void threads_change_nothing_to_the_bit(void **state)
     pp_world_destroy(world);
 }
 
+/* A plane that begins at (1.3, 2.1), of 3 by 5 m: about as many points as wanted, whose
+ * mean is its middle. */
+static void points_of_a_plane_lie_evenly_wherever_it_begins(void **state)
+{
+    (void)state;
+    enum { WANTED = 60 };
+    struct pp_world *world = pp_test_world(
+        "<room version='1'><plan height='2.6'><vertex x='1.3' y='2.1'/>"
+        "<vertex x='4.3' y='2.1'/><vertex x='4.3' y='7.1'/><vertex x='1.3' "
+        "y='7.1'/></plan></room>");
+    struct pp_plane_points points;
+    assert_int_equal(pp_plane_points_of(&points, world, WANTED, NULL), PP_OK);
+    assert_in_range(points.count, WANTED * 9 / 10, WANTED * 11 / 10);
+    double x = 0.0, y = 0.0, whole = 0.0;
+    for (int i = 0; i < points.count; i++) {
+        x += points.shares[i] * points.list[i].x;
+        y += points.shares[i] * points.list[i].y;
+        whole += points.shares[i];
+    }
+    assert_near(whole, 1.0, 1e-12);
+    assert_near(x, 2.8, 0.05); /* places within squares differ */
+    assert_near(y, 4.6, 0.05);
+    pp_plane_points_clear(&points);
+    pp_world_destroy(world);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -414,6 +441,7 @@ TEST_FILE
         cmocka_unit_test(a_corridor_solves_its_integral_equation),
         cmocka_unit_test(sky_components_keep_the_error_that_is_stated),
         cmocka_unit_test(threads_change_nothing_to_the_bit),
+        cmocka_unit_test(points_of_a_plane_lie_evenly_wherever_it_begins),
     };
     add_tests(tests, NULL, NULL);
     const struct CMUnitTest long_tests[] = {

@@ -51,7 +51,7 @@ static void half_of_the_points_reach_the_median_of_their_illuminances(void **sta
     assert_int_equal(level.reached, PP_EN17037_MINIMUM);
     assert_int_equal(level.perhaps, PP_EN17037_MINIMUM);
     assert_non_null(strstr(findings.basis, "hour of Nowhere, in"));
-    assert_non_null(strstr(findings.basis, "level reached: minimum"));
+    assert_non_null(strstr(findings.basis, "Level reached: minimum"));
     pp_finding_list_clear(&findings);
 }
 
