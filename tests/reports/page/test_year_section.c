@@ -12,6 +12,7 @@ static struct pp_annual_group groups[] = {
 static const struct pp_annual_sheet grid_year = {
     .is_grid = true,
     .has_blinds = true,
+    .blinds_of_lm83 = true,
     .group_count = 1,
     .groups = groups,
     .plane = {.sda = {0.8333, 0.0042}},

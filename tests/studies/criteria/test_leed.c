@@ -11,6 +11,7 @@ static struct pp_annual_sheet year_of(double sda, double sda_error, double ase)
         .receiver_count = 100,
         .is_grid = true,
         .has_blinds = true,
+        .blinds_of_lm83 = true,
         .standard_hours = true,
         .finished = true,
         .plane = {.sda = {sda, sda_error}, .ase = {ase, 0.0}}};
@@ -59,6 +60,11 @@ static void no_points_without_grid_blinds_or_year(void **state)
     year.is_grid = false;
     struct pp_finding_list findings = judged(&year);
     assert_int_equal(findings.count, 1);
+    assert_int_equal(findings.list[0].verdict, PP_NOT_JUDGED);
+    pp_finding_list_clear(&findings);
+    year = year_of(0.9, 0.0, 0.0);
+    year.blinds_of_lm83 = false; /* blinds that are always closed */
+    findings = judged(&year);
     assert_int_equal(findings.list[0].verdict, PP_NOT_JUDGED);
     pp_finding_list_clear(&findings);
     findings = judged(NULL);
