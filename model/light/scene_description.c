@@ -239,7 +239,7 @@ enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene
 
 /* ---- patterns ---- */
 
-/* Skies of skybright.cal [WS98], with its symbols: gamma is the angle from the sun; zt
+/* Skies of skybright.cal [WS98], and Perez's of perezlum.cal [PSM93], with their symbols: gamma is the angle from the sun; zt
  * and eta are the zenith angles of the sun and of the direction.
  *
  *     clear         Lz (0.91 + 10 exp(-3 gamma) + 0.45 cos^2 gamma)
@@ -248,6 +248,10 @@ enum pp_status pp_scene_description_add_shape(struct pp_scene_description *scene
  *     intermediate  Lz ((1.35 sin(5.631 - 3.59 eta) + 3.12) sin(4.396 - 2.6 zt)
  *                       + 6.37 - eta) / 2.326
  *                      exp(-0.563 gamma ((2.629 - eta) (1.562 - zt) + 0.812)) / norm
+ *     Perez         Lz (1 + a exp(b / cos eta)) (1 + c exp(d gamma) + e cos^2 gamma)
+ *
+ * Lz of Perez's skies is a factor, not the luminance of the zenith. Their cos eta is at
+ * least 0.01.
  */
 static double gensky_sky(const struct pp_pattern *pattern, struct pp_vec3 u)
 {
@@ -255,6 +259,7 @@ static double gensky_sky(const struct pp_pattern *pattern, struct pp_vec3 u)
     double gamma = acos(cosgamma);
     double zt = acos(fmax(-1.0, fmin(1.0, pattern->sun.z)));
     double eta = acos(fmax(-1.0, fmin(1.0, u.z)));
+    const double *n = pattern->perez;
     switch (pattern->type) {
     case PP_GENSKY_CLEAR:
         return pattern->zenith
@@ -268,6 +273,9 @@ static double gensky_sky(const struct pp_pattern *pattern, struct pp_vec3 u)
                   - eta)
                / 2.326 * exp(gamma * -0.563 * ((2.629 - eta) * (1.562 - zt) + 0.812))
                / pattern->norm;
+    case PP_GENSKY_PEREZ:
+        return pattern->zenith * (1.0 + n[0] * exp(n[1] / fmax(u.z, 0.01)))
+               * (1.0 + n[2] * exp(n[3] * gamma) + n[4] * cosgamma * cosgamma);
     default:
         return pattern->zenith;
     }

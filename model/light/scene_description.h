@@ -67,6 +67,7 @@ enum pp_gensky_kind {
     PP_GENSKY_OVERCAST = 2,
     PP_GENSKY_UNIFORM = 3,
     PP_GENSKY_INTERMEDIATE = 4,
+    PP_GENSKY_PEREZ = 5, /* of gendaylit */
 };
 
 /* A distant, infinitely long obstruction: from every point it hides the directions u
@@ -90,6 +91,7 @@ struct pp_pattern {
     enum pp_gensky_kind type; /* from here on: PP_PATTERN_GENSKY only */
     double zenith, ground;    /* radiances of zenith and ground */
     double norm;              /* divisor for clear and intermediate skies */
+    double perez[5];          /* a to e of Perez's skies (model/light/perez_sky.h) */
     struct pp_vec3 sun;       /* unit, towards the sun */
 };
 

@@ -55,6 +55,8 @@ static uint64_t stir_pattern(uint64_t hash, const struct pp_pattern *p)
     if (p->kind == PP_PATTERN_SKY)
         return stir_sky(hash, &p->sky);
     hash = stir(stir(stir(stir(hash, p->type), p->zenith), p->ground), p->norm);
+    for (int i = 0; i < 5 && p->type == PP_GENSKY_PEREZ; i++)
+        hash = stir(hash, p->perez[i]);
     return pp_hash_vec(hash, p->sun);
 }
 

@@ -283,6 +283,16 @@ static double zenith_scale(int type, double altitude)
            * exp(-away * (0.4441 + 1.48 * altitude));
 }
 
+double pp_rad_gensky_level(int type, double altitude)
+{
+    if (type == PP_GENSKY_UNIFORM)
+        return 1.0;
+    if (type == PP_GENSKY_OVERCAST)
+        return 0.777778;
+    return horizontal_over_zenith(type, altitude) / zenith_scale(type, altitude)
+           / PP_PI;
+}
+
 static double zenith_of(const struct gensky_options *asked, bool even, double level)
 {
     if (!isnan(asked->zenith_horizontal))
@@ -315,10 +325,7 @@ static void set_brightness(struct pp_gensky *sky, struct gensky_options *asked)
         asked->altitude = fmin(asked->altitude, 87.0 * PP_RAD);
     double c = cos(asked->altitude), s = sin(asked->altitude);
     double scale = even ? 1.0 : zenith_scale(type, asked->altitude);
-    double level = type == PP_GENSKY_UNIFORM ? 1.0
-                   : type == PP_GENSKY_OVERCAST
-                       ? 0.777778
-                       : horizontal_over_zenith(type, asked->altitude) / scale / PP_PI;
+    double level = pp_rad_gensky_level(type, asked->altitude);
     double zenith = zenith_of(asked, even, level), ground = zenith * level;
     double sun = even || !(s > 0.0) ? 0.0 : sun_of(asked, s);
     if (sun > 0.0)
@@ -333,37 +340,61 @@ static void set_brightness(struct pp_gensky *sky, struct gensky_options *asked)
                     .sun = {printed_part(-sin(asked->azimuth) * c),
                             printed_part(-cos(asked->azimuth) * c), printed_part(s)}},
         .has_sun = asked->sun && sun > 0.0,
-        .sun_radiance = printed(sun)};
+        .sun_radiance = printed(sun),
+        .sun_half_rad = 0.25 * PP_RAD};
     if (even)
         sky->pattern.sun = pp_vec(0.0, 0.0, 1.0);
     else
         sky->pattern.sun = pp_vec_unit(sky->pattern.sun);
 }
 
+/* Reads all words, and places the sun. */
+static bool read_all(struct gensky_options *asked, char *const *words, int count,
+                     char *wrong, size_t room)
+{
+    *asked = (struct gensky_options){.type = PP_GENSKY_CLEAR,
+                                     .sun = true,
+                                     .latitude = 0.66,
+                                     .longitude = 2.13,
+                                     .meridian = 120.0 * PP_RAD,
+                                     .turbidity = 2.45,
+                                     .ground = 0.2,
+                                     .zenith = NAN,
+                                     .zenith_horizontal = NAN,
+                                     .solar = NAN,
+                                     .solar_horizontal = NAN};
+    if (!read_place(asked, words, count)) {
+        snprintf(wrong, room,
+                 "expected %.20s with month, day and hour, or with -ang, altitude and "
+                 "azimuth",
+                 words[0]);
+        return false;
+    }
+    if (!read_options(asked, words, count, wrong, room))
+        return false;
+    if (!asked->by_angle)
+        place_sun(asked);
+    return true;
+}
+
+bool pp_rad_gensky_place(double *altitude, double *azimuth, int *day,
+                         char *const *words, int count, char *wrong, size_t room)
+{
+    struct gensky_options asked;
+    if (!read_all(&asked, words, count, wrong, room))
+        return false;
+    *altitude = asked.altitude;
+    *azimuth = asked.azimuth;
+    *day = asked.by_angle ? 0 : (int)day_of_year(asked.month, asked.day);
+    return true;
+}
+
 bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
                             char *wrong, size_t room)
 {
-    struct gensky_options asked = {.type = PP_GENSKY_CLEAR,
-                                   .sun = true,
-                                   .latitude = 0.66,
-                                   .longitude = 2.13,
-                                   .meridian = 120.0 * PP_RAD,
-                                   .turbidity = 2.45,
-                                   .ground = 0.2,
-                                   .zenith = NAN,
-                                   .zenith_horizontal = NAN,
-                                   .solar = NAN,
-                                   .solar_horizontal = NAN};
-    if (!read_place(&asked, words, count)) {
-        snprintf(wrong, room,
-                 "expected gensky with month, day and hour, or with -ang, altitude and "
-                 "azimuth");
+    struct gensky_options asked;
+    if (!read_all(&asked, words, count, wrong, room))
         return false;
-    }
-    if (!read_options(&asked, words, count, wrong, room))
-        return false;
-    if (!asked.by_angle)
-        place_sun(&asked);
     set_brightness(sky, &asked);
     return true;
 }

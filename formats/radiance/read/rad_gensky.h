@@ -11,7 +11,8 @@
 struct pp_gensky {
     struct pp_pattern pattern;
     bool has_sun;
-    double sun_radiance; /* uniform over a disc of half a degree, W/sr/m2 */
+    double sun_radiance; /* uniform over its disc, W/sr/m2 */
+    double sun_half_rad; /* radius of the disc */
 };
 
 /* Evaluates "gensky month day hour" or "gensky -ang altitude azimuth", with options;
@@ -20,5 +21,15 @@ struct pp_gensky {
  * unknown words. */
 bool pp_rad_gensky_evaluate(struct pp_gensky *sky, char *const *words, int count,
                             char *wrong, size_t room);
+
+/* Sun (rad; azimuth west of south) and day of the year from the first four words of gensky
+ * or gendaylit and their options -y, -a, -o and -m. *day is 0 with -ang. Otherwise as
+ * pp_rad_gensky_evaluate. */
+bool pp_rad_gensky_place(double *altitude, double *azimuth, int *day,
+                         char *const *words, int count, char *wrong, size_t room);
+
+/* Horizontal illuminance over pi times the zenith luminance, by gensky's formulae for a
+ * type of sky (enum pp_gensky_kind). */
+double pp_rad_gensky_level(int type, double altitude);
 
 #endif

@@ -15,8 +15,8 @@ static enum pp_status end_command(struct pp_rad_pipe *pipe, int begin, int count
                                   struct pp_error *err)
 {
     if (count == begin)
-        return pp_rad_pipe_fail(pipe, err,
-                                "expected a command: gensky, genbox or xform", "");
+        return pp_rad_pipe_fail(
+            pipe, err, "expected a command: gensky, gendaylit, genbox or xform", "");
     if (pipe->command_count == PP_RAD_PIPE_COMMANDS_MOST)
         return pp_rad_pipe_fail(pipe, err,
                                 "there are more than 100 commands in one line", "");

@@ -192,11 +192,11 @@ static enum pp_status run_command(struct pp_rad_reader *reader,
                                 name);
     if (strcmp(name, "genbox") == 0)
         return pp_rad_genbox(reader, pipe, command, context, err);
-    if (strcmp(name, "gensky") == 0)
+    if (strcmp(name, "gensky") == 0 || strcmp(name, "gendaylit") == 0)
         return pp_rad_sky_generate(reader, pipe, command, context, err);
     return pp_rad_pipe_fail(pipe, err,
                             "external programs are not run; expected the commands "
-                            "gensky, genbox and xform, not ",
+                            "gensky, gendaylit, genbox and xform, not ",
                             name);
 }
 

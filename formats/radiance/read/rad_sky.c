@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "formats/radiance/read/rad_gensky.h"
+#include "formats/radiance/read/rad_gendaylit.h"
 #include "formats/radiance/read/rad_materials.h"
 #include "formats/radiance/read/rad_shapes.h"
 
@@ -54,21 +54,60 @@ static enum pp_status pattern_turn(const struct pp_rad_primitive *primitive,
                              "expected at most a rotation about the vertical");
 }
 
+/* Adds a sky of perezlum.cal: factor, brightness of the ground, a to e and the sun's
+ * direction. */
+static enum pp_status take_perez(struct pp_rad_reader *reader,
+                                 const struct pp_rad_primitive *primitive,
+                                 const struct pp_rad_context *context,
+                                 struct pp_error *err)
+{
+    const double *n = primitive->numbers;
+    if (primitive->number_count != 10 || !(n[0] >= 0.0) || !(n[1] >= 0.0)
+        || !(pp_vec_length(pp_vec(n[7], n[8], n[9])) > 0.5))
+        return pp_rad_words_fail(
+            primitive->words, primitive->line, err,
+            "the sky of perezlum.cal has %d numbers, or numbers that are not valid; "
+            "expected a factor and the ground's brightness, both 0 or more, five "
+            "coefficients, and the sun's direction",
+            primitive->number_count);
+    struct pp_pattern pattern = {.kind = PP_PATTERN_GENSKY,
+                                 .type = PP_GENSKY_PEREZ,
+                                 .zenith = n[0],
+                                 .ground = n[1],
+                                 .norm = 1.0,
+                                 .perez = {n[2], n[3], n[4], n[5], n[6]}};
+    struct pp_rad_transform turn;
+    enum pp_status status = pattern_turn(primitive, context, &turn, err);
+    if (status != PP_OK)
+        return status;
+    pattern.sun =
+        pp_rad_transform_direction(&turn, pp_vec_unit(pp_vec(n[7], n[8], n[9])));
+    return pp_rad_sky_define(reader, primitive, &pattern, err);
+}
+
+static bool is_function(const struct pp_rad_primitive *primitive, const char *name,
+                        const char *file)
+{
+    return primitive->string_count >= 2 && primitive->modifier.kind == PP_RAD_VOID
+           && pp_rad_words_is(primitive->strings[0], name)
+           && pp_rad_words_is(primitive->strings[1], file);
+}
+
 static enum pp_status take_sky(struct pp_rad_reader *reader,
                                const struct pp_rad_primitive *primitive,
                                const struct pp_rad_context *context,
                                struct pp_error *err)
 {
+    if (is_function(primitive, "skybright", "perezlum.cal"))
+        return take_perez(reader, primitive, context, err);
     const struct pp_rad_words *words = primitive->words;
     const double *n = primitive->numbers;
-    bool gensky = primitive->string_count >= 2
-                  && pp_rad_words_is(primitive->strings[0], "skybr")
-                  && pp_rad_words_is(primitive->strings[1], "skybright.cal");
-    if (!gensky || primitive->modifier.kind != PP_RAD_VOID)
+    if (!is_function(primitive, "skybr", "skybright.cal"))
         return pp_rad_words_fail(
             words, primitive->line, err,
             "the brightfunc is not supported; expected \"void brightfunc\" with "
-            "\"skybr skybright.cal\", as gensky writes it");
+            "\"skybr skybright.cal\", as gensky writes it, or with \"skybright "
+            "perezlum.cal\", as gendaylit does");
     bool within = primitive->number_count > 0 && n[0] >= 1.0 && n[0] <= 4.0;
     int type = within ? (int)n[0] : 0;
     bool even = type == PP_GENSKY_OVERCAST || type == PP_GENSKY_UNIFORM;
@@ -117,7 +156,7 @@ enum pp_status pp_rad_sky_read(struct pp_rad_reader *reader,
     return *taken ? take_sky(reader, primitive, context, err) : PP_OK;
 }
 
-/* ---- skies from the command gensky ---- */
+/* ---- skies from the commands gensky and gendaylit ---- */
 
 static enum pp_status define(struct pp_rad_reader *reader, const char *name,
                              enum pp_rad_kind kind, int index, struct pp_error *err)
@@ -134,8 +173,9 @@ enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
 {
     struct pp_gensky sky;
     char wrong[200];
-    if (!pp_rad_gensky_evaluate(&sky, command->words, command->count, wrong,
-                                sizeof wrong))
+    bool is_perez = strcmp(command->words[0], "gendaylit") == 0;
+    if (!(is_perez ? pp_rad_gendaylit_evaluate : pp_rad_gensky_evaluate)(
+            &sky, command->words, command->count, wrong, sizeof wrong))
         return pp_rad_pipe_fail(pipe, err, "", wrong);
     struct pp_vec3 up =
         pp_rad_transform_direction(&context->transform, pp_vec(0.0, 0.0, 1.0));
@@ -163,7 +203,7 @@ enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
     if (status != PP_OK)
         return status;
     const struct pp_shape disc = {.kind = PP_SHAPE_DISTANT,
-                                  .is.distant = {sun, 0.25 * PP_RAD}};
+                                  .is.distant = {sun, sky.sun_half_rad}};
     return pp_rad_shapes_add(reader, pipe->words, pipe->line,
                              (struct pp_rad_meaning){PP_RAD_MATERIAL, index, -1}, disc,
                              context, err);

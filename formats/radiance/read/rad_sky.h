@@ -1,12 +1,13 @@
-/* rad_sky.h - Radiance's skies: those that gensky has printed into a scene, and those
- * of the command itself. Inside formats/radiance/ only. */
+/* rad_sky.h - Radiance's skies: those that gensky or gendaylit has printed into a scene,
+ * and those of the commands themselves. Inside formats/radiance/ only. */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_SKY_H
 #define PP_FORMATS_RADIANCE_READ_RAD_SKY_H
 
 #include "formats/radiance/read/rad_pipe.h"
 #include "formats/radiance/read/rad_reader.h"
 
-/* Reads "void brightfunc NAME" of skybr, as written by gensky; *taken is false if the
+/* Reads "void brightfunc NAME" of skybr, as written by gensky, or of skybright, as
+ * written by gendaylit; *taken is false if the
  * primitive is not a brightfunc. */
 enum pp_status pp_rad_sky_read(struct pp_rad_reader *reader,
                                const struct pp_rad_primitive *primitive,
@@ -19,7 +20,7 @@ enum pp_status pp_rad_sky_define(struct pp_rad_reader *reader,
                                  const struct pp_pattern *pattern,
                                  struct pp_error *err);
 
-/* Adds the output of "gensky [options]" to the scene: "skyfunc" and, for a sky with a
+/* Adds the output of "gensky" or "gendaylit [options]" to the scene: "skyfunc" and, for a sky with a
  * sun, "solar" and its source. */
 enum pp_status pp_rad_sky_generate(struct pp_rad_reader *reader,
                                    const struct pp_rad_pipe *pipe,

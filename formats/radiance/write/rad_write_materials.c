@@ -279,8 +279,22 @@ static void write_sky(const struct pp_pattern *pattern, const char *name, FILE *
     pp_rad_numbers_write(out, numbers, count);
 }
 
+static void write_perez(const struct pp_pattern *pattern, const char *name, FILE *out)
+{
+    const double *n = pattern->perez;
+    const double numbers[] = {
+        pattern->zenith, pattern->ground, n[0],          n[1], n[2], n[3], n[4],
+        pattern->sun.x,  pattern->sun.y,  pattern->sun.z};
+    fprintf(out, "\nvoid brightfunc %s\n2 skybright perezlum.cal\n0\n", name);
+    pp_rad_numbers_write(out, numbers, 10);
+}
+
 static void write_gensky(const struct pp_pattern *pattern, const char *name, FILE *out)
 {
+    if (pattern->type == PP_GENSKY_PEREZ) {
+        write_perez(pattern, name, out);
+        return;
+    }
     const double numbers[] = {pattern->type, pattern->zenith, pattern->ground,
                               pattern->norm, pattern->sun.x,  pattern->sun.y,
                               pattern->sun.z};

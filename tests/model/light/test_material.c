@@ -136,6 +136,24 @@ static void skies_have_the_radiances_that_gensky_means(void **state)
     }
 }
 
+/* In the same way, from the formula of perezlum.cal. */
+static void a_sky_of_gendaylit_has_its_radiances(void **state)
+{
+    (void)state;
+    struct pp_pattern sky = {.kind = PP_PATTERN_GENSKY,
+                             .type = PP_GENSKY_PEREZ,
+                             .zenith = 12.0,
+                             .ground = 3.0,
+                             .norm = 1.0,
+                             .perez = {-1.04, -0.6, 14.2, -3.7, 0.09},
+                             .sun = pp_vec(0.3, -0.5, sqrt(0.66))};
+    struct pp_vec3 up = {0.2, 0.6, sqrt(0.6)}, level = {0.6, 0.8, 0.0};
+    assert_relative(pp_scene_description_pattern_value(&sky, up), 7.4986419179758395,
+                    1e-12);
+    assert_relative(pp_scene_description_pattern_value(&sky, level), 8.098325633175213,
+                    1e-12);
+}
+
 static void materials_are_alike_only_in_all_that_they_are(void **state)
 {
     (void)state;
@@ -183,6 +201,7 @@ TEST_FILE
         cmocka_unit_test(radiosity_and_tracer_have_one_pane),
         cmocka_unit_test(materials_are_alike_only_in_all_that_they_are),
         cmocka_unit_test(skies_have_the_radiances_that_gensky_means),
+        cmocka_unit_test(a_sky_of_gendaylit_has_its_radiances),
     };
     add_tests(tests, NULL, NULL);
 }
