@@ -58,7 +58,7 @@ static void count_limits(struct pp_weather_year *year, unsigned limits)
     year->brightness += (limits & PP_PEREZ_BRIGHTNESS) != 0;
     year->clearness += (limits & PP_PEREZ_CLEARNESS) != 0;
     if (limits & PP_PEREZ_NO_DIFFUSE && year->no_diffuse++ == 0)
-        year->first_no_diffuse = year->count - 1;
+        year->first_no_diffuse = year->hours[year->count - 1];
 }
 
 static void add_sky(struct pp_weather_year *year, const struct pp_epw_record *record,
@@ -221,7 +221,7 @@ const char *pp_weather_year_notes(char *text, size_t room,
                  "with direct light while the sun is below the horizon (direct light "
                  "ignored)");
     if (year->no_diffuse > 0) {
-        const struct pp_weather_hour *first = &year->hours[year->first_no_diffuse];
+        const struct pp_weather_hour *first = &year->first_no_diffuse;
         char date[32], words[120];
         snprintf(words, sizeof words,
                  "with direct light but no diffuse light (black sky), the first "

@@ -49,8 +49,8 @@ struct pp_weather_year {
                         * horizon */
     int sunless_beams; /* records whose direct light was left out, as the sun is down */
     int no_diffuse;    /* records with direct light alone: a black sky */
-    int first_no_diffuse; /* index of the hour of the first of them */
-    int positive_b;       /* skies whose coefficient b was above 0 and is set to 0 */
+    struct pp_weather_hour first_no_diffuse; /* the first of them */
+    int positive_b; /* skies whose coefficient b was above 0 and is set to 0 */
     int brightness, clearness; /* number of skies beyond the model's limits of each
                                 * quantity */
 };

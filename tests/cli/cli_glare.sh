@@ -49,6 +49,12 @@ check "with a height" shows "eye at (1, 2, 1.7) m" $glare $sky --view 1,2,1.7,90
 check "in an hour of the weather file" shows "2001-06-21 12:00" \
     $glare -w "$scratch/year.epw" --when "2001-06-21 12:00" "$room"
 
+# A record with direct light alone, which a note on the year dates.
+awk -F, -v OFS=, 'NF > 30 && $2 == 12 && $3 == 28 && $4 == 13 { $15 = 300; $16 = 0 } 1' \
+    "$scratch/year.epw" >"$scratch/black.epw"
+check "also of a file with a black sky" shows "2001-06-21 12:00" \
+    $glare -w "$scratch/black.epw" --when "2001-06-21 12:00" "$room"
+
 check "a year" shows "EN 17037: level" $year "$room"
 check "its hours" shows "8 to 18 h on all days, 3650 hours" $year "$room"
 check "its JSON" shows '"hours_above_0.45"' $year -f json "$room"
