@@ -11,7 +11,7 @@
 # Use: awk -v count=60 -v seed=1 -f draw_mutants.awk FILE...
 
 BEGIN {
-    state = seed % 2147483646 + 1
+    state = (seed % 100000 * 1103515245 + 12345) % 2147483646 + 1 # streams of near seeds differ
     quota = int((count + 3) / 4)
 }
 
