@@ -212,6 +212,23 @@ static void no_more_than_a_fifth_of_the_plane_has_no_line(void **state)
     pp_world_destroy(world);
 }
 
+/* No usual level is between 5.1 and 9.9 per cent: whole per cents are drawn. */
+static void levels_between_usual_ones_are_multiples_of_a_round_step(void **state)
+{
+    (void)state;
+    double ends[] = {0.051, 0.099};
+    struct pp_world *world =
+        pp_test_world("<room version=\"1\" name=\"Even\">" SIMPLE_ROOM "</room>");
+    struct pp_daylight_plan plan;
+    assert_int_equal(
+        pp_daylight_curves_of(&plan, world, "even", falling, NULL, ends, NULL), PP_OK);
+    assert_int_equal(plan.contours.count, 4);
+    for (int i = 0; i < 4; i++)
+        assert_near(plan.contours.list[i].level, 0.06 + 0.01 * i, 1e-12);
+    pp_daylight_plan_clear(&plan);
+    pp_world_destroy(world);
+}
+
 static void levels_asked_for_are_the_levels_drawn(void **state)
 {
     (void)state;
@@ -242,6 +259,7 @@ TEST_FILE
         cmocka_unit_test(the_corner_of_an_l_shape_throws_a_straight_shadow),
         cmocka_unit_test(points_of_a_contour_have_its_daylight_factor),
         cmocka_unit_test(no_more_than_a_fifth_of_the_plane_has_no_line),
+        cmocka_unit_test(levels_between_usual_ones_are_multiples_of_a_round_step),
         cmocka_unit_test(levels_asked_for_are_the_levels_drawn),
     };
     add_tests(tests, NULL, NULL);

@@ -193,6 +193,22 @@ static void standard_skies_have_the_zenith_of_their_illuminance(void **state)
     assert_near(pp_sky_on_plane(&relative, up), 1.0, 1e-9);
 }
 
+/* Ratios of the luminances at altitudes of 20, 5 and 90 degrees, 90, 15 and 0 degrees beside
+ * a sun at 40 degrees, to that at 70 and 200 degrees: (3) of perez_sky.h worked out by awk. */
+static void the_intermediate_sky_is_brighter_near_the_sun_and_overhead(void **state)
+{
+    (void)state;
+    struct pp_perez_sky sky = sky_of(40.0, 0.0, 300.0, 200.0);
+    sky.intermediate = true;
+    double base = pp_perez_sky_luminance(&sky, toward(70.0, 200.0));
+    assert_relative(pp_perez_sky_luminance(&sky, toward(20.0, 90.0)) / base, 1.52315478,
+                    1e-7);
+    assert_relative(pp_perez_sky_luminance(&sky, toward(5.0, 15.0)) / base, 2.90022107,
+                    1e-7);
+    assert_relative(pp_perez_sky_luminance(&sky, toward(90.0, 0.0)) / base, 1.52242023,
+                    1e-7);
+}
+
 TEST_FILE
 {
     const struct CMUnitTest tests[] = {
@@ -204,6 +220,7 @@ TEST_FILE
         cmocka_unit_test(a_low_sun_has_its_own_air_mass),
         cmocka_unit_test(a_sun_near_the_zenith_has_the_sky_of_87_degrees),
         cmocka_unit_test(direct_light_alone_leaves_a_black_sky),
+        cmocka_unit_test(the_intermediate_sky_is_brighter_near_the_sun_and_overhead),
     };
     add_tests(tests, NULL, NULL);
 }
