@@ -18,8 +18,8 @@ static const double WORK_MOST = 2e6;
 
 /* Cells are divided until the estimated error of the flux on the whole pane is this,
  * relative. The estimate is high: daylight factors behind overhangs, shelves and fins
- * have an error of 5e-7 or less. */
-static const double RELATIVE_ERROR = 1e-4;
+ * have an error of 1e-6 or less. */
+static const double RELATIVE_ERROR = 1e-5;
 
 /* ---- lines where the illuminance is not smooth ---- */
 
