@@ -4,21 +4,22 @@
 . "$srcdir/tests/lib/tap.sh"
 . "$srcdir/tests/lib/cli.sh"
 
-# invalid: a line for each room that is refused.
+# invalid: a line for each room that is refused, or about which there is more than a warning.
 invalid() {
     ${AWK:-awk} -v folder="$scratch" -f "$srcdir/tests/lib/ordinary_rooms.awk" || echo "no rooms"
     number=0
     while [ $number -lt 300 ]; do
         number=$((number + 1))
         "$pepperpot" validate -q -m exact --error 100% -o "$scratch/validated" \
-            "$scratch/$number.xml" 2>&1 || echo "room $number: status $?"
+            "$scratch/$number.xml" 2>"$scratch/warned" || echo "room $number: status $?"
+        grep -v ': warning: ' "$scratch/warned"
     done
 }
 check "300 ordinary rooms are valid" nothing "$(invalid)"
 
 sh "$srcdir/bench/band_coverage.sh" "$pepperpot" >"$scratch/tables" 2>"$scratch/said"
 check "the figures of 300 rooms are compared" grep -q '^300 ordinary rooms' "$scratch/tables"
-check "nothing goes wrong" nothing "$(cat "$scratch/said")"
+check "nothing goes wrong" nothing "$(grep -v ': warning: ' "$scratch/said")"
 
 # Shares of some 280 rooms have a standard error of 100 sqrt(0.0475 / rooms), 1.3 %, which the limits
 # are widened by.
