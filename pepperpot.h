@@ -1,4 +1,5 @@
-/* pepperpot.h - daylight factors of rooms by hand methods and simulation: the public interface.
+/* pepperpot.h - public interface: daylight factors of rooms by hand methods and
+ * simulation.
  *
  *     struct pp_mistakes *mistakes = pp_mistakes_create("room.xml");
  *     struct pp_building *building;
@@ -81,7 +82,7 @@ struct pp_building;
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 
-/* The same, from memory. */
+/* Reads a room file from memory; otherwise like pp_building_read. */
 enum pp_status pp_building_parse(struct pp_building **building, const char *bytes,
                                  size_t length, struct pp_mistakes *mistakes,
                                  struct pp_error *err);
@@ -102,7 +103,7 @@ struct pp_steps;
 /* Result of one method, or of the simulation, for one component. */
 struct pp_reading {
     double value;                 /* a fraction; NAN: no value, see why */
-    double std_error;             /* of value; NAN: not simulated */
+    double std_error;             /* standard error of value; NAN: not simulated */
     const char *why;              /* reason, not owned; NULL if there is a value */
     const struct pp_steps *steps; /* steps of the calculation, for
                                    * pp_study_report; NULL: none; not owned */
@@ -160,7 +161,7 @@ struct pp_simulation_request {
     const char *engine; /* from PP_LIST_ENGINES; NULL: "path" */
     double error; /* target for the relative standard error at every point; 0: 1 %,
                    * unless samples are given */
-    long samples; /* instead: paths for each point and randomisation; 0: not given */
+    long samples; /* instead of error: paths per point and randomisation; 0: unset */
     uint64_t seed;
     int threads; /* 0: one for each processor */
 };
@@ -236,8 +237,8 @@ enum pp_status pp_study_scene(const struct pp_study *study, char **bytes,
 
 /* Contours of the daylight factor on the working plane and the no-sky line, as a JSON
  * object "pepperpot-plan-1" of polylines. methods: one direct method or pair that gives
- * a value at every point; NULL: the default pair. tolerance: of the position of the
- * lines, in metres; charts use 0.001. The caller frees *bytes. */
+ * a value at every point; NULL: the default pair. tolerance: greatest error of the
+ * position of the lines, in metres; charts use 0.001. The caller frees *bytes. */
 enum pp_status pp_study_plan(const struct pp_study *study, const char *methods,
                              double tolerance, char **bytes, size_t *length,
                              struct pp_error *err);
@@ -253,14 +254,14 @@ enum pp_verdict {
 };
 
 /* One figure of a criterion. Texts belong to the study, and are valid until the next
- * pp_study_judge. The confidence covers noise only. Unlike the command assess, the
- * library does not test whether a larger building around the room would change the
- * verdict. */
+ * pp_study_judge. The confidence takes only the noise of the simulation into account.
+ * Unlike the command assess, the library does not test whether a larger building around
+ * the room would change the verdict. */
 struct pp_judgement {
     const char *criterion; /* from PP_LIST_CRITERIA */
     const char *what;      /* "W1, south" */
     double figure;         /* NAN: not applicable */
-    double std_error;      /* of figure; NAN: not simulated */
+    double std_error;      /* standard error of figure; NAN: not simulated */
     double wanted;         /* target; NAN: none */
     bool at_most;          /* wanted is a maximum, otherwise a minimum */
     enum pp_verdict verdict;
@@ -269,7 +270,8 @@ struct pp_judgement {
 };
 
 /* Assesses the room. criteria: names separated by commas, NULL for all.
- * median_diffuse_lux: of the place, for EN 17037; 0: from the site of the room. */
+ * median_diffuse_lux: median outdoor diffuse illuminance of the place, for EN 17037; 0:
+ * from the site of the room. */
 enum pp_status pp_study_judge(struct pp_study *study, const char *criteria,
                               double median_diffuse_lux, struct pp_error *err);
 int pp_study_judgement_count(const struct pp_study *study);
@@ -277,7 +279,7 @@ struct pp_judgement pp_study_judgement(const struct pp_study *study, int index);
 
 enum pp_size_change {
     PP_CHANGE_WIDTH,
-    PP_CHANGE_HEIGHT, /* for a rooflight: its depth, about its middle */
+    PP_CHANGE_HEIGHT, /* for a rooflight: its depth; the centre stays in place */
     PP_CHANGE_HEAD,
     PP_CHANGE_SILL,
     PP_CHANGE_NUMBER,
@@ -285,14 +287,14 @@ enum pp_size_change {
 
 enum pp_size_verdict {
     PP_SIZE_REACHED,
-    PP_SIZE_SMALLEST_EXCEEDS, /* even the smallest is above the target */
-    PP_SIZE_OUT_OF_REACH,     /* no size meets the target; the best is given */
-    PP_SIZE_NO_VALUE,         /* why gives the reason */
+    PP_SIZE_SMALLEST_EXCEEDS, /* even the smallest size exceeds the target */
+    PP_SIZE_OUT_OF_REACH,     /* no size meets the target; result: the best size */
+    PP_SIZE_NO_VALUE,         /* `why` gives the reason */
 };
 
 struct pp_size_found {
     enum pp_size_verdict verdict;
-    double now, value; /* of the present room, and at the size found; NAN: none */
+    double now, value; /* average of the present room; at the size found; NAN: none */
     char method[64];   /* method used */
     char why[512];     /* reason for no value; otherwise empty */
 };

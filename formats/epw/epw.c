@@ -12,7 +12,8 @@
 
 /* ---- records, in time order ---- */
 
-/* Position in the records, and date and hour of the next expected record. */
+/* State of the reader: position in the data periods, and date and hour of the next
+ * expected record. */
 struct record_reader {
     struct pp_epw *epw;
     const struct pp_epw_header *header;
@@ -20,13 +21,13 @@ struct record_reader {
     int line;
     char *fields[PP_EPW_FIELDS_MOST];
 
-    int period; /* index; period_count after the last period */
+    int period; /* index of the data period; period_count after the last */
     bool begun; /* true once a record of the period has been read */
     int years_left;
     struct pp_month_day date; /* expected date of the next record */
     int weekday;
     int hour;          /* 1 to 24 */
-    int sub;           /* index within the hour, from 0 */
+    int sub;           /* index of the record within the hour, from 0 */
     int minute;        /* minute of the previous record in this hour; -1: none */
     int space;         /* allocated length of epw->records */
     bool out_of_order; /* later records cannot be checked; reading stops */
@@ -46,7 +47,7 @@ static void start_period(struct record_reader *r)
     r->weekday = period->weekday;
 }
 
-/* The next day of the calendar; 29 February follows the 28th. */
+/* Returns the day after `date`; 28 February is always followed by 29 February. */
 static struct pp_month_day day_after(struct pp_month_day date)
 {
     if (date.day < pp_month_day_days_of_month(date.month))
@@ -107,7 +108,8 @@ static bool fail_order(struct record_reader *r, struct pp_month_day date, int ho
     return false;
 }
 
-/* True for a record after the last data period; adds a mistake and stops reading. */
+/* Returns true, adds a mistake and stops reading if the record is after the last data
+ * period. */
 static bool is_after_last(struct record_reader *r)
 {
     if (r->period < r->header->period_count)
@@ -119,9 +121,10 @@ static bool is_after_last(struct record_reader *r)
     return true;
 }
 
-/* Settles whether the file has 29 February when it is due. The header may require it;
- * unless the header or a leap year permits it, it is a mistake. If the file has none, 1
- * March is expected instead. False, with a mistake, if file and header disagree. */
+/* Called when 29 February is the next expected day. If the file continues with another
+ * day, 1 March is expected instead. Returns false, with a mistake, if 29 February is
+ * missing although the header declares a leap year, or is present although the header
+ * declares a common year and the record's year is not a leap year. */
 static bool settle_leap_day(struct record_reader *r, struct pp_month_day found,
                             int year)
 {
@@ -240,8 +243,8 @@ static void read_values(struct record_reader *r, struct pp_epw_record *record)
         read_value(r, 18, "diffuse horizontal illuminance", 0.0, 250000.0, 999900.0);
 }
 
-/* Reads the total sky cover, in tenths; NAN if it is missing or invalid, as in files
- * without this field. */
+/* Returns the total sky cover as a fraction (the file has tenths). NAN if the field is
+ * missing or invalid. */
 static double read_cloud_cover(const struct record_reader *r, int count)
 {
     enum { TOTAL_SKY_COVER = 22 };
@@ -305,8 +308,9 @@ static void check_end(struct record_reader *r)
         r->header->periods_line);
 }
 
-/* Some converters write 9999 for a missing illuminance; the format defines 999999. If a
- * record without irradiance has 9999, that number means missing in the whole file. */
+/* Removes illuminances of 9999 lx that mean "missing"; the format defines 999999, but
+ * some converters write 9999. The value is treated as missing in the whole file if any
+ * record without irradiance has it. */
 static void drop_marks(struct pp_epw *epw)
 {
     const double mark = 9999.0;

@@ -37,12 +37,12 @@ struct pp_epw_record {
 };
 
 struct pp_epw {
-    char *place;                                /* "Tokyo, JPN", UTF-8; owned */
-    double latitude_rad, longitude_rad;         /* north and east positive */
-    double time_zone_h;                         /* ahead of UTC */
-    double record_h;                            /* duration of a record: 1, 0.5, ... */
+    char *place;                        /* "Tokyo, JPN", UTF-8; owned */
+    double latitude_rad, longitude_rad; /* north and east positive */
+    double time_zone_h;                 /* ahead of UTC */
+    double record_h;                    /* duration of a record: 1 h, 0.5 h, ... */
     struct pp_month_day summer_from, summer_to; /* first and last day of summer time */
-    char summer_words[160]; /* the file's text, if it is not two dates */
+    char summer_words[160]; /* text of the file if it does not give two dates */
     int summer_line;
     int record_count;
     struct pp_epw_record *records; /* in the file's order; owned */

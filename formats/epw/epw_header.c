@@ -28,7 +28,8 @@ static const char *field(const struct header_reader *r, int index)
     return index < r->count && index < PP_EPW_FIELDS_MOST ? r->fields[index] : "";
 }
 
-/* A number within low ... high. */
+/* Reads a field as a number from low to high; for other text adds a mistake and returns
+ * `low`. */
 static double read_header_number(struct header_reader *r, int index, const char *name,
                                  double low, double high)
 {

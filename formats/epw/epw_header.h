@@ -11,8 +11,8 @@ enum { PP_EPW_PERIODS_MOST = 100 };
 /* One data period. */
 struct pp_epw_period {
     struct pp_month_day from, to;
-    int years;   /* number of times that `to` is passed before the end: 0 within one
-                  * year */
+    int years;   /* number of times that the date `to` occurs before the last day: 0
+                  * for a period of up to one year */
     int weekday; /* day of the week of `from` */
 };
 

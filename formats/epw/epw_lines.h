@@ -9,9 +9,9 @@
 #include "model/base/mistakes.h"
 
 enum {
-    PP_EPW_BYTES_MOST = 512 << 20,    /* a year of records for every minute has 100
+    PP_EPW_BYTES_MOST = 512 << 20,    /* a year of one-minute records takes 100
                                        * MiB */
-    PP_EPW_LINE_BYTES_MOST = 1 << 16, /* "DESIGN CONDITIONS" has 1,000 */
+    PP_EPW_LINE_BYTES_MOST = 1 << 16, /* the DESIGN CONDITIONS line has 1,000 */
     PP_EPW_FIELDS_MOST = 512,         /* maximum number of fields of a line */
     PP_EPW_MISTAKES_MOST = 20,
 };
@@ -37,7 +37,8 @@ char *pp_epw_lines_next(struct pp_epw_lines *lines);
 int pp_epw_lines_split(char *line, char *fields[], int most);
 
 /* Appends text to a UTF-8 string on the heap; text that is not UTF-8 is read as
- * Latin-1. `before` separates the two if neither is empty. False: out of memory. */
+ * Latin-1. `before` is a separator, used if neither string is empty. False: out of
+ * memory. */
 bool pp_epw_lines_append_text(char **whole, const char *before, const char *text);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Month 0: no day. */
+/* A day of the year; month 0: no day. */
 struct pp_month_day {
     int month, day; /* from 1 */
 };
@@ -17,7 +17,7 @@ bool pp_month_day_parse(const char *text, struct pp_month_day *date);
  * 0 if there is none. */
 bool pp_month_day_parse_dated(const char *text, struct pp_month_day *date, int *year);
 
-/* Reads the n-th or last day of the week of a month, "2nd Sunday in March", in a
+/* Reads "2nd Sunday in March" or "Last Sunday in April", as a date of the given
  * year. */
 bool pp_month_day_parse_words(const char *text, int year, struct pp_month_day *date);
 

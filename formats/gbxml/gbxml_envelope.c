@@ -5,12 +5,13 @@
 
 #include "formats/gbxml/gbxml_prism.h"
 
-/* Corners are also welded within WELD_M, if that changes the volume by at most
- * weld_share. */
+/* WELD_M: tolerance (m) of the second attempt to weld corners. weld_share: greatest
+ * allowed change of volume by the second attempt, as a fraction of the volume. */
 #define WELD_M 0.02
 static const double weld_share = 0.01;
 
-/* Limits above which moved corners, and deviations from Area and Volume, are noted. */
+/* Limits above which notes report moved corners (m), and deviations from Area and
+ * Volume (fractions). */
 static const double noted_m = 5e-3, noted_share = 0.03;
 
 enum envelope_source { BY_SURFACES, BY_SHELL, BY_PRISM };
@@ -27,7 +28,8 @@ static double share_off(double value, double given)
     return off <= noted_share ? 0.0 : off;
 }
 
-/* Greatest deviation from the space's Area and Volume, as a share; 0 up to 3 %. */
+/* Larger of the relative deviations from the space's Area and Volume; deviations up to
+ * 3 % count as 0. */
 static double envelope_off(const struct pp_gbxml_shell *shell,
                            const struct pp_gbxml_space *space)
 {
@@ -49,9 +51,9 @@ static void offer(struct envelope_choice *choice, struct pp_gbxml_shell *shell,
     *choice = (struct envelope_choice){*shell, source, off};
 }
 
-/* Makes a shell of the surfaces or of the ShellGeometry and offers it to `choice`.
- * Shells that needed added faces to close are kept separately, in *lacking; the caller
- * uses that one only if it matches Area and Volume better. *why keeps the reason of the
+/* Makes a shell of the surfaces or of the ShellGeometry and offers it to `choice`. A
+ * shell closed by added faces is offered to `lacking` instead; the caller uses
+ * `lacking` only if it matches Area and Volume better. *why keeps the reason of the
  * first failure. */
 static enum pp_status try_polygons(struct envelope_choice *choice,
                                    struct envelope_choice *lacking, const char **why,

@@ -13,16 +13,16 @@ struct pp_gbxml_envelope_parts {
     const struct pp_gbxml_space *space;
     const struct pp_gbxml_polygon *polygons; /* outlines of the bounding surfaces */
     int count;
-    double openings_top_m; /* highest opening in them; -INFINITY: no openings */
+    double openings_top_m; /* top of the highest opening; -INFINITY: no openings */
 };
 
 /* Tries, in this order: surfaces, ShellGeometry, prism. Corners are welded within 2 mm,
  * then within 20 mm if that changes the volume by at most 1 %; then planar holes are
- * filled. The first envelope within 3 % of the space's Area and Volume, as far as
- * given, is used; if there is none, the one with the smallest deviation. A prism does
- * not replace an envelope with slopes. Notes the choice, moves of more than 5 mm, and
- * deviations of more than 3 %. *by_surfaces: true if the faces are the surfaces. *why
- * as in pp_gbxml_shell_make. */
+ * filled. The first envelope within 3 % of the space's Area and Volume is used (a value
+ * missing from the file is not compared). If there is none, the envelope with the
+ * smallest deviation is used. A prism does not replace an envelope with sloping faces.
+ * Notes the choice, moves of more than 5 mm, and deviations of more than 3 %.
+ * *by_surfaces: true if the faces are the surfaces. *why as in pp_gbxml_shell_make. */
 enum pp_status pp_gbxml_envelope_make(struct pp_gbxml_shell *shell, const char **why,
                                       bool *by_surfaces,
                                       const struct pp_gbxml_envelope_parts *parts,

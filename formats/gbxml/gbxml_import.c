@@ -12,7 +12,7 @@
 #include "formats/gbxml/gbxml_write.h"
 #include "model/room/building.h"
 
-/* Limits on the rooms of a building, and on attempts to write a valid room file. */
+/* Maximum number of rooms of a building, and of attempts to write a valid room file. */
 enum { ROOMS_MOST = 200, TURNS_MOST = 50 };
 
 struct gbxml_work {

@@ -10,9 +10,9 @@
 
 enum { CORNERS_MOST = 1000 };
 
-/* farthest_m: largest coordinate, as in a room file. moved_from_m: distance of a model
- * beyond which it is moved to the origin. near_m: corners within this distance of the
- * first corner belong to the building. */
+/* farthest_m: largest coordinate, as in a room file. moved_from_m: a model farther from
+ * the origin than this is moved to the origin. near_m: corners within this distance of
+ * the first corner belong to the building. */
 static const double farthest_m = 1e5, moved_from_m = 1e4, near_m = 5e4;
 
 /* Coordinates of a point in metres; false if one is missing. */
@@ -66,7 +66,7 @@ void pp_gbxml_loop_find_origin(struct pp_gbxml_loop_reader *r,
                     r->origin.x, r->origin.y, r->origin.z);
 }
 
-/* Replaces the corners by the outer ring of the largest piece of the figure. */
+/* Replaces the corners by the outer ring of the largest piece of the region. */
 static enum pp_status take_rim(struct pp_gbxml_polygon *polygon,
                                const struct pp_region *figure, struct pp_vec3 origin,
                                struct pp_vec3 along, struct pp_vec3 up,
@@ -123,7 +123,8 @@ static enum pp_status make_simple(struct pp_gbxml_polygon *polygon,
                                            polygon->count, r->err);
     }
     if (status == PP_OK && !simple) {
-        /* If no figure is found, the checks of the room file report the outline. */
+        /* If no region is found, the outline stays; the checks of the room file report
+         * it. */
         status = pp_clipper_by_crossings(r->clipper, &figure, (const double(*)[2])xy,
                                          polygon->count, &said);
         if (status == PP_OK)

@@ -15,16 +15,17 @@ struct pp_gbxml_loop_reader {
     struct pp_error *err;
 };
 
-/* Finds the origin: (0, 0, 0) for a model near it. A model more than 10 km away in plan
- * uses a national grid; its origin becomes the lowest corner of its surfaces, in whole
- * metres, with a note. */
+/* Sets r->origin. It is (0, 0, 0) for a model within 10 km of that point in plan. A
+ * model farther away is assumed to use a national grid: its origin is the minimum of x,
+ * y and z over its surfaces, in whole metres, with a note. */
 void pp_gbxml_loop_find_origin(struct pp_gbxml_loop_reader *r,
                                const struct pp_xml_element *campus);
 
 /* Reads a loop. The polygon is empty, with a note, if it has fewer than three corners,
  * or if a corner lacks a coordinate or is more than 100 km from the origin. An outline
- * that crosses or touches itself (two triangles in one, a wall joined to the outlines
- * of its holes) becomes the outer ring of its figure. Fails only if memory runs out. */
+ * may cross or touch itself (two triangles in one, a wall joined to the outlines of its
+ * holes); it is replaced by the outer ring of its largest piece. Fails only if memory
+ * runs out. */
 enum pp_status pp_gbxml_loop_read(struct pp_gbxml_polygon *polygon,
                                   struct pp_gbxml_loop_reader *r,
                                   const struct pp_xml_element *loop);

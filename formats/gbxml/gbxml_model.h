@@ -23,7 +23,7 @@ struct pp_gbxml_opening {
     struct pp_gbxml_polygon outline;
     double transmittance; /* visible, at normal incidence; NAN: the default */
     bool is_air;          /* an opening without glass */
-    bool left_out;        /* not possible in the room; already reported */
+    bool left_out;        /* not valid in the room file; already reported */
 };
 
 enum { PP_GBXML_NEIGHBOURS = 2 };
@@ -31,12 +31,12 @@ enum { PP_GBXML_NEIGHBOURS = 2 };
 struct pp_gbxml_surface {
     int line;
     const char *type;                        /* "ExteriorWall"; empty if not given */
-    const char *spaces[PP_GBXML_NEIGHBOURS]; /* ids, NULL: none */
+    const char *spaces[PP_GBXML_NEIGHBOURS]; /* ids of its spaces; NULL: none */
     struct pp_gbxml_polygon outline;
     double reflectance; /* visible, inside; NAN: the default */
     struct pp_gbxml_opening *openings;
     int opening_count;
-    bool left_out; /* not possible outside; already reported */
+    bool left_out; /* not valid in the room file; already reported */
 };
 
 struct pp_gbxml_space {

@@ -10,10 +10,10 @@
 #include "model/geometry/region_pieces.h"
 
 /* reveal_m: greatest distance of an opening from the plane of its face. parallel: least
- * cosine of the angle between the two. */
+ * cosine of the angle between their normals. */
 static const double reveal_m = 0.6, parallel = 0.98;
 
-/* Smaller pieces and losses are rounding errors; m2. */
+/* Pieces of openings, and losses of area, below this (m2) are rounding errors. */
 static const double least_m2 = 1e-3;
 
 /* An opening of a surface, and the part of it that is not yet in a face. */
@@ -28,7 +28,8 @@ static struct pp_vec3 face_corner(const struct pp_gbxml_room *room, int face, in
     return room->shell.corners[room->shell.faces[face].corners[i]];
 }
 
-/* Projects the corners onto the plane through `origin`; *figure is the result. */
+/* Projects the corners onto the plane through `origin`; *figure is the region that they
+ * enclose. */
 static enum pp_status flatten_figure(struct pp_region *figure,
                                      const struct pp_vec3 *corners, int count,
                                      struct pp_vec3 origin, struct pp_vec3 along,
@@ -47,7 +48,7 @@ static enum pp_status flatten_figure(struct pp_region *figure,
     return status == PP_SYSTEM ? pp_fail_memory(err) : PP_OK;
 }
 
-/* The face's axes and figure. */
+/* Axes in the plane of a face, and the face as a region in these axes. */
 struct opening_plane {
     struct pp_vec3 origin, along, up;
     struct pp_region figure;
@@ -74,7 +75,7 @@ static enum pp_status find_plane(struct opening_plane *plane,
     return status;
 }
 
-/* Subtracts the openings already in the face from the figure. */
+/* Subtracts the openings already placed in the face from the region *figure. */
 static enum pp_status take_placed(struct pp_region *figure,
                                   const struct opening_plane *plane,
                                   const struct pp_gbxml_room *room, int face,
@@ -107,7 +108,7 @@ static int drop_repeated(struct pp_vec3 *corners, int count)
     return kept;
 }
 
-/* Adds the pieces of the figure as openings of the face, and their area to
+/* Adds the pieces of the region as openings of the face, and their area to
  * *placed_m2. */
 static enum pp_status add_pieces(struct pp_gbxml_room *room, double *placed_m2,
                                  struct pp_gbxml_opening *opening, int face,
@@ -138,8 +139,8 @@ static enum pp_status add_pieces(struct pp_gbxml_room *room, double *placed_m2,
     return status;
 }
 
-/* Places in a face the part of an opening that lies in it and is not yet taken by other
- * openings. */
+/* Places an opening in a face: the part of the opening that lies in the face and is not
+ * covered by openings placed earlier. */
 static enum pp_status place_in_face(struct pp_gbxml_room *room,
                                     struct opening_left *left, int face,
                                     struct pp_clipper *clipper, struct pp_error *err)
@@ -169,7 +170,7 @@ static enum pp_status place_in_face(struct pp_gbxml_room *room,
 }
 
 /* Distance of the opening's centre from a parallel face; NAN if the face is not
- * parallel, or farther away than a reveal. */
+ * parallel, or farther away than reveal_m. */
 static double distance_to(const struct pp_gbxml_room *room, int face,
                           const struct opening_left *left)
 {

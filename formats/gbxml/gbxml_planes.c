@@ -9,8 +9,8 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/region.h"
 
-/* A face of a room file may be 1 mm uneven; 2 % less allows for rounding in the
- * file. */
+/* Corners of a face in a room file may be 1 mm off its plane; 2 % less allows for
+ * rounding in the file. */
 static const double uneven_m = 0.98e-3;
 
 /* Finds the greatest distance of a corner from the face's plane (m). xy: the corners in

@@ -5,8 +5,9 @@
 #include <stdlib.h>
 
 /* level_m: tolerance for a horizontal polygon, and for walls on a floor. storey_m:
- * slabs up to this height above the lowest corner belong to the floor. gap_m: so do
- * gaps up to this width between slabs. grid_m: corners of slabs are rounded to this. */
+ * slabs up to this height above the lowest corner belong to the floor. gap_m: gaps
+ * between slabs up to this width are filled. grid_m: corners of slabs are rounded to
+ * multiples of this. */
 static const double level_m = 0.02, storey_m = 1.0, gap_m = 0.6, grid_m = 1e-3;
 
 static void find_prism_extent(double *low, double *high,
@@ -43,8 +44,8 @@ static int count_pieces(const struct pp_region *region)
     return count;
 }
 
-/* Joins pieces separated by a narrow gap, for example a partition. On failure the
- * figure stays as it is. */
+/* Joins pieces of floor separated by a narrow gap, for example a partition. On failure
+ * the region stays as it is. */
 static void close_gaps(struct pp_region *floor, struct pp_clipper *clipper)
 {
     struct pp_region closed;
@@ -146,8 +147,8 @@ static enum pp_status find_floor(struct pp_region *floor,
     return PP_OK;
 }
 
-/* Level of the lowest horizontal polygon at least a storey above the floor and at least
- * half as large. */
+/* Height of the lowest horizontal polygon more than storey_m above `low` that is at
+ * least half as large as `area`; `ceiling` if that is lower. */
 static double find_ceiling(const struct pp_gbxml_polygon *list, int count, double low,
                            double area, double ceiling)
 {
@@ -157,7 +158,8 @@ static double find_ceiling(const struct pp_gbxml_polygon *list, int count, doubl
     return ceiling;
 }
 
-/* Highest corner of the polygons whose foot is at floor level. */
+/* Height of the highest corner of all polygons whose lowest corner is at floor
+ * level. */
 static double find_wall_top(const struct pp_gbxml_polygon *list, int count, double low,
                             double top)
 {
@@ -170,7 +172,7 @@ static double find_wall_top(const struct pp_gbxml_polygon *list, int count, doub
     return top;
 }
 
-/* Level of the prism's ceiling; low and high: lowest and highest corner of all
+/* Height of the prism's ceiling; low and high: lowest and highest corner of all
  * polygons. */
 static double find_lid(const struct pp_gbxml_space *space,
                        const struct pp_gbxml_polygon *polygons, int count, double area,

@@ -6,15 +6,17 @@
 #include "formats/gbxml/gbxml_shell.h"
 #include "model/geometry/clipper.h"
 
-/* Makes a prism over the floor of the space. Candidates for the floor: the
- * PlanarGeometry; the horizontal polygons at the foot of the ShellGeometry; those of
- * the `count` given polygons (slabs of the lowest storey). The candidate whose area is
- * nearest to the space's Area is used; without an Area, the first. If the floor has
- * several pieces, only the largest is used, without holes. Height: Volume over Area, or
- * over the floor's area. Without a Volume, or if this height is above all polygons, the
- * prism ends at the lowest horizontal polygon larger than half the floor, or else at
- * the top of the walls on the floor. The ceiling is at lid_least_m or higher
- * (-INFINITY: no limit). *why as in pp_gbxml_shell_make. */
+/* Makes a prism over the floor of the space.
+ *
+ * Candidates for the floor: the PlanarGeometry; the lowest horizontal polygons of the
+ * ShellGeometry; the lowest horizontal polygons among the `count` given ones. The
+ * candidate whose area is nearest to the space's Area is used; without an Area, the
+ * first one. If the floor has several pieces, only the largest is used, without holes.
+ *
+ * The height is Volume divided by Area, or by the floor's area. Without a Volume, or if
+ * this height is above all polygons, the prism ends at the lowest horizontal polygon
+ * larger than half the floor, or else at the top of the walls on the floor. The ceiling
+ * is at lid_least_m or higher (-INFINITY: no limit). *why as in pp_gbxml_shell_make. */
 enum pp_status pp_gbxml_prism_make(struct pp_gbxml_shell *shell, const char **why,
                                    const struct pp_gbxml_space *space,
                                    const struct pp_gbxml_polygon *polygons, int count,

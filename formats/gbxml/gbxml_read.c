@@ -8,7 +8,7 @@
 #include "formats/gbxml/gbxml_loop.h"
 #include "model/base/array.h"
 
-/* Limits on the surfaces and spaces of a file. */
+/* Maximum number of surfaces and of spaces in a file. */
 enum { SURFACES_MOST = 100000, SPACES_MOST = 10000 };
 
 struct gbxml_named;
@@ -21,9 +21,9 @@ struct gbxml_reader {
                                        * unit */
     struct gbxml_named *named;
     int named_count;
-    int between, without_type; /* counts of openings between spaces, and without a
-                                * window type */
-    int air;                   /* count of air surfaces between spaces */
+    int between, without_type; /* numbers of openings between spaces, and of openings
+                                * without a window type */
+    int air;                   /* number of air surfaces between spaces */
     const char *file;
     struct pp_mistakes *notes;
     struct pp_error *err;
@@ -40,7 +40,7 @@ static const struct gbxml_unit lengths[] = {
     {"Millimeters", 1e-3}, {"Miles", 1609.344}, {"Yards", 0.9144},
     {"Feet", 0.3048},      {"Inches", 0.0254}};
 
-/* Metres of the unit `typed`, which begins with prefix ("Square"); NAN: not a unit. */
+/* Length (m) of the unit `typed` after its prefix ("Square"); NAN: not a unit. */
 static double find_unit(const char *typed, const char *prefix)
 {
     size_t length = strlen(prefix);
@@ -137,8 +137,8 @@ static const struct pp_xml_element *find_by_id(const struct gbxml_reader *r,
     return found ? found->element : NULL;
 }
 
-/* Fraction from the child elements of that name and type ("IntVisible"); per cent are
- * converted. NAN if there is none from 0 to 1. */
+/* Returns the first value from 0 to 1 among the child elements of that name and type
+ * ("IntVisible"); percentages are converted to fractions. NAN if there is none. */
 static double read_share(const struct pp_xml_element *element, const char *name,
                          const char *type)
 {
@@ -195,8 +195,8 @@ static bool is_one_of(const char *word, const char *const *words)
     return false;
 }
 
-/* True if the opening transmits light. A hinged door does if its window type has a
- * transmittance. */
+/* True if the opening transmits light. A hinged door counts only if its window type has
+ * a transmittance. */
 static bool lets_light_in(const char *opening_type, const struct pp_xml_element *type)
 {
     static const char *const glazed[] = {"FixedWindow",

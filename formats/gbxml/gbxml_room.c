@@ -61,8 +61,8 @@ static void make_own(struct pp_gbxml_room_face *faces, int index, const char *na
     }
 }
 
-/* Surface that a face is made of; if it has none, the nearest parallel surface within
- * 0.6 m. NULL: none. */
+/* Returns the surface from which a face was made. If the faces were not made from
+ * surfaces, returns the nearest parallel surface within 0.6 m. NULL: none. */
 static const struct pp_gbxml_surface *surface_of(
     const struct pp_gbxml_room *room, int index,
     struct pp_gbxml_surface *const *surfaces, int count)

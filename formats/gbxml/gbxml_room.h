@@ -24,15 +24,15 @@ struct pp_gbxml_room_opening {
     int count;
 };
 
-/* A room in the axes of the building, unless a member says otherwise. */
+/* A room. Coordinates are in the building's axes unless a member says otherwise. */
 struct pp_gbxml_room {
     struct pp_gbxml_shell shell;
-    bool by_surfaces;                 /* the faces are the surfaces of the space */
+    bool by_surfaces;                 /* faces made from the surfaces of the space */
     struct pp_gbxml_room_face *faces; /* one per face of the shell */
     struct pp_gbxml_room_opening *openings;
     int opening_count;
     struct pp_vec3 origin; /* origin of the room's own coordinates */
-    double rotate_rad;     /* turn of the room's own axes; 0 unless it is a box */
+    double rotate_rad;     /* rotation of the room's own axes; 0 unless a box */
     bool is_box;           /* a box of width, depth and height */
     double width_m, depth_m, height_m;
     double plane_m, spacing_m; /* working plane and grid; NAN: default */

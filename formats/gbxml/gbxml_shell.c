@@ -106,7 +106,8 @@ static enum pp_status add_shell_face(struct pp_gbxml_shell *shell,
     return PP_OK;
 }
 
-/* Position of a corner along the edge from a to b; NAN if not within it. */
+/* Position of a corner along the edge from a to b; NAN if it does not lie on the
+ * edge. */
 static double along_edge(const struct pp_gbxml_shell *shell, int a, int b, int corner)
 {
     struct pp_vec3 way = pp_vec_sub(shell->corners[b], shell->corners[a]);
@@ -192,7 +193,7 @@ static void drop_doubles(struct pp_gbxml_shell *shell)
 /* ---- edges ---- */
 
 struct shell_edge {
-    int low, high; /* corners */
+    int low, high; /* indices of its corners */
     int face;
     bool forward; /* true if the face runs from low to high */
 };
@@ -246,9 +247,9 @@ static int count_same(const struct shell_edges *edges, int at)
     return count;
 }
 
-/* Joins loose edges (edges of only one face) to a loop that begins with `at`, and marks
- * them by face -1. Count is 0 if they do not form a loop; corners are NULL if memory
- * runs out. */
+/* Joins loose edges (edges of only one face) into a loop that begins with edge `at`,
+ * and sets `face` of these edges to -1. The loop's count is 0 if they do not form a
+ * loop; its corners are NULL if memory runs out. */
 static struct pp_gbxml_face take_loop(struct shell_edges *loose, int at)
 {
     struct pp_gbxml_face loop = {.from = -1};

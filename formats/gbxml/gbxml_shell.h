@@ -7,7 +7,7 @@
 #include "formats/gbxml/gbxml_model.h"
 
 struct pp_gbxml_face {
-    int *corners; /* indices, counter-clockwise seen from inside */
+    int *corners; /* indices of corners, counter-clockwise seen from inside */
     int count;
     int from; /* index of its polygon; -1: added to close a hole */
 };
@@ -17,15 +17,16 @@ struct pp_gbxml_shell {
     int corner_count;
     struct pp_gbxml_face *faces;
     int face_count;
-    int lacking;    /* number of faces added to close it */
-    double weld_m;  /* the tolerance */
+    int lacking;    /* number of faces added to close the shell */
+    double weld_m;  /* tolerance within which corners were welded */
     double moved_m; /* largest move of a corner */
     double
         moved_m3; /* each polygon's area times its corners' mean move along the normal */
     double volume_m3; /* enclosed volume */
 };
 
-/* Corners nearer than this (m) are the same: exporters round to about a millimetre. */
+/* Corners nearer to each other than this (m) count as one: exporters round coordinates
+ * to about a millimetre. */
 #define PP_GBXML_SAME_M 2e-3
 
 /* Makes a shell from `count` polygons, which are not changed. weld_m: tolerance,

@@ -8,9 +8,9 @@
 #include "model/geometry/polygon.h"
 #include "model/geometry/polygons_cross.h"
 
-/* trim_m: largest overlap that is trimmed. noted_m: larger moves are noted. against:
- * faces whose normals have a smaller cosine are opposite. plane_m: corners within this
- * distance of a face's plane move with it. */
+/* trim_m: largest overlap that is trimmed. noted_m: moves larger than this are noted.
+ * against: faces are opposite if the cosine between their normals is below this.
+ * plane_m: corners within this distance of a face's plane move with the face. */
 static const double trim_m = 0.02, noted_m = 5e-3, against = -0.9999, plane_m = 1e-3;
 
 static struct pp_bounds3 room_bounds(const struct pp_gbxml_room *room)

@@ -5,14 +5,14 @@
 
 #include "formats/gbxml/gbxml_room.h"
 
-/* Moves faces that overlap an earlier room by up to 20 mm back to its face. rooms,
- * spaces: `count` each. Notes moves of more than 5 mm. */
+/* Moves each face that extends up to 20 mm into an earlier room back to the face of
+ * that room. rooms, spaces: `count` each. Notes moves of more than 5 mm. */
 void pp_gbxml_trim_rooms(struct pp_gbxml_room *const *rooms,
                          struct pp_gbxml_space *const *spaces, int count,
                          struct pp_mistakes *notes);
 
 /* Marks spaces as left_out, with a note, until no two rooms overlap. Each step removes
- * the room that overlaps most others; if several do, the smallest. */
+ * the room that overlaps the most others; of several such rooms, the smallest. */
 enum pp_status pp_gbxml_trim_leave_out(struct pp_gbxml_room *const *rooms,
                                        struct pp_gbxml_space *const *spaces, int count,
                                        struct pp_mistakes *notes, struct pp_error *err);

@@ -7,10 +7,10 @@
 
 #include "formats/gbxml/gbxml_room.h"
 
-/* Origin of a range of lines in the written file; setting `left_out` of the item
- * removes it. */
+/* Lines of the written file that describe one item of the gbXML file. An item whose
+ * *left_out is set is not written the next time. */
 struct pp_gbxml_written {
-    int first, last; /* lines */
+    int first, last; /* lines in the written file */
     int from;        /* line in the gbXML file */
     const char *what, *id;
     bool *left_out;

@@ -14,8 +14,8 @@
 #include "model/pictures/picture.h"
 
 struct pp_number_format {
-    const char *ending;       /* file name ending without the point: "hdr" */
-    const char *other_ending; /* alternative ending; NULL: none */
+    const char *ending;       /* extension of the file name, without the dot: "hdr" */
+    const char *other_ending; /* alternative extension; NULL: none */
     const char *summary;      /* one line, without a full stop */
 
     /* Writes the picture. Formats without a place for notes ignore them (notes NULL: no
@@ -27,7 +27,7 @@ struct pp_number_format {
 /* Number formats in list order; NULL for the first index past the end. */
 const struct pp_number_format *pp_number_format_at(int index);
 
-/* The format with that ending, in either case ("hdr", "PIC"); NULL if none. */
+/* The format with that extension, in either case ("hdr", "PIC"); NULL if none. */
 const struct pp_number_format *pp_number_format_find(const char *ending);
 
 extern const struct pp_number_format pp_number_format_hdr;

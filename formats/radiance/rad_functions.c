@@ -103,8 +103,8 @@ static enum pp_status rad_material_side(const struct pp_rad_reader *reader,
     return PP_OK;
 }
 
-/* True if the expression, without its blanks, is that of a mixfunc with one material
- * per side. */
+/* True if the expression, without its blanks, equals PP_RAD_SIDES, which selects one
+ * material per side in a mixfunc. */
 static bool is_sides(struct pp_rad_word word)
 {
     const char *expected = PP_RAD_SIDES;

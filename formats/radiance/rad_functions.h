@@ -32,8 +32,8 @@ enum pp_status pp_rad_functions_read(struct pp_rad_reader *reader,
                                      struct pp_error *err);
 
 /* Arguments of pp_sky: horizontal irradiance, type (0 uniform, 1 to 15 of ISO 15469, 16
- * overcast, 17 by parameters), its normalisation and parameters a to e, direction to
- * the sun. Each skyline adds four: x and y of its direction, slope, radiance. */
+ * overcast, 17 by parameters), normalisation, parameters a to e, direction to the sun.
+ * Each skyline adds four numbers: x and y of its direction, slope, radiance. */
 enum {
     PP_RAD_SKY_NUMBERS = 11,
     PP_RAD_SKYLINE_NUMBERS = 4,
@@ -42,8 +42,7 @@ enum {
 };
 
 /* Arguments of a glazing: diffuse reflectance of the front and of the back and diffuse
- * transmittance (always 0), three channels each; panes, n, KL, scale, clear share,
- * dirt. */
+ * transmittance (always 0), three channels each; then A10 to A15 of pepperpot.cal. */
 enum { PP_RAD_PANE_NUMBERS = 15 };
 
 #endif

@@ -12,7 +12,7 @@ struct pp_rad_name {
     struct pp_rad_meaning meaning;
 };
 
-/* FNV-1a. */
+/* FNV-1a hash of a name. */
 static size_t hash_of(const char *text, size_t length)
 {
     uint64_t hash = 0xcbf29ce484222325u;

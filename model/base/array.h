@@ -1,8 +1,8 @@
 /* array.h - arrays that grow. All lists of the library grow here.
  *
  * `list` is the address of the pointer to the items (a struct item **). Counts and
- * capacities are in items; `size` is that of one item, in bytes. Functions that fail
- * return PP_SYSTEM and leave list and capacity unchanged.
+ * capacities are in items; `size` is the size of one item, in bytes. Functions that
+ * fail return PP_SYSTEM and leave list and capacity unchanged.
  */
 #ifndef PP_MODEL_BASE_ARRAY_H
 #define PP_MODEL_BASE_ARRAY_H

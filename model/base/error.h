@@ -1,7 +1,8 @@
 /* error.h - reporting of errors.
  *
- * Functions that can fail return a status and take a struct pp_error last, which may be
- * NULL. Its message is one sentence for users and names the file, line or value.
+ * Functions that can fail return a status. Their last argument is a struct pp_error,
+ * which may be NULL. The message of an error is one sentence for users and names the
+ * file, line or value.
  */
 #ifndef PP_MODEL_BASE_ERROR_H
 #define PP_MODEL_BASE_ERROR_H

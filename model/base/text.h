@@ -35,7 +35,8 @@ int pp_text_edit_distance(const char *a, const char *b);
 const char *pp_text_nearest(const char *typed, const char *const *names, int count);
 
 /* Writes "did you mean NAME?" with NAME between `before` and `after` (quotation marks,
- * or longer texts); empty if name is NULL. All suggestions of the program use it. */
+ * or longer texts); empty if name is NULL. All suggestions of the program use this
+ * function. */
 const char *pp_text_did_you_mean(char *text, size_t room, const char *before,
                                  const char *name, const char *after);
 

@@ -133,8 +133,8 @@ static void *worker_main(void *data)
     return NULL;
 }
 
-/* Starts workers until there are `wanted`. They block signals, which the main thread
- * handles. */
+/* Starts workers until there are `wanted`. Workers block signals; the main thread
+ * handles them. */
 static void start_workers(struct pp_thread_pool *pool, int wanted)
 {
     sigset_t all, before;

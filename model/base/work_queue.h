@@ -30,8 +30,8 @@ struct pp_work_queue {
     enum pp_status (*collect)(void *data, int index, const char *bytes, size_t length,
                               struct pp_error *err);
 
-    /* Returns false to stop the queue. `done`: share of the indices collected. Called
-     * between indices, by one thread at a time. NULL: never stops. */
+    /* Returns false to stop the queue. `done`: fraction of the indices collected so
+     * far. Called between indices, by one thread at a time. NULL: never stops. */
     bool (*goes_on)(void *data, double done);
 
     void *data;

@@ -241,7 +241,7 @@ struct following {
     int first;
 };
 
-/* Pool work. */
+/* Work of the pool: computes one index. */
 static bool do_index(void *data, int worker, int index)
 {
     const struct following *following = data;

@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 
-/* A rank counts as lost after a silence longer than silence_s and longer than the
- * longest time of any index, multiplied by silence_times. This affects only the
- * computing time; collected results stay. */
+/* A rank counts as lost if it has sent nothing for longer than silence_s plus
+ * silence_times the longest computing time of any index. Its indices are then computed
+ * again; results that are already collected stay. */
 static const double silence_s = 0.5, silence_times = 3.0;
 
 struct slot {
@@ -18,14 +18,14 @@ struct slot {
 
 struct pp_work_results {
     const struct pp_work_queue *queue;
-    struct slot *slots; /* from queue->first */
+    struct slot *slots; /* one per index, from queue->first */
     double *heard_s;    /* time of the last message, by rank */
     double longest_s;   /* longest known time of an index */
     int next;           /* next index to collect */
     int unassigned;     /* indices from here on are unassigned */
     int end;            /* end of the queue, or first failed index */
     bool stopped;
-    enum pp_status status; /* status of taking */
+    enum pp_status status; /* status of the last call of queue->collect */
     struct pp_error err;
     enum pp_status failure; /* error of index `end` */
     struct pp_error why;

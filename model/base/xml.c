@@ -30,7 +30,7 @@ struct xml_builder {
     size_t given; /* bytes given to the parser so far */
     xmlParserCtxtPtr parser;
 
-    struct pp_xml_element *open[PP_XML_DEPTH_MOST];       /* from the root down */
+    struct pp_xml_element *open[PP_XML_DEPTH_MOST]; /* open elements, from the root */
     struct pp_xml_element *newest[PP_XML_DEPTH_MOST + 1]; /* last child at each depth */
     int depth;
     int elements;
@@ -269,7 +269,7 @@ static void on_start(void *context, const xmlChar *name, const xmlChar *prefix,
         settle_text(b);
     if (b->stopped)
         return;
-    const char *tag = last(b, "<"); /* a < in a value is not well-formed */
+    const char *tag = last(b, "<"); /* values contain no < in well-formed text */
     int line = line_at(b, tag);
     if (!within_limits(b, count + namespace_count, line)) {
         b->stopped = true;
@@ -322,7 +322,7 @@ static void on_doctype(void *context, const xmlChar *name, const xmlChar *extern
     pp_mistakes_add(b->mistakes, line_at(b, last(b, "<")),
                     "a DOCTYPE is not allowed in a %s; leave it out", b->format->file);
     b->stopped = true;
-    xmlStopParser(b->parser); /* before it reads declarations */
+    xmlStopParser(b->parser); /* before the parser reads declarations */
 }
 
 /* Reports that the text ends too early: inside an element, a tag, a comment or another

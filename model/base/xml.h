@@ -18,7 +18,7 @@
 
 enum {
     PP_XML_DEPTH_MOST = 64,      /* nesting depth; libxml2 rejects 256 */
-    PP_XML_ATTRIBUTES_MOST = 64, /* per element */
+    PP_XML_ATTRIBUTES_MOST = 64, /* attributes per element */
     /* Limit on the bytes of a tag, since the parser compares each attribute of a tag
      * with all others. */
     PP_XML_TAG_BYTES_MOST = 1 << 16

@@ -32,8 +32,8 @@ static bool is_spike(const double a[2], const double b[2], const double c[2])
     return dot <= 0.0 && fabs(cross) <= 1e-9 * fabs(dot);
 }
 
-/* Removes spikes from a ring. They remain after overlays; they have no area, but
- * enlarge the bounding box. */
+/* Removes spikes from a ring. Overlays can leave spikes, which have no area but enlarge
+ * the bounding box. */
 static void take_spikes_off(struct pp_ring *ring)
 {
     for (int i = 0, passed = 0; passed < ring->count && ring->count > 2; i++) {

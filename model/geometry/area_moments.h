@@ -1,4 +1,4 @@
-/* area_moments.h - area, centroid and bounding box of plane figures, and of their
+/* area_moments.h - area, centroid and bounding box of plane regions, and of their
  * clipped parts.
  *
  * Sums over the edges from a to b, with c = a_x b_z - a_z b_x:
@@ -6,8 +6,8 @@
  *     area      1/2 sum c
  *     moments   1/6 sum c (a_x + b_x),  1/6 sum c (a_z + b_z)
  *
- * Figures may have any shape, and holes. Clipping leaves bridges that are traversed in
- * both directions and cancel.
+ * Regions may have any shape, and holes. Clipping leaves bridges that are traversed in
+ * both directions; their contributions cancel.
  */
 #ifndef PP_MODEL_GEOMETRY_AREA_MOMENTS_H
 #define PP_MODEL_GEOMETRY_AREA_MOMENTS_H
@@ -15,12 +15,12 @@
 #include "model/geometry/region.h"
 
 struct pp_area_moments {
-    double area;               /* negative for a clockwise figure */
+    double area;               /* negative for a clockwise outline */
     double x_moment, z_moment; /* area times the centroid's coordinates */
     double left, right, low, high;
 };
 
-/* Moments of an empty figure, to which edges are added. */
+/* Moments of an empty region, to which edges are added. */
 struct pp_area_moments pp_area_moments_empty(void);
 
 /* Adds an edge: the triangle that it forms with the origin. Edges on a line through the
@@ -32,8 +32,9 @@ void pp_area_moments_add_edge(struct pp_area_moments *moments, const double a[2]
  * rings. */
 struct pp_area_moments pp_area_moments_above_horizon(struct pp_region *region);
 
-/* Space that pp_area_moments_in_box needs per point, for a figure that was clipped once
- * before; each clip makes at most 1.5 times as many points. */
+/* Number of points that pp_area_moments_in_box stores per original point. Each clip
+ * multiplies the number of points by at most 1.5; a polygon clipped once before the
+ * call is clipped five times in total, and 1.5^5 = 7.6. */
 enum { PP_AREA_MOMENTS_POINTS = 8 };
 
 /* Moments of the part of a polygon of `count` points within a box. points and spare

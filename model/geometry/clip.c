@@ -3,9 +3,9 @@
 
 #include <stdbool.h>
 
-/* Intersection of an edge with the plane. It is calculated from the end that is first
- * in order of x, y, z, so that reversing the edge or the plane gives the same result,
- * bit for bit. */
+/* Intersection of an edge with the plane. The calculation starts from the end that is
+ * first in order of x, y, z, so that reversing the edge or the plane gives the same
+ * result, bit for bit. */
 static struct pp_vec3 edge_crossing(struct pp_vec3 a, double depth_a, struct pp_vec3 b,
                                     double depth_b)
 {

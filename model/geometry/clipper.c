@@ -57,8 +57,8 @@ static enum pp_status fail_geos(struct pp_clipper *clipper, const char *what,
 
 /* ---- regions of rings ---- */
 
-/* True if the ring turns the same way at every corner, by more than rounding, and once
- * in total. */
+/* True if the ring turns the same way at every corner, by more than rounding, and makes
+ * one full turn. */
 static bool ring_is_convex(const double (*xy)[2], int count)
 {
     int left = 0, right = 0, over = 0;
@@ -93,7 +93,7 @@ enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clippe
     return PP_OK;
 }
 
-/* Figure of a simple ring. */
+/* Makes the region enclosed by a simple ring. */
 static enum pp_status simple_ring(struct pp_region *region, const double (*xy)[2],
                                   int count, struct pp_error *err)
 {
@@ -143,8 +143,7 @@ static GEOSGeometry *faces_of(GEOSContextHandle_t geos, const double (*xy)[2],
     return faces;
 }
 
-/* True if the interior of the face is inside the line, according to the number of
- * crossings. */
+/* True if the interior of the face is inside the line, by the even-odd rule. */
 static bool is_crossed_oddly(GEOSContextHandle_t geos, const GEOSGeometry *face,
                              const struct pp_region *line)
 {
@@ -279,14 +278,14 @@ enum pp_status pp_clipper_take_away(struct pp_clipper *clipper,
     return status;
 }
 
-/* Offsets the outline of a figure outwards by a distance, or inwards if negative;
+/* Offsets the outline of a region outwards by a distance, or inwards if negative;
  * corners stay sharp. NULL on failure. */
 static GEOSGeometry *widen_figure(GEOSContextHandle_t geos, const GEOSGeometry *figure,
                                   double distance)
 {
     enum { ARC_POINTS = 8 };             /* per quarter circle; unused with mitres */
-    static const double LONGEST = 100.0; /* mitre limit: length of a corner divided by
-                                          * the distance */
+    static const double LONGEST = 100.0; /* mitre limit: length of a sharp corner
+                                          * divided by the distance */
     return GEOSBufferWithStyle_r(geos, figure, distance, ARC_POINTS, GEOSBUF_CAP_FLAT,
                                  GEOSBUF_JOIN_MITRE, LONGEST);
 }

@@ -17,20 +17,21 @@ struct pp_clipper;
 enum pp_status pp_clipper_create(struct pp_clipper **clipper, struct pp_error *err);
 void pp_clipper_destroy(struct pp_clipper *clipper); /* NULL is allowed */
 
-/* Unions, intersections and differences then round coordinates to multiples of `grid`
- * (greater than 0). Such snap rounding makes them robust against edges that almost
- * coincide. 2^-50 of the largest coordinate costs no accuracy. 0, the default: no
- * rounding. */
+/* Sets the grid (greater than 0) to which unions, intersections and differences round
+ * coordinates. Such snap rounding makes overlays robust against edges that almost
+ * coincide. A grid of 2^-50 of the largest coordinate costs no accuracy. 0, the
+ * default: no rounding. */
 void pp_clipper_set_grid(struct pp_clipper *clipper, double grid);
 
-/* Figure of one ring, in either direction; empty for fewer than three points or without
- * area. PP_BAD_INPUT for a ring that crosses itself. */
+/* Makes the region enclosed by one ring of either direction. It is empty if the ring
+ * has fewer than three points or no area. PP_BAD_INPUT for a ring that crosses
+ * itself. */
 enum pp_status pp_clipper_of_ring(struct pp_clipper *clipper, struct pp_region *region,
                                   const double (*xy)[2], int count,
                                   struct pp_error *err);
-/* Figure of any closed line, by the even-odd rule. A part that is traversed in both
- * directions, like the bridge from an outline to a hole, bounds nothing. Holes may have
- * either direction. */
+/* Makes the region enclosed by any closed line, by the even-odd rule. A part of the
+ * line that is traversed in both directions, like the bridge from an outline to a hole,
+ * bounds nothing. Holes may have either direction. */
 enum pp_status pp_clipper_by_crossings(struct pp_clipper *clipper,
                                        struct pp_region *region, const double (*xy)[2],
                                        int count, struct pp_error *err);
@@ -55,14 +56,14 @@ enum pp_status pp_clipper_take_away(struct pp_clipper *clipper,
                                     const struct pp_region *minus,
                                     struct pp_error *err);
 
-/* Part of a region more than `distance` (greater than 0) from its edge. Reflex corners
- * stay sharp, where a circle would round them. */
+/* Part of a region farther than `distance` (greater than 0) from the region's edge.
+ * Reflex corners stay sharp instead of being rounded. */
 enum pp_status pp_clipper_inset(struct pp_clipper *clipper, struct pp_region *result,
                                 const struct pp_region *region, double distance,
                                 struct pp_error *err);
 
-/* Region with all gaps narrower than `width` (greater than 0) filled, inside it and
- * between its pieces; outer corners stay sharp. */
+/* Fills all gaps narrower than `width` (greater than 0) inside the region and between
+ * its pieces; outer corners stay sharp. */
 enum pp_status pp_clipper_close_gaps(struct pp_clipper *clipper,
                                      struct pp_region *result,
                                      const struct pp_region *region, double width,
@@ -75,7 +76,7 @@ enum pp_status pp_clipper_triangulate(struct pp_clipper *clipper,
                                       const struct pp_region *region,
                                       struct pp_error *err);
 
-/* *simple: the ring has an area and does not touch itself. */
+/* Sets *simple to true if the ring has an area and does not touch itself. */
 enum pp_status pp_clipper_ring_is_simple(bool *simple, struct pp_clipper *clipper,
                                          const double (*xy)[2], int count,
                                          struct pp_error *err);

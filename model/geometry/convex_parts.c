@@ -20,9 +20,9 @@ bool pp_convex_parts_is_convex(const struct pp_polygon *outline)
     return true;
 }
 
-/* Coordinates of a vertex in its polygon's plane: those on the two axes along which the
- * projected polygon is largest. Their values stay unchanged, so that corners of
- * triangles are matched exactly. */
+/* Projects a vertex along the axis nearest to its polygon's normal. The other two
+ * coordinates are copied unchanged, so that corners of triangles can be matched
+ * exactly. */
 static void drop_largest_axis(double xy[2], struct pp_vec3 v, struct pp_vec3 normal)
 {
     struct pp_vec3 n = pp_vec(fabs(normal.x), fabs(normal.y), fabs(normal.z));

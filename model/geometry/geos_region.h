@@ -1,7 +1,7 @@
 /* geos_region.h - converts rings and regions to GEOS and back.
  *
  * A region becomes a multipolygon in GEOS. In the result each outer ring is followed by
- * its holes. Parts of lower dimension (points and lines where two figures only touch)
+ * its holes. Parts of lower dimension (points and lines where two regions only touch)
  * are dropped. Only this file includes the header of GEOS. Inside model/geometry/ only.
  */
 #ifndef PP_MODEL_GEOMETRY_GEOS_REGION_H

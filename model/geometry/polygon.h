@@ -14,9 +14,9 @@
 #include "model/base/error.h"
 #include "model/geometry/vec.h"
 
-/* Plane and simple; counter-clockwise seen against its normal, which points to the
- * viewer. Faces of an envelope may be uneven by 1 mm; neighbours share corners
- * exactly. */
+/* A plane, simple polygon. Vertices are counter-clockwise for a viewer towards whom the
+ * normal points. Faces of an envelope may be uneven by 1 mm; neighbouring faces share
+ * corners exactly. */
 struct pp_polygon {
     int count;
     struct pp_vec3 *vertices;
@@ -43,17 +43,17 @@ struct pp_vec3 pp_polygon_middle(const struct pp_polygon *polygon);
  * normal. */
 double pp_polygon_height(const struct pp_polygon *polygon, struct pp_vec3 point);
 
-/* True if no vertex of the polygon is more than 1e-7 m behind the plane of the
- * other. */
+/* True if no vertex of the polygon is more than 1e-7 m behind the plane of the polygon
+ * `plane`. */
 bool pp_polygon_is_before(const struct pp_polygon *polygon,
                           const struct pp_polygon *plane);
 
 /* Greatest distance of a vertex from the polygon's plane (m). */
 double pp_polygon_unevenness(const struct pp_polygon *polygon);
 
-/* Axes in a plane with this unit normal; along x up = normal. along is horizontal and
- * points right for a viewer whom the normal points at, up is uphill. In a horizontal
- * plane along is +x. */
+/* Finds axes in a plane with this unit normal, so that along x up = normal. `along` is
+ * horizontal and points right for a viewer towards whom the normal points; `up` points
+ * uphill. In a horizontal plane `along` is +x. */
 void pp_polygon_plane_axes(struct pp_vec3 normal, struct pp_vec3 *along,
                            struct pp_vec3 *up);
 
@@ -64,8 +64,8 @@ void pp_polygon_flatten(const struct pp_vec3 *vertices, int count,
 
 enum pp_side { PP_OUTSIDE, PP_INSIDE, PP_ON_EDGE };
 
-/* Position of a point relative to a ring of either orientation; it is on the edge if
- * nearer than `tolerance` (m). */
+/* Position of a point relative to a ring of either orientation. A point nearer to the
+ * edge than `tolerance` (m) is on the edge. */
 enum pp_side pp_polygon_ring_side(const double (*xy)[2], int count, double x, double y,
                                   double tolerance);
 

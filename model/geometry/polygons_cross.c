@@ -18,9 +18,9 @@ struct stretches {
     int count;
 };
 
-/* Intersection of the polygon with the plane at height `level` over the one through
- * `origin` with this normal, as intervals along `line`. list has space for half as many
- * intervals as vertices. */
+/* Intersects the polygon with a plane, and returns intervals along `line`. The plane
+ * has the given normal and is at the distance `level` from `origin`. cuts->list has
+ * space for half as many intervals as vertices. */
 static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon,
                         struct pp_vec3 origin, struct pp_vec3 normal, double level,
                         struct pp_vec3 line)
@@ -45,8 +45,8 @@ static void cut_polygon(struct stretches *cuts, const struct pp_polygon *polygon
     cuts->count = count / 2;
 }
 
-/* Intersection of two lists of intervals; `both` has space for the intervals of
- * both. */
+/* Intersection of two lists of intervals; `both` has space for as many intervals as a
+ * and b together. */
 static void intersect(struct stretches *both, const struct stretches *a,
                       const struct stretches *b)
 {

@@ -4,9 +4,9 @@
 
 enum { PP_POLYNOMIAL_MOST = 8 };
 
-/* Coefficients of the polynomial of least degree with values[i] at at[i]: powers[k] is
- * that of t^k. `count` different positions, 1 to PP_POLYNOMIAL_MOST. Newton's divided
- * differences. */
+/* Finds the polynomial of least degree that has values[i] at at[i], by Newton's divided
+ * differences. powers[k] is the coefficient of t^k. The `count` positions, 1 to
+ * PP_POLYNOMIAL_MOST, must differ. */
 static inline void pp_polynomial_through(double *powers, const double *at,
                                          const double *values, int count)
 {

@@ -25,7 +25,7 @@ static inline struct pp_vec3 pp_projection_point(const struct pp_projection *vie
                   pp_vec_dot(v, view->toward));
 }
 
-/* Converts a direction or half-space to the axes of the view. */
+/* Converts a direction to the axes of the view. */
 static inline struct pp_vec3 pp_projection_direction(const struct pp_projection *view,
                                                      struct pp_vec3 v)
 {

@@ -1,5 +1,5 @@
 /* region.c - area, contained points and edge distance, by sums over the rings of a
- * figure. */
+ * region. */
 #include "model/geometry/region.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
-/* region.h - plane figures with holes: area, extent, and contained points, by sums over
+/* region.h - plane regions with holes: area, extent, and contained points, by sums over
  * their rings.
  *
  * Coordinates are pairs in any plane chosen by the caller (working plane, plane of an
- * opening). model/geometry/clipper.h makes and clips figures.
+ * opening). model/geometry/clipper.h makes and clips regions.
  */
 #ifndef PP_MODEL_GEOMETRY_REGION_H
 #define PP_MODEL_GEOMETRY_REGION_H
@@ -18,9 +18,9 @@ struct pp_ring {
     double (*xy)[2];
 };
 
-/* Outer rings are counter-clockwise, holes clockwise, so that a signed sum over all
- * rings is the value of the figure. Each outer ring is followed by its holes. No rings:
- * the empty figure. */
+/* A region. Outer rings are counter-clockwise, holes clockwise, so that signed sums
+ * over all rings are sums over the region. Each outer ring is followed by its holes. A
+ * region without rings is empty. */
 struct pp_region {
     int count;
     struct pp_ring *rings;
@@ -28,8 +28,7 @@ struct pp_region {
 
 enum pp_status pp_region_copy(struct pp_region *copy, const struct pp_region *region,
                               struct pp_error *err);
-void pp_region_clear(struct pp_region *region); /* the region is then the empty
-                                                 * figure */
+void pp_region_clear(struct pp_region *region); /* the region is then empty */
 
 /* Twice the area of the triangle a, b, c; positive for a left turn. */
 static inline double pp_region_turn(const double a[2], const double b[2],
@@ -47,7 +46,7 @@ bool pp_region_contains(const struct pp_region *region, double x, double y);
 /* Number of points within the region. */
 int pp_region_count_inside(const struct pp_region *region, double (*points)[2],
                            int count);
-/* Distance from a point to the nearest edge; INFINITY for the empty figure. */
+/* Distance from a point to the nearest edge; INFINITY for an empty region. */
 double pp_region_edge_distance(const struct pp_region *region, double x, double y);
 
 #endif

@@ -1,11 +1,11 @@
-/* region_pieces.h - a plane figure in space, as outlines without holes. */
+/* region_pieces.h - divides a plane region in space into outlines without holes. */
 #ifndef PP_MODEL_GEOMETRY_REGION_PIECES_H
 #define PP_MODEL_GEOMETRY_REGION_PIECES_H
 
 #include "model/geometry/clipper.h"
 #include "model/geometry/vec.h"
 
-/* Outlines that cover exactly the figure. */
+/* Outlines that together cover exactly the region. */
 struct pp_region_pieces {
     struct pp_region_piece {
         int count;
@@ -14,9 +14,9 @@ struct pp_region_pieces {
     int count;
 };
 
-/* Divides the figure, given in the orthogonal unit axes along and up from the origin. A
- * ring without holes is one piece; others become triangles. Pieces smaller than
- * least_m2 are left out. The caller clears *pieces in any case. */
+/* Divides the region, given in the orthogonal unit axes `along` and `up` from `origin`.
+ * A ring without holes is one piece; a ring with holes becomes triangles. Pieces
+ * smaller than least_m2 are left out. The caller clears *pieces in any case. */
 enum pp_status pp_region_pieces_cut(struct pp_region_pieces *pieces,
                                     const struct pp_region *figure,
                                     struct pp_vec3 origin, struct pp_vec3 along,

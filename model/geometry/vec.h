@@ -35,7 +35,7 @@ static inline struct pp_vec3 pp_vec_scale(struct pp_vec3 a, double s)
     return pp_vec(a.x * s, a.y * s, a.z * s);
 }
 
-/* a + s b: from a by s times b. */
+/* a + s b. */
 static inline struct pp_vec3 pp_vec_along(struct pp_vec3 a, double s, struct pp_vec3 b)
 {
     return pp_vec(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);

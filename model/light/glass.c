@@ -33,7 +33,8 @@ static struct pane_optics stack_of(struct pane_optics pane, int panes)
     return stack;
 }
 
-/* Fresnel reflectances, then the panes, then the mean of both polarisations. */
+/* Calculates Fresnel reflectances, adds the panes one by one, and returns the means of
+ * both polarisations. */
 static void clear_stack(const struct pp_glass *glass, double cos_i, double *t,
                         double *r)
 {
@@ -127,8 +128,8 @@ struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal
     return pp_glass_scaled(pp_glass_panes(panes, n, kl), normal);
 }
 
-/* Stores the result of pp_glass_panes(1, 1.52, 0.02): the integral takes 10 us, and a
- * room with a thousand windows needs this pane a million times. */
+/* Returns the stored result of pp_glass_panes(1, 1.52, 0.02). Its integral takes 10 us,
+ * and a room with a thousand windows needs this pane a million times. */
 struct pp_glass pp_glass_clear_single(void)
 {
     return (struct pp_glass){.panes = 1,

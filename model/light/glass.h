@@ -7,9 +7,9 @@
  *     a = exp(-KL / cos r),  sin i = n sin r
  *     a pane behind a stack: T = T1 T2 / (1 - R1 R2),  R = R1 + T1^2 R2 / (1 - R1 R2)
  *
- * A glazing of which only the normal transmittance t is known is such a stack times
- * t/tau(0). A diffusing glazing is Lambertian and has only a hemispherical
- * transmittance.
+ * If only the normal transmittance t of a glazing is known, the transmittance of such a
+ * stack is multiplied by t/tau(0). A diffusing glazing is Lambertian and has only a
+ * hemispherical transmittance.
  */
 #ifndef PP_MODEL_LIGHT_GLASS_H
 #define PP_MODEL_LIGHT_GLASS_H
@@ -43,17 +43,18 @@ struct pp_glass pp_glass_scaled(struct pp_glass glass, double normal);
 /* As pp_glass_panes, scaled to the normal transmittance `normal`, in (0, 1]. */
 struct pp_glass pp_glass_of_normal(int panes, double n, double kl, double normal);
 
-/* One clear pane of index 1.52 whose absorption gives that normal transmittance: glass
- * tinted in its mass, and Radiance's `glass`. normal: above 0, at most
- * PP_GLASS_ABSORBING_MOST, which a pane without absorption has. */
+/* One clear pane of refractive index 1.52 with the absorption that gives this normal
+ * transmittance: glass tinted in its mass, and Radiance's `glass`. normal: above 0, at
+ * most PP_GLASS_ABSORBING_MOST, the transmittance of a pane without absorption. */
 #define PP_GLASS_ABSORBING_MOST 0.918
 struct pp_glass pp_glass_absorbing(double normal);
 
 /* Diffusing glazing; hemispherical transmittance in (0, 1]. */
 struct pp_glass pp_glass_diffusing(double transmittance);
 
-/* Clear glass that stands for a measured pane: one pane with these transmittances, 0 < t;
- * values above 1 count as 1. Other angles are as for clear single glass. */
+/* Clear glass that represents a measured pane: one pane with the given normal and
+ * diffuse transmittance (above 0; values above 1 count as 1). Its dependence on the
+ * angle is that of clear single glass. */
 struct pp_glass pp_glass_measured(double normal, double diffuse);
 
 /* Transmittance for a cosine of the angle of incidence, 0 to 1. For a diffusing glazing
@@ -64,7 +65,7 @@ double pp_glass_transmittance(const struct pp_glass *glass, double cos_incidence
  * diffusing glazing this is its diffuse reflectance, 0.1. */
 double pp_glass_reflectance(const struct pp_glass *glass, double cos_incidence);
 
-/* Calculates both at once. */
+/* Calculates transmittance and reflectance together. */
 void pp_glass_optics(const struct pp_glass *glass, double cos_incidence,
                      double *transmittance, double *reflectance);
 

@@ -7,7 +7,7 @@
 struct pp_glazing {
     const char *name;
     double panes, n, kl;
-    double normal;         /* NAN: from the panes */
+    double normal;         /* transmittance; NAN: calculated from panes */
     const char *diffusing; /* "yes": normal is the hemispherical transmittance */
     const char *source;    /* as explained at the head of the table */
     const char *description;

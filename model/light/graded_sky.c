@@ -5,7 +5,7 @@
 
 #include "model/geometry/vec.h"
 
-/* p and q of the header. */
+/* p and q of graded_sky.h. */
 static double even_part(double b)
 {
     return 3.0 / (2.0 * (3.0 + 2.0 * b));

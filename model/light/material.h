@@ -56,7 +56,7 @@ struct pp_material {
     char name[PP_MATERIAL_NAME_SIZE]; /* as in the file; longer names are cut */
     enum pp_material_kind kind;
 
-    struct pp_rgb diffuse; /* reflectance; glass: of the frame */
+    struct pp_rgb diffuse; /* reflectance; for glass: of the frame */
     struct pp_rgb gloss;   /* reflectance of the lobe or the mirror */
     double roughness[2];   /* along `grain` and across it; equal: isotropic */
     struct pp_vec3 grain;  /* direction of the first roughness, projected on the
@@ -93,7 +93,7 @@ struct pp_material {
 /* Constructors. Reflectances are fractions; colours are linear. The name is empty. */
 struct pp_material pp_material_diffuse(struct pp_rgb reflectance);
 
-/* Radiance's `plastic`: the share `specular` is reflected without colour; the rest is
+/* Radiance's `plastic`: a fraction `specular` is reflected without colour; the rest is
  * diffuse and coloured. */
 struct pp_material pp_material_plastic(struct pp_rgb colour, double specular,
                                        double along, double across);
@@ -105,22 +105,24 @@ struct pp_material pp_material_metal(struct pp_rgb colour, double specular,
 /* A physically rough surface, which must outlive the material. */
 struct pp_material pp_material_rough(const struct pp_rough_surface *surface);
 
-/* The same with each channel of diffuse part and gloss replaced by their luminance. */
+/* Returns a grey copy: the channels of the diffuse part are replaced by their
+ * luminance, and so are those of the gloss. */
 struct pp_material pp_material_greyed(const struct pp_material *material);
 
-/* Radiance's `trans`: the share `specular` is reflected without colour. Of the rest the
- * share `trans` is transmitted, and of that the share `through_specular` straight on or
- * as a gloss. All are multiplied by the colour. */
+/* Radiance's `trans`. A fraction `specular` of the light is reflected without colour. A
+ * fraction `trans` of the remainder is transmitted; a fraction `through_specular` of
+ * the transmitted light goes straight on or forms a gloss. All but the first are
+ * multiplied by the colour. */
 struct pp_material pp_material_trans(struct pp_rgb colour, double specular,
                                      double roughness, double trans,
                                      double through_specular);
 
 struct pp_material pp_material_mirror(struct pp_rgb reflectance);
 
-/* Clear glazing, equal in all channels. A diffusing one becomes a translucent surface
- * with its hemispherical transmittance and reflectance. The frame covers 1 -
- * clear_share of the area and has the reflectance `frame`; `dirt` is the share of the
- * light that passes the dirt. */
+/* Clear glazing, equal in all channels. A diffusing glazing becomes a translucent
+ * surface with the glazing's hemispherical transmittance and reflectance. The frame
+ * covers 1 - clear_share of the area and has the reflectance `frame`; `dirt` is the
+ * share of the light that passes the dirt. */
 struct pp_material pp_material_glazing(const struct pp_glass *glass, double clear_share,
                                        double dirt, double frame);
 
@@ -139,7 +141,7 @@ struct pp_material pp_material_pane(struct pp_rgb transmissivity, double n);
 struct pp_material pp_material_light(struct pp_rgb radiance);
 struct pp_material pp_material_glow(struct pp_rgb radiance);
 
-/* Rays pass through it unchanged. */
+/* A surface that rays pass unchanged. */
 struct pp_material pp_material_air(void);
 
 /* Reflectance for hand methods: diffuse plus gloss, weighted by luminance; 0.1 for
@@ -153,8 +155,8 @@ struct pp_material pp_material_finish(const struct pp_finish *finish,
                                       double reflectance);
 
 /* PP_BAD_INPUT, with a message that begins with the material's name, if members are
- * inconsistent, or if it reflects and transmits more light than it receives in any
- * channel. */
+ * inconsistent, or if the material reflects and transmits more light than it receives
+ * in any channel. */
 enum pp_status pp_material_check(const struct pp_material *material,
                                  struct pp_error *err);
 

@@ -8,7 +8,7 @@
 
 enum { AZIMUTHS = 90, ALTITUDES = 900 };
 
-/* Reflected light by equation (1). */
+/* g(x) of equation (1). */
 static double reflected(double rho, double widths)
 {
     double whole = floor(widths);

@@ -36,8 +36,9 @@ struct pp_outside_light {
 double pp_outside_light_sun_on_plane(const struct pp_outside_light *light,
                                      struct pp_vec3 n);
 
-/* Exitance of the ground: lit by the sky only, where it equals the reflectance; and lit
- * by sky and sun. */
+/* Exitance of the ground over Eh. The first function is for ground lit by the sky only,
+ * so that the exitance equals the reflectance; the second is for ground lit by sky and
+ * sun. */
 double pp_outside_light_ground(const struct pp_outside_light *light);
 double pp_outside_light_sunlit_ground(const struct pp_outside_light *light);
 

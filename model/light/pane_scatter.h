@@ -1,29 +1,32 @@
-/* pane_scatter.h - a pane that scatters light by direction: measured glazing, or a device
- * such as a blind, as simulations use it.
+/* pane_scatter.h - a pane that scatters light by direction: measured glazing, or a
+ * device such as a blind, as simulations use it.
  *
- * A struct of functions, so that a new kind of pane needs no change in any tracer: fill one
- * in, and let an opening of the world (model/room/world.h) refer to it. Directions are
- * those of travel of the light, unit, in the axes of the pane: z its normal into the room, y
- * up, x = y cross z. The sign of z says which way the light goes; it is the same for
- * arriving (`in`) and leaving (`out`) light. The light divides into
+ * A pane is a struct of functions, so that a new kind of pane needs no change in any
+ * tracer: fill in a struct, and let an opening of the world (model/room/world.h) refer
+ * to it. Directions are unit vectors in which the light travels, in the axes of the
+ * pane: z is its normal into the room, y is up, x = y cross z. The sign of z tells
+ * which way the light travels; it is the same for arriving (`in`) and leaving (`out`)
+ * light. The light divides into
  *
- *     straight(in)     share that leaves in the same direction; a ray in simulations, so
- *                      that the sun and its shadows stay sharp
+ *     straight(in)     share that leaves in the same direction; a ray in simulations,
+ *                      so that the sun and its shadows stay sharp
  *     scattered(in)    share that leaves in other directions
  *     btdf(in, out)    of scattered light, 1/sr: scattered = integral of btdf |out.z|
  *
  * Paths run from the eye to the light. For them `out` is known and `in` is sampled:
  *
- *     arriving(out)    integral of btdf |in.z| over all `in`: radiance along `out` under an
- *                      even radiance of 1. It may exceed 1.
+ *     arriving(out)    integral of btdf |in.z| over all `in`: radiance along `out` if
+ *                      the radiance from all directions is 1. It may exceed 1.
  *     sample           draws `in` for that `out`, with the density given by `density`;
- *                      returns btdf |in.z| / (density arriving), 1 if the density is exact
+ *                      returns btdf |in.z| / (density arriving), which is 1 if the
+ *                      density is exact
  *
  * A passive pane is reciprocal, btdf(in, out) = btdf(-out, -in), so that the direction
  * of leaving light can be sampled by the same function.
  *
- * For a year of skies the directions of light that leaves into the room are divided into
- * classes; light of one class has one radiance, class_btdf.
+ * For annual simulations, the directions of light that leaves into the room are divided
+ * into classes. Light of one class is assumed to have one radiance, given by
+ * class_btdf.
  *
  * Reflected light is diffuse.
  */
@@ -45,7 +48,7 @@ struct pp_pane_scatter {
     const void *data; /* first argument of all functions; not owned */
     uint64_t id;      /* hash of the data: panes with equal ids are the same */
     double reflect_outside, reflect_room; /* reflectances of the two sides */
-    bool splits;                          /* straight light can be other than 0 */
+    bool splits;                          /* `straight` can be other than 0 */
     const struct pp_angle_basis *basis;   /* patches in which btdf and straight do not
                                            * vary, for files; not owned; NULL: none */
 

@@ -10,15 +10,16 @@
  *
  *     eps = ((Ed + En)/Ed + 1.041 Z^3)/(1 + 1.041 Z^3)    clearness, selects the bin
  *     D   = Ed m/E0                                       brightness
- *     m   = 1/(cos Z + 0.15 (93.885 - Z)^-1.253)          air mass, Z in degrees [KAS66]
+ *     m   = 1/(cos Z + 0.15 (93.885 - Z)^-1.253)         air mass, Z in degrees [KAS66]
  *
  *     Ed, En  diffuse horizontal and direct normal irradiance, W/m2
  *     E0      1367 W/m2 over the squared distance of the sun in astronomical units
  *     Z       zenith angle of the sun, in radians except in m
  *
  * Other skies have the same form: ISO 15469, and the graded skies (graded_sky.h), with
- * the factor 1 + g cos zeta in (1); g is 0 for Perez's. The intermediate sky of EnergyPlus
- * [EPLUS] has, with the altitudes phi of the direction and h of the sun (radians),
+ * the factor 1 + g cos zeta in (1); g is 0 for Perez's. The intermediate sky of
+ * EnergyPlus [EPLUS] has, with the altitudes phi of the direction and h of the sun
+ * (radians),
  *
  *     L = N Z1 Z2                                                                (3)
  *     Z1 = (1.35 (sin(3.59 phi - 0.009) + 2.31) sin(2.6 h + 0.316) + phi + 4.799) / 2.326
@@ -78,8 +79,9 @@ struct pp_perez_sky {
  * is no sun either. */
 struct pp_perez_sky pp_perez_sky_of(const struct pp_perez_conditions *conditions);
 
-/* A standard sky with these illuminances, at least one above 0; not of a photograph.
- * sun: its direction, also for skies that do not depend on it. */
+/* A standard sky with these illuminances, at least one of them above 0. `standard` must
+ * not be a photograph. sun: direction of the sun, also for skies that do not depend on
+ * it. */
 struct pp_perez_sky pp_perez_sky_of_standard(const struct pp_sky *standard,
                                              struct pp_vec3 sun, double direct_lx,
                                              double diffuse_lx);
@@ -90,8 +92,8 @@ void pp_perez_sky_set_diffuse(struct pp_perez_sky *sky, double diffuse_lx);
 /* Luminance in direction u (unit), cd/m2; 0 below the horizon. */
 double pp_perez_sky_luminance(const struct pp_perez_sky *sky, struct pp_vec3 u);
 
-/* The sky without the sun's disc, as an argument of methods and simulations: luminances
- * over its own horizontal illuminance. */
+/* The sky without the sun's disc, as an argument of methods and simulations: its
+ * luminances are divided by its own horizontal illuminance. */
 struct pp_sky pp_perez_sky_relative(const struct pp_perez_sky *sky);
 
 #endif

@@ -109,7 +109,7 @@ struct pp_scene_description {
     int material_count, material_space;
     struct pp_pattern *patterns;
     int pattern_count, pattern_space;
-    struct pp_measured_pane **panes; /* of materials that scatter */
+    struct pp_measured_pane **panes; /* panes of materials that scatter */
     int pane_count, pane_space;
 };
 
@@ -125,8 +125,8 @@ enum pp_status pp_scene_description_add_pattern(struct pp_scene_description *sce
                                                 const struct pp_pattern *pattern,
                                                 int *index, struct pp_error *err);
 
-/* Adds a pane to the list, which takes over the caller's hold of it, even after a
- * failure. */
+/* Adds a pane to the list. The list takes over the caller's reference to the pane, even
+ * after a failure. */
 enum pp_status pp_scene_description_add_pane(struct pp_scene_description *scene,
                                              struct pp_measured_pane *pane,
                                              struct pp_error *err);

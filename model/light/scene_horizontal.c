@@ -36,7 +36,7 @@ static struct sources sources_of(const struct pp_scene_description *scene)
     return sources;
 }
 
-/* The source seen in direction u: the one with the smallest angle; NULL: none. */
+/* Source seen in direction u; if there are several, the narrowest one. NULL: none. */
 static const struct pp_shape *seen_in(const struct sources *sources, struct pp_vec3 u)
 {
     const struct pp_shape *found = NULL;

@@ -63,8 +63,8 @@ static double faded_luminance(double fade, double z)
            / (weight + 1.0 / weight);
 }
 
-/* Luminance divided by that of the zenith. For ISO skies, it is divided by that of the
- * zenith over f(Zs) phi(0); for photographs, it is in cd/m2. */
+/* Relative luminance. Graded skies: divided by the luminance of the zenith. ISO skies:
+ * f(chi) phi(Z) (sky.h). Photographs: luminance in cd/m2. */
 static double relative_luminance(const struct pp_sky *sky, struct pp_vec3 u)
 {
     if (sky->fade > 0.0)

@@ -28,9 +28,9 @@ struct pp_sky_picture;
 struct pp_sky {
     enum pp_sky_kind kind;
     int iso; /* PP_SKY_ISO: 1 to 15, or 0 for a Perez sky in this form; else 0 */
-    double gradation;      /* b of graded_sky.h. Skies that are not graded have that
-                           * of the overcast sky, used to convert obstructions to
-                           * angles and for estimates */
+    double gradation;      /* b of graded_sky.h. Skies that are not graded have the
+                           * value of the overcast sky, used to convert
+                           * obstructions to angles and for estimates */
     struct pp_vec3 sun;    /* unit, towards the sun; the zenith if there is none */
     double a, b, c, d, e;  /* ISO 15469, else 0 */
     double per_horizontal; /* L / Eh (1/sr) for a relative luminance of 1 */
@@ -47,8 +47,8 @@ struct pp_sky pp_sky_uniform(void);
  * the reflectance times Eh over pi. */
 struct pp_sky pp_sky_faded(double ground_reflectance);
 
-/* Graded sky with any b; its kind is uniform for b = 0, else overcast. Rooms use the
- * two above, tests other values. */
+/* Graded sky with any b; its kind is uniform for b = 0, else overcast. Only tests use
+ * other values of b than those of the overcast and the uniform sky. */
 struct pp_sky pp_sky_graded(double b);
 
 /* Sky by the formula of ISO 15469 with parameters a to e and the sun in unit direction

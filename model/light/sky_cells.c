@@ -1,8 +1,8 @@
 /* sky_cells.c - inverts cumulative sums over a fine grid of directions.
  *
- * The light from a patch on a horizontal plane is L sin(a) cos(a) da db for altitude a
- * and bearing b. Since cos(a) sin(a) da is d(sin^2 a)/2, strips between equal steps of
- * sin^2 a would be equal under a uniform sky.
+ * The illuminance of a horizontal plane from a patch is L sin(a) cos(a) da db for
+ * altitude a and bearing b. Since cos(a) sin(a) da is d(sin^2 a)/2, strips between
+ * equal steps of sin^2 a would contribute equally under a uniform sky.
  */
 #include "model/light/sky_cells.h"
 
@@ -77,8 +77,9 @@ static void sum_ring(struct net *net, double upper, double lower)
         net->turn[k] /= net->turn[net->bearings];
 }
 
-/* Number of cells of the ring after `done` of `count` cells: the number that makes them
- * most nearly square, or all remaining cells if another such ring does not fit. */
+/* Number of cells in the next ring if `done` of `count` cells exist. It makes the cells
+ * of the ring most nearly square, or is the number of remaining cells if a further ring
+ * does not fit. */
 static int ring_size(const struct net *net, int done, int count)
 {
     double top = altitude_of(share_position(net->above, STRIPS, (double)done / count));

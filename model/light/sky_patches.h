@@ -2,9 +2,10 @@
  * [TREG87] and Reinhart.
  *
  * Rows are alpha = 90/(7 n + 0.5) degrees high, n = 1, 2, 4. Row r, from the horizon
- * upwards, covers the altitudes r alpha to (r + 1) alpha and has n times 30, 30, 24,
- * 24, 18, 12, 6 patches (by r/n). The first patch of a row is centred on north, the
- * others follow clockwise. The last patch is the cap around the zenith.
+ * upwards, covers the altitudes r alpha to (r + 1) alpha. Tregenza's rows (n = 1) have
+ * 30, 30, 24, 24, 18, 12 and 6 patches; row r has n times as many as Tregenza's row
+ * r/n. The first patch of a row is centred on north, the others follow clockwise. The
+ * last patch is the cap around the zenith.
  */
 #ifndef PP_MODEL_LIGHT_SKY_PATCHES_H
 #define PP_MODEL_LIGHT_SKY_PATCHES_H

@@ -8,7 +8,7 @@
 struct pp_vec3 pp_sun_path_direction(double latitude, double declination,
                                      double hour_angle)
 {
-    double south = cos(declination) * cos(hour_angle); /* in the equatorial plane */
+    double south = cos(declination) * cos(hour_angle); /* equatorial component */
     return pp_vec(-cos(declination) * sin(hour_angle),
                   sin(declination) * cos(latitude) - south * sin(latitude),
                   sin(declination) * sin(latitude) + south * cos(latitude));

@@ -189,7 +189,7 @@ enum pp_status pp_dxf_shapes_lwpolyline(const struct pp_dxf_entity *e,
     return status;
 }
 
-/* The file gives the corners in the order first, second, fourth, third. */
+/* In the file the corners are in the order first, second, fourth, third. */
 enum pp_status pp_dxf_shapes_solid(const struct pp_dxf_entity *e, struct pp_error *err)
 {
     static const int order[] = {10, 11, 13, 12};

@@ -77,7 +77,7 @@ static enum pp_status read_entities(struct dxf *dxf, int from, int to,
                                     const struct pp_dxf_move *move, int depth,
                                     struct pp_error *err);
 
-/* Rejects a block that is drawn in another file (bit 4 or 8 of group 70). */
+/* Rejects a block whose contents are in another file (bit 4 or 8 of group 70). */
 static enum pp_status check_own(const struct pp_dxf_entity *block, const char *name,
                                 struct pp_error *err)
 {
@@ -125,8 +125,8 @@ static enum pp_status find_block(int range[2], struct pp_vec3 *base, bool *found
     return PP_OK;
 }
 
-/* Transformation from the block's coordinates to those of the insert. steps: offset
- * from one column, and one row, to the next if the insert repeats the block. */
+/* Transformation from the block's coordinates to those of the insert. steps: if the
+ * insert repeats the block, the offsets from column to column and from row to row. */
 static enum pp_status move_of(struct pp_dxf_move *move, struct pp_vec3 steps[2],
                               const struct pp_dxf_entity *e, struct pp_vec3 base,
                               struct pp_error *err)

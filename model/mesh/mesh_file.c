@@ -25,7 +25,7 @@ enum pp_status pp_mesh_file_parse(struct pp_mesh_triangles *mesh, char *bytes,
                                   size_t length, const char *name, struct pp_error *err)
 {
     struct pp_mesh_lines lines = {.text = bytes, .left = length, .file = name};
-    if (length >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0) /* UTF-8's mark */
+    if (length >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0) /* byte order mark */
         lines.text += 3, lines.left -= 3;
     if (ends_with(name, ".obj"))
         return pp_mesh_obj_read(mesh, &lines, err);

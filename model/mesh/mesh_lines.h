@@ -8,8 +8,8 @@
 
 #include "model/base/error.h"
 
-/* Lines end with LF, CR LF or CR. `text` is not owned; NULs replace line ends as it is
- * read. */
+/* A text that is read by lines, which end with LF, CR LF or CR. `text` is not owned;
+ * NULs replace the line ends as they are read. */
 struct pp_mesh_lines {
     char *text; /* remaining text, NUL-terminated */
     size_t left;

@@ -65,7 +65,8 @@ static enum pp_status read_corner(struct pp_mesh_triangles *mesh,
         err);
 }
 
-/* Index of the corner in a word of a face ("7", "7/3/2", "-1"); -1: no such corner. */
+/* Index of the corner that a word of a face names ("7", "7/3/2", "-1"); -1: no such
+ * corner. */
 static int corner_of(const struct pp_mesh_triangles *mesh, const char *word)
 {
     char *end;

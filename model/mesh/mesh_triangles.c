@@ -53,8 +53,8 @@ static const char *add_mesh_triangle(struct pp_mesh_triangles *mesh, int a, int 
     return NULL;
 }
 
-/* Triangulates a concave plane polygon; a convex one gets no triangles. PP_BAD_INPUT if
- * it crosses itself. The caller uses a fan if there are no triangles. */
+/* Triangulates a concave plane polygon. There are no triangles for a convex polygon;
+ * the caller then uses a fan. PP_BAD_INPUT if the polygon crosses itself. */
 static enum pp_status cut_concave_polygon(int (**triangles)[3], int *triangle_count,
                                           const struct pp_mesh_triangles *mesh,
                                           const int *corners, int count)

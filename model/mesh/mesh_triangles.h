@@ -35,7 +35,7 @@ const char *pp_mesh_triangles_add_corner(struct pp_mesh_triangles *mesh,
                                          struct pp_vec3 corner);
 
 /* Splits a face (3 or more corner indices) into triangles and adds them. Planar faces
- * may be concave; non-planar and self-intersecting ones become a fan from the first
+ * may be concave; non-planar and self-intersecting faces become a fan from the first
  * corner. Consecutive equal corners, and triangles without area, are left out. */
 const char *pp_mesh_triangles_add_face(struct pp_mesh_triangles *mesh,
                                        const int *corners, int count);

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Least angle between the direction of view and `up`; below it the picture has no
- * top. */
+/* Least angle between the direction of view and `up`; at smaller angles the top of the
+ * picture is not defined. */
 static const double least_angle_rad = 1e-6;
 
 static enum pp_status check_size(enum pp_view_kind kind, double size,
@@ -13,7 +13,7 @@ static enum pp_status check_size(enum pp_view_kind kind, double size,
 {
     static const struct {
         const char *name;
-        double most; /* NAN: metres */
+        double most; /* largest size (rad); NAN: metres */
         bool below_most;
     } kinds[] = {
         [PP_VIEW_PERSPECTIVE] = {"perspective", PP_PI, true},

@@ -42,8 +42,8 @@ enum pp_status pp_camera_set(struct pp_camera *camera, enum pp_view_kind kind,
                              struct pp_vec3 up, double across, double down,
                              struct pp_error *err);
 
-/* Ray through a position of the picture: origin and unit direction. False if there is
- * none, outside a fisheye's circle. */
+/* Ray through a position of the picture: origin and unit direction. False if the
+ * position is outside a fisheye's circle. */
 bool pp_camera_ray(const struct pp_camera *camera, double x, double y,
                    struct pp_vec3 *from, struct pp_vec3 *to);
 

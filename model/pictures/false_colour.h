@@ -19,10 +19,10 @@ struct pp_false_colour_scale {
     bool logarithmic;
 };
 
-/* Fits a scale to the picture, whose values are luminances times `unit`. Its range
- * excludes the darkest and lightest half per cent of the pixels, and is rounded
- * outwards to 1, 2 or 5 times a power of ten. It has at most four decades; a linear
- * scale begins at 0. Black and NaN pixels do not count. */
+/* Fits a scale to the picture; its values are the picture's luminances times `unit`.
+ * The range of the scale excludes the darkest and lightest half per cent of the pixels,
+ * and is rounded outwards to 1, 2 or 5 times a power of ten. A logarithmic scale has at
+ * most four decades; a linear scale begins at 0. Black and NaN pixels do not count. */
 enum pp_status pp_false_colour_scale_fit(struct pp_false_colour_scale *scale,
                                          const struct pp_picture *picture, double unit,
                                          bool logarithmic, struct pp_error *err);

@@ -108,12 +108,12 @@ static enum pp_status make_field(struct log_picture *field,
 /* ---- squares ---- */
 
 /* Edges between adjacent pixels have the numbers 2 i (right of pixel i) and 2 i + 1
- * (below it). A line crosses a square from edge to edge, with the brighter side on its
- * left; next[] is the following edge. */
+ * (below pixel i). A line crosses a square from edge to edge, with the brighter side on
+ * its left; next[e] is the edge after e on the line. */
 struct squares {
     const struct log_picture *field;
     double level; /* logarithm */
-    int *next;    /* -1: none */
+    int *next;    /* by edge; -1: none */
     bool *entered;
 };
 
@@ -124,8 +124,8 @@ static void link_edges(struct squares *squares, int from, int to)
     squares->entered[to] = true;
 }
 
-/* Adds the lines of the square whose upper left pixel is x, y. Corners are in clockwise
- * order as seen. */
+/* Adds the lines of the square whose upper left pixel is x, y. Corners are numbered
+ * clockwise in the picture. */
 static void cross_square(struct squares *squares, int x, int y)
 {
     const struct log_picture *field = squares->field;
@@ -176,8 +176,8 @@ static void place_of_edge(const struct squares *squares, int edge, double xy[2])
     xy[1] = y + 0.5 + (below ? t : 0.0);
 }
 
-/* Takes the line that begins at edge `start` out of the squares, and stores it if it is
- * long enough. */
+/* Removes the line that begins at edge `start` from the squares, and stores the line if
+ * it is long enough. */
 static enum pp_status take_iso_line(struct squares *squares, int start, double shortest,
                                     struct pp_curve_list *lines, struct pp_error *err)
 {

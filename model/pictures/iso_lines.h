@@ -1,9 +1,9 @@
 /* iso_lines.h - lines of equal value in a picture, within each surface.
  *
  * The picture is first smoothed slightly within each surface, so that noise does not
- * break the lines. Lines end where two surfaces meet, and pixels that show both are
- * left out. If the surfaces are not known, large differences between neighbours are
- * taken as edges.
+ * break the lines. Lines end where two surfaces meet, and pixels that show both
+ * surfaces are left out. If the surfaces are not known, large differences between
+ * neighbouring pixels are treated as edges.
  */
 #ifndef PP_MODEL_PICTURES_ISO_LINES_H
 #define PP_MODEL_PICTURES_ISO_LINES_H

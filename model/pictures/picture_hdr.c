@@ -8,8 +8,9 @@
 
 #include "model/base/text.h"
 
-/* Widths whose rows may be run-length encoded by channel: the format has 15 bits for
- * the width, and shorter rows could be mistaken for pixels. */
+/* PACKED_LEAST, PACKED_MOST: widths whose rows may be run-length encoded by channel.
+ * The format has 15 bits for the width, and shorter rows could be mistaken for
+ * pixels. */
 enum { PACKED_LEAST = 8, PACKED_MOST = 32767, RUN_LEAST = 4, RUN_MOST = 127 };
 
 enum { LINE_MOST = 2048 };
@@ -39,7 +40,7 @@ static void to_rgbe(unsigned char rgbe[4], const float rgb[3])
     rgbe[3] = (unsigned char)(exponent + 128);
 }
 
-/* Returns the middle of the quantisation step. */
+/* Converts to floats; each is the middle of its quantisation step. */
 static void from_rgbe(float rgb[3], const unsigned char rgbe[4])
 {
     for (int i = 0; i < 3; i++)

@@ -35,10 +35,10 @@ enum pp_status pp_picture_hdr_write(FILE *out, const struct pp_picture *picture,
                                     const struct pp_hdr_notes *notes,
                                     struct pp_error *err);
 
-/* Reads a picture from memory, in the old or new encoding. Exposures multiply; the last
- * view counts. Rows may run upwards, and pixels to the left. PP_BAD_INPUT, with the
- * line or row, for a picture on its side and for truncated or invalid data. Bytes after
- * the last row are ignored. */
+/* Reads a picture from memory, in the old or new encoding. If the header has several
+ * exposures they are multiplied; of several views the last one is used. Rows may run
+ * upwards, and pixels to the left. PP_BAD_INPUT, with the line or row, for a picture on
+ * its side and for truncated or invalid data. Bytes after the last row are ignored. */
 enum pp_status pp_picture_hdr_read(struct pp_picture *picture,
                                    struct pp_hdr_notes *notes,
                                    const unsigned char *bytes, size_t length,

@@ -11,9 +11,9 @@
 enum pp_status pp_picture_pfm_write(FILE *out, const struct pp_picture *picture,
                                     struct pp_error *err);
 
-/* Reads a map of one or three channels, of either byte order, from memory; one channel
- * becomes three equal ones. NaN and infinity are kept. PP_BAD_INPUT for other data;
- * bytes after the last row are ignored. */
+/* Reads a map of one or three channels, of either byte order, from memory. A single
+ * channel becomes three equal channels. NaN and infinity are kept. PP_BAD_INPUT for
+ * other data; bytes after the last row are ignored. */
 enum pp_status pp_picture_pfm_read(struct pp_picture *picture,
                                    const unsigned char *bytes, size_t length,
                                    struct pp_error *err);

@@ -17,7 +17,7 @@ struct pp_quantity_words {
     const char *name;    /* as typed, and in the header of a picture: "luminance" */
     const char *heading; /* "Luminance" */
     const char *unit;    /* "cd/m²" */
-    double scale;        /* printed unit per unit of the pixels */
+    double scale;        /* printed units per unit of the pixels */
 };
 
 static inline struct pp_quantity_words pp_quantity_words(enum pp_quantity quantity)

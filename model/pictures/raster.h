@@ -5,7 +5,7 @@
 #include "model/pictures/picture.h"
 #include "model/pictures/tone.h"
 
-/* Limit on both sides, that of cairo's images. */
+/* Limit on width and height, as for images in cairo. */
 enum { PP_RASTER_SIDE_MOST = 32767 };
 
 struct pp_raster {

@@ -131,8 +131,9 @@ static enum pp_status add_frame(struct pp_sky_picture *picture, const char *path
     return of_file(path, status, err);
 }
 
-/* Largest share of the light that may be filled in; more is reported as a mistake. One
- * fifth of the sky is within 12 degrees of the horizon, and gives 0.04 of the light. */
+/* Largest fraction of the horizontal illuminance that may come from filled directions;
+ * more is reported as a mistake. One fifth of the sky is within 12 degrees of the
+ * horizon; it contributes 0.04 of the illuminance if the sky is uniform. */
 static const double FILLED_MOST = 0.2;
 
 static enum pp_status check_filled(const struct pp_sky_picture *picture,

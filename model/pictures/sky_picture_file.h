@@ -6,10 +6,10 @@
  * A latitude-longitude picture is twice as wide as high; bearings increase to its
  * right.
  *
- * If an option is missing, Radiance's header applies: EXPOSURE divides; VIEW gives
- * angular and hemispherical views with direction, top and angle, x east and y north.
- * Luminance is 179 lm/W times the grey of the channels (rgb.h; for sRGB primaries
- * 0.2126 R + 0.7152 G + 0.0722 B).
+ * If an option is missing, Radiance's header applies. Pixels are divided by EXPOSURE.
+ * VIEW gives the direction, top and angle of angular and hemispherical views; x is east
+ * and y north. Luminance is 179 lm/W times the grey of the channels (rgb.h; for sRGB
+ * primaries 0.2126 R + 0.7152 G + 0.0722 B).
  */
 #ifndef PP_MODEL_PICTURES_SKY_PICTURE_FILE_H
 #define PP_MODEL_PICTURES_SKY_PICTURE_FILE_H
@@ -19,8 +19,8 @@
 #include "model/base/error.h"
 #include "model/light/photographs/sky_picture.h"
 
-/* Orientation and unit of the pictures. NAN and -1: as in the file, or else the value
- * in parentheses. */
+/* Orientation and unit of the pictures. NAN or -1: the value of the file, or else the
+ * default in parentheses. */
 struct pp_sky_picture_options {
     int projection;           /* (latitude-longitude if twice as wide as high, else
                                * equidistant) */

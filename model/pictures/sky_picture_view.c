@@ -11,7 +11,7 @@
 
 /* Values of VIEW in the header; 0 and NAN: not given. */
 struct said {
-    char type; /* behind -vt */
+    char type; /* letter after -vt */
     struct pp_vec3 toward, up;
     double across_deg, down_deg;
 };

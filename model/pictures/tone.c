@@ -78,20 +78,19 @@ static enum pp_status average_fields(struct adaptation_fields *fields,
 
 /* ---- the curve ---- */
 
-static const double display_range = 4.605170185988092; /* log of most over least */
+static const double display_range = 4.605170185988092; /* log(most / least) */
 
-/* Logarithm of the display luminance of a field, where `below` of `all` fields are
- * darker. */
+/* Logarithm of the display luminance of a field; `below` of `all` fields are darker. */
 static double display_log(double below, double all)
 {
     return log(PP_TONE_DISPLAY_LEAST) + display_range * below / all;
 }
 
-/* Trims the histogram to the ceiling at which the curve shows at most the contrast of
- * the scene, and at most the contrast visible in it: the lower of the two ceilings of
- * [LRP97]. The visibility ceiling alone would give dark parts of the display, where the
- * eye sees less, more contrast than the scene. Returns the amount removed; *total is
- * the remainder. */
+/* Trims the histogram so that the curve shows at most the contrast of the scene, and at
+ * most the contrast visible in the scene: the lower of the two ceilings of [LRP97]. The
+ * ceiling for visibility alone would give dark parts of the display, where the eye
+ * distinguishes less, more contrast than the scene. Returns the amount removed; *total
+ * is the remainder. */
 static double trim(double bins[PP_TONE_BINS], const struct pp_tone *tone, double *total)
 {
     double below = 0.0, cut = 0.0, all = *total;
@@ -145,9 +144,8 @@ static void make_curve(struct pp_tone *tone, const struct adaptation_fields *fie
         bins[bin < PP_TONE_BINS ? bin : PP_TONE_BINS - 1] += 1.0;
         total += 1.0;
     }
-    /* Spreads a hundredth evenly over the bins, so that trimmed contrast can move to
-     * the gap between the luminances of a room and its window, where it is not
-     * visible. */
+    /* Spreads a hundredth evenly over the bins. Trimmed contrast can then move to the
+     * gap between the luminances of a room and its window, where it is not visible. */
     double all = total + spread * total;
     for (int i = 0; i < PP_TONE_BINS; i++)
         bins[i] += spread * total / PP_TONE_BINS;

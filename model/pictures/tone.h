@@ -1,11 +1,11 @@
 /* tone.h - tone mapping: from the luminances of a picture to those of a screen or
  * paper.
  *
- * Three ways: an exposure set by hand; an automatic one that makes the geometric mean a
- * middle grey; the curve of [LRP97]. That curve distributes contrast over the
- * luminances that occur, but limits it to the contrast of the scene and to the contrast
- * visible to an eye adapted to it. Surfaces that look alike in the scene look alike in
- * the picture.
+ * Three ways: an exposure set by hand; an automatic exposure that shows the geometric
+ * mean as middle grey; the curve of [LRP97]. That curve distributes contrast over the
+ * luminances that occur. Contrast is limited to that of the scene, and to the contrast
+ * visible to an eye adapted to the scene. Surfaces that look alike in the scene look
+ * alike in the picture.
  *
  * Luminances are in cd/m2: the picture's grey (rgb.h) times `unit`.
  */
@@ -20,7 +20,8 @@ enum pp_tone_way { PP_TONE_BY_HAND, PP_TONE_AUTOMATIC, PP_TONE_HUMAN };
 #define PP_TONE_DISPLAY_LEAST 1.0
 #define PP_TONE_DISPLAY_MOST 100.0
 
-/* Middle grey over white; the geometric mean is shown as this. */
+/* Luminance of middle grey divided by white; the geometric mean is shown as middle
+ * grey. */
 #define PP_TONE_MIDDLE 0.18
 
 struct pp_tone_options {
@@ -28,8 +29,8 @@ struct pp_tone_options {
     double white; /* by hand: luminance shown as white, above 0 */
     double unit;  /* luminance (cd/m2) of a grey of 1 */
     double
-        degree_pixels; /* human: pixels to one degree of view, the width of the fields
-                           * that the eye adapts to; at least 1 */
+        degree_pixels; /* human: pixels per degree of view; the eye adapts to fields one
+                           * degree wide; at least 1 */
 };
 
 enum { PP_TONE_BINS = 100 };
@@ -42,16 +43,16 @@ struct pp_tone {
     double low, step, curve[PP_TONE_BINS + 1];
 };
 
-/* Analyses the whole picture. Black and NaN pixels do not count; a picture without
- * others is shown as black. */
+/* Analyses the whole picture. Black and NaN pixels do not count; if there are no other
+ * pixels, the picture is shown as black. */
 enum pp_status pp_tone_prepare(struct pp_tone *tone, const struct pp_picture *picture,
                                const struct pp_tone_options *options,
                                struct pp_error *err);
 
-/* Display luminance for a luminance of the scene (cd/m2), over display white: 0 to 1,
- * or above for the first two ways. Monotonic. The display's black is not subtracted
- * from the curve; that would increase the contrast of dark parts on a display with a
- * darker black. */
+/* Display luminance divided by display white, for a luminance of the scene (cd/m2): 0
+ * to 1, or above 1 for the first two ways. Monotonic. The display's black is not
+ * subtracted from the curve; that would increase the contrast of dark parts on a
+ * display with a darker black. */
 double pp_tone_shown(const struct pp_tone *tone, double luminance);
 
 /* Converts a pixel to sRGB [IEC61966]. */

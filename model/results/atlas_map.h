@@ -1,5 +1,5 @@
-/* atlas_map.h - errors of a method over the rooms of an atlas, by classes of one or two
- * room features.
+/* atlas_map.h - errors of a method over the rooms of an atlas (many simulated rooms),
+ * by classes of one or two room features.
  *
  * studies/research/atlas/atlas_mapping.h fills it; charts/atlas_chart.h draws it.
  */
@@ -16,9 +16,9 @@ enum {
 
 /* Classes of a feature, between edges; the last edge may be INFINITY. */
 struct pp_atlas_scale {
-    const char *words; /* name of the feature; not owned */
-    int count;         /* number of classes; 1 without words: no scale */
-    double edges[PP_ATLAS_CLASSES + 1]; /* rising */
+    const char *words; /* name of the feature; NULL: no scale; not owned */
+    int count;         /* number of classes; 1 if there is no scale */
+    double edges[PP_ATLAS_CLASSES + 1]; /* ascending */
 };
 
 /* Ratio of the method's result to the simulated value: median, 5th and 95th percentile.
@@ -34,11 +34,12 @@ struct pp_atlas_map {
     int rooms;          /* total number of rooms considered */
     int blind;          /* values left out because the simulated value is too
                          * uncertain */
-    struct pp_atlas_scale across, up; /* up.count 1: a map by one feature */
+    struct pp_atlas_scale across, up; /* features; up.count is 1 if there is only one */
 
-    /* Quantiles of class u of `up` and a of `across`, at index u PP_ATLAS_CLASSES + a.
-     * real: in the room as it is; own: in the world that the method assumes, if that
-     * was simulated. */
+    /* Quantiles for class u of `up` and class a of `across`, at index u *
+     * PP_ATLAS_CLASSES + a. real: compared with the simulation of the room as it is;
+     * own: compared with a simulation of the world that the method assumes, if there is
+     * one. */
     struct pp_atlas_quantiles real[PP_ATLAS_CELLS], own[PP_ATLAS_CELLS];
 };
 

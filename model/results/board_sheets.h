@@ -22,19 +22,19 @@ struct pp_board_piece {
     struct pp_region outline; /* in coordinates of the diagram */
     bool hidden;              /* true for an obstruction */
     double factor;            /* luminance factor of the obstruction; 1 for the sky */
-    double counted;           /* number of squares or dots in it */
+    double counted;           /* number of squares or dots in the piece */
     int square_count;
-    struct pp_counted_square *squares; /* all its squares; NULL on a pepper-pot
-                                        * diagram */
+    struct pp_counted_square *squares; /* squares of the piece; NULL on a
+                                       * pepper-pot diagram */
 };
 
 struct pp_board_window {
     const char *label; /* label of the opening, not owned */
-    double distance_m; /* from the point to the plane of the opening */
+    double distance_m; /* distance of the point from the opening's plane */
     double allowance;  /* factor for glass, frame and dirt */
     double sky,
-        external; /* illuminance through it, fractions of Eh, allowance included */
-    int count;    /* 0: not visible from the point */
+        external; /* illuminance through the window, fractions of Eh, with allowance */
+    int count;    /* number of pieces; 0: not visible from the point */
     struct pp_board_piece *pieces;
 };
 
@@ -44,11 +44,11 @@ struct pp_board_face {
     bool overhead;    /* a ceiling; else a wall */
 };
 
-/* Sets the window's sky and external from its counted squares or dots; `worth`: value
- * of one, fraction of Eh. */
+/* Sets the members sky and external of the window from its counted squares or dots.
+ * worth: value of one square or dot, fraction of Eh. */
 void pp_board_sheets_window_sum(struct pp_board_window *window, double worth);
 
-/* Adds sky and external of the windows to *sky and *external. */
+/* Adds the members sky and external of all windows to *sky and *external. */
 void pp_board_sheets_windows_add(const struct pp_board_window *windows, int count,
                                  double *sky, double *external);
 
@@ -76,8 +76,8 @@ struct pp_waldram_panel {
                                     * glass */
     int low, high;                 /* columns from low to high - 1 are shown */
     double top;                    /* y of the zenith */
-    double whole;                  /* value of the diagram, azimuth -90 to 90
-                                    * degrees, fraction of Eh */
+    double whole;                  /* value of the whole diagram, azimuth -90 to 90
+                                    * degrees; fraction of Eh */
     double azimuth[181];           /* x by azimuth in whole degrees */
     double altitude[91];           /* y by altitude in whole degrees */
     struct pp_curve_list parallel; /* droop lines of horizontal edges parallel to the
@@ -91,15 +91,17 @@ struct pp_waldram_panel {
 
 struct pp_waldram_sheet {
     const char *name; /* name of the room, or NULL; not owned */
-    bool blank;       /* without a room and a point */
+    bool blank;       /* blank diagram, without a room and a point */
     bool upright;     /* vertical receiver: `point` on the outside of a wall, at the
                    * centre of the window */
     struct pp_vec3 point;
-    bool off_middle; /* `point` is not the window's centre */
+    bool off_middle; /* true if `point` is not the window's centre */
     struct pp_sky sky;
     double worth;       /* value of a square, fraction of Eh */
-    bool inclined;      /* `across` is for edges inclined in plan by incline_rad */
-    double incline_rad; /* valid if inclined */
+    bool inclined;      /* `across` is for horizontal edges at an angle to the window
+                         * in plan */
+    double incline_rad; /* azimuth of the nearest point of such edges, positive to the
+                         * right; valid if inclined */
     int count;
     struct pp_waldram_panel *panels;
     double sky_component, external; /* sums over all windows */
@@ -134,10 +136,10 @@ struct pp_pepper_pot_panel {
 
 struct pp_pepper_pot_sheet {
     const char *name; /* name of the room, or NULL; not owned */
-    bool blank;       /* without a room and a point */
+    bool blank;       /* blank diagram, without a room and a point */
     bool upright;     /* vertical receiver */
-    bool aslant;      /* sloping receiver; a receiver that is neither faces up */
-    bool any;         /* dots of `pepper-pot-sky`, valid for any slope */
+    bool aslant;      /* sloping receiver; if neither is set, it faces up */
+    bool any;         /* dots of method `pepper-pot-sky`, valid for any slope */
     struct pp_vec3 point;
     struct pp_sky sky;
     double worth; /* value of a dot, fraction of Eh */

@@ -1,8 +1,8 @@
-/* common_error.h - the standard error of a sum of readings with correlated errors,
- * since points simulated together share some of their light.
+/* common_error.h - the standard error of a sum of readings with correlated errors.
  *
- * `common` is the correlated share of the readings' variance: 0 independent, 1 fully
- * correlated, each with its own standard error.
+ * Errors of points are correlated if the points are simulated together. `common` is the
+ * correlated share of the variance of the readings, from 0 (independent) to 1 (fully
+ * correlated). Each reading has its own standard error.
  */
 #ifndef PP_MODEL_RESULTS_COMMON_ERROR_H
 #define PP_MODEL_RESULTS_COMMON_ERROR_H

@@ -1,7 +1,7 @@
 /* daylight_plan.h - data of a plan of a room's daylight.
  *
- * Everything is in the working plane, in the room's own x and y (m). A method fills it
- * (methods/daylight_curves.h); a chart draws it (charts/room/plan_chart.h).
+ * All curves are in the working plane, in the room's own x and y (m). A method fills
+ * the plan (methods/daylight_curves.h); a chart draws it (charts/room/plan_chart.h).
  */
 #ifndef PP_MODEL_RESULTS_DAYLIGHT_PLAN_H
 #define PP_MODEL_RESULTS_DAYLIGHT_PLAN_H
@@ -18,12 +18,13 @@ struct pp_daylight_plan {
                                  * `dark` */
     struct pp_curve_list bands;  /* sampled values only: closed outlines by level. An
                                  * even-odd fill of all outlines of a level covers
-                                 * the points within one standard error of it */
+                                 * the points within one standard error of the
+                                 * level */
     struct pp_curve_list no_sky; /* no-sky line; sky is visible on its left */
     struct pp_curve_list dark;   /* closed outlines of areas without a view of the
                                   * sky: outer ones counter-clockwise, holes
                                   * clockwise */
-    double lowest, highest;      /* daylight factor over the plane, fraction */
+    double lowest, highest;      /* daylight factors over the plane, fractions */
     double lowest_xy[2], highest_xy[2]; /* positions of these values */
     double sky_share;                   /* share of the plane's area that sees some
                                          * sky */

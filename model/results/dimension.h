@@ -18,8 +18,8 @@ struct pp_dimension {
 /* True if the two may be added. */
 bool pp_dimension_alike(struct pp_dimension a, struct pp_dimension b);
 
-/* True if a quantity of this dimension can be a ratio, such as a reflectance, or an
- * angle. */
+/* True if a quantity of this dimension can be a ratio, such as a reflectance; or can be
+ * an angle. */
 bool pp_dimension_is_ratio(struct pp_dimension d);
 bool pp_dimension_is_angle(struct pp_dimension d);
 

@@ -1,6 +1,6 @@
 /* document.h - the content of a report, in order: headings, paragraphs, tables and
- * pictures. It is laid out as an HTML page (reports/page/document_html.h) or on sheets
- * of paper (charts/document/document_sheets.h).
+ * pictures. A document is laid out as an HTML page (reports/page/document_html.h) or on
+ * sheets of paper (charts/document/document_sheets.h).
  *
  * A document grows at its end: additions go to the last table, its last row, and the
  * last cell of that row. Texts are copied; their formats are those of printf. If memory
@@ -74,7 +74,7 @@ struct pp_document_block {
     enum pp_document_block_kind kind;
     enum pp_tone tone; /* tone of a paragraph */
     int level;         /* level of a heading: 1 title, 2 chapter, 3 section */
-    char *text;        /* caption of a picture; NULL for a table */
+    char *text;        /* text, or caption of a picture; NULL for a table */
     struct pp_document_table table;
     int picture; /* index in the list of pictures given to the layout */
 };

@@ -2,7 +2,7 @@
  * number of times.
  *
  *     sum     = product { (+|-) product }
- *     product = power { [*|/] power }        from left to right; side by side: times
+ *     product = power { [*|/] power }        from left to right; without sign: times
  *     power   = [-] power | primary [ ^ power ]
  *     primary = number | name | function ( sum {, sum} ) | ( sum )
  *
@@ -23,7 +23,8 @@
 
 enum {
     PP_EXPRESSION_MOST = 200, /* bytes of the text */
-    /* Each byte gives at most one number, name or sign, and one implied product. */
+    /* Each byte of the text gives at most one number, name or sign, and one implied
+     * product. */
     PP_EXPRESSION_OPERATIONS_MOST = 2 * PP_EXPRESSION_MOST,
     PP_EXPRESSION_NAMES_MOST = 24, /* different names */
     PP_EXPRESSION_NESTED_MOST = 64 /* nesting of parentheses, powers and signs */

@@ -19,8 +19,8 @@
 
 /* A quantity that a formula, or a reader's variant of it, may use. */
 struct pp_formula_quantity {
-    const char *symbol;     /* NULL ends the list */
-    enum pp_step_unit unit; /* in the text, printed units (steps.h) */
+    const char *symbol;     /* a NULL symbol ends the list */
+    enum pp_step_unit unit; /* unit in the text: printed units (steps.h) */
     const char *what;
 };
 
@@ -34,13 +34,13 @@ struct pp_formula {
     bool fixed; /* no variants: part of a table, or one of several cases */
 };
 
-/* True if a variant of that symbol may replace this formula, subject to its
- * quantities. */
+/* True if a variant for that symbol may replace this formula. The quantities of the
+ * variant are not checked. */
 bool pp_formula_is_open(const struct pp_formula *formula, const char *symbol);
 
-/* True if the expression has the dimension, in metres, of the formula's left side.
- * Other units are not compared, since numbers may hide them, as in the average daylight
- * factor, where degrees become per cent. */
+/* True if the expression has the same power of metres as the formula's left side. Other
+ * units are not compared, since plain numbers can replace them: in the formula of the
+ * average daylight factor, degrees become per cent. */
 bool pp_formula_comes_out(const struct pp_formula *formula,
                           const struct pp_expression *expression);
 
@@ -60,8 +60,8 @@ struct pp_formula_variant {
 };
 
 /* Parsed formulae of a method, for use at many points. formulae: NULL-terminated, or
- * NULL for none. variant (not owned; NULL: none) replaces the formulae for its symbol
- * that are not fixed and have all quantities that it uses. */
+ * NULL for none. variant (not owned; NULL: none) replaces every formula for its symbol
+ * that is not fixed and has all quantities that the variant uses. */
 struct pp_formulary;
 enum pp_status pp_formulary_create(struct pp_formulary **formulary,
                                    const struct pp_formula *const *formulae,
@@ -69,8 +69,9 @@ enum pp_status pp_formulary_create(struct pp_formulary **formulary,
                                    struct pp_error *err);
 void pp_formulary_destroy(struct pp_formulary *formulary);
 
-/* Parsed formula from the formulary; if it has none, or is NULL, the published formula,
- * parsed into `spare`. *sum: its text; *own: true for a reader's variant. */
+/* Parsed formula from the formulary. If the formulary is NULL or does not contain the
+ * formula, the published formula is parsed into `spare`. *sum: text of the formula;
+ * *own: true for a reader's variant. */
 const struct pp_expression *pp_formulary_find(const struct pp_formulary *formulary,
                                               const struct pp_formula *formula,
                                               struct pp_expression *spare,

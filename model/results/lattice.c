@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Coordinates that differ by less (m) count as equal; so do steps with a smaller
- * relative difference. */
+/* same_m: coordinates that differ by less than this (m) count as equal. even: so do
+ * steps whose relative difference is smaller than this. */
 static const double same_m = 1e-6, even = 1e-3;
 
 static int compare_coordinates(const void *a, const void *b)

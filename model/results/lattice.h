@@ -15,8 +15,8 @@ struct pp_lattice {
 
 /* Finds a lattice: receivers that face up at one height, in two or more evenly spaced
  * columns and rows, with a receiver at half or more of the crossings. Crossings without
- * one (outside an L, in furniture) have index -1. The caller clears *lattice; it is
- * empty if there is none. Fails only if memory runs out. */
+ * a receiver (outside an L-shaped plan, in furniture) have index -1. *lattice is empty
+ * if there is no lattice; the caller clears it. Fails only if memory runs out. */
 enum pp_status pp_lattice_find(struct pp_lattice *lattice,
                                const struct pp_receiver *receivers, int count,
                                struct pp_error *err);

@@ -14,7 +14,7 @@ enum pp_lit_line { PP_LIT_NO_SKY, PP_LIT_SKY_FACTOR };
 struct pp_lit_area {
     double plane_m;            /* z of the plane */
     struct pp_region plane;    /* section of the room at that height; may be empty */
-    struct pp_curve_list line; /* lit on its left */
+    struct pp_curve_list line; /* boundary; the lit side is on its left */
     struct pp_curve_list dark; /* closed outlines of the unlit area: outer ones
                                 * counter-clockwise, holes clockwise */
     double plane_m2, lit_m2;
@@ -24,7 +24,7 @@ struct pp_lit_area {
 void pp_lit_area_clear(struct pp_lit_area *area);
 
 /* Zones of a loss of lit area, as used by rights-of-light surveyors: quarters of the
- * room's area, beginning with the last quarter to be lost. A loss in the front zone
+ * room's area, beginning with the quarter that is lost last. A loss in the front zone
  * leaves less than a quarter of the room lit. */
 enum pp_lit_zone {
     PP_ZONE_FRONT,
@@ -35,10 +35,10 @@ enum pp_lit_zone {
 };
 
 struct pp_lit_loss {
-    double zones_m2[PP_ZONE_COUNT]; /* 0: no loss in the zone */
+    double zones_m2[PP_ZONE_COUNT]; /* area lost, by zone */
     double
         equivalent_m2; /* first-zone equivalent: the zones' areas times 3/2, 1, 1/2 and
-                        * 1/4, as in practice (recalled; no text at hand) */
+                        * 1/4, as in practice (from memory, without a source) */
 };
 
 struct pp_lit_loss pp_lit_area_loss(double plane_m2, double before_m2, double now_m2);
@@ -47,7 +47,7 @@ struct pp_lit_loss pp_lit_area_loss(double plane_m2, double before_m2, double no
 struct pp_lit_change {
     double plane_m2, lit_m2;
     double before_m2; /* NAN: not known */
-    double lost_m2;   /* negative: a gain; NAN: not known, like all of loss */
+    double lost_m2;   /* negative: a gain; NAN (also all of `loss`): not known */
     struct pp_lit_loss loss;
 };
 

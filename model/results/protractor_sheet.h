@@ -17,12 +17,12 @@ struct pp_protractor_reading {
     double factor;        /* luminance factor of sky (1) or obstruction */
     double edge_rad[2];   /* altitudes of lower and upper edge in the section */
     double share[2];      /* readings of the primary scale for the edges */
-    double initial;       /* difference of the two, for an infinitely long opening */
+    double initial;       /* upper less lower reading, for an endless opening */
     double average_rad;   /* altitude, mean of both edges */
     double jamb_rad[2];   /* left and right jamb, in plan */
     double correction[2]; /* readings of the auxiliary scale for the jambs; negative
                            * left of the normal */
-    double width_factor;  /* right less left reading */
+    double width_factor;  /* reading for the right jamb less that for the left */
     double component;     /* initial x width_factor x factor */
 };
 
@@ -32,10 +32,10 @@ struct pp_protractor_readings {
     struct pp_protractor_reading *list; /* owned */
     struct pp_vec3 along, out;          /* unit, horizontal: in plan along the
                                          * opening, and outwards */
-    double distance_m;                  /* from the point to the opening's plane */
+    double distance_m;                  /* of the point from the opening's plane */
     double slope_rad;     /* slope of that plane: atan2(out, z) of its outward normal */
     double sky, external; /* sums, before allowances */
-    bool less_hidden;     /* sky is the first reading less those of obstructions */
+    bool less_hidden;     /* sky is the first reading less all further ones */
 };
 
 void pp_protractor_sheet_readings_clear(struct pp_protractor_readings *readings);
@@ -56,7 +56,7 @@ struct pp_protractor_line {
 };
 
 struct pp_protractor_scale {
-    int number;     /* 1 to 10; 0: not a published one */
+    int number;     /* 1 to 10; 0: not published */
     char sky[48];   /* "CIE overcast sky" */
     char glass[96]; /* "vertical, clear single glass" */
     double slope_rad;

@@ -14,7 +14,8 @@
 #include "model/results/steps.h"
 #include "model/room/world.h"
 
-/* Levels (fractions); the share of the plane that reaches each is reported. */
+/* Daylight factors (fractions); the report gives the share of the plane that reaches
+ * each. */
 enum { PP_PLANE_LEVELS = 3 };
 extern const double pp_plane_levels[PP_PLANE_LEVELS];
 
@@ -28,14 +29,14 @@ struct pp_plane_reading {
 struct pp_column {
     enum pp_component component;
     char name[48];
-    struct pp_reading average; /* over the whole working plane */
+    struct pp_reading average; /* average over the whole working plane */
     struct pp_reading
         margin_average;      /* over the plane less a strip of 0.5 m along its edge
                               * (plane_margin.h) */
     bool has_margin_average; /* true if requested */
-    bool of_all_surfaces;    /* average is over the room's surfaces and cannot be
-                           * compared with averages over its working plane */
-    bool has_plane;          /* has a daylight factor at every point of the grid */
+    bool of_all_surfaces; /* `average` is over all surfaces of the room; not comparable
+                             * with averages over the working plane */
+    bool has_plane;       /* has a daylight factor at every point of the grid */
     struct pp_plane_reading plane;    /* statistics over the grid, if has_plane */
     struct pp_reading *points;        /* one per receiver; NULL: only an average */
     struct pp_band_ends average_band; /* likely range of the average, if known */
@@ -58,15 +59,15 @@ struct pp_report {
     int grid_points;       /* number of grid points for the statistics `plane`; 0: no
                             * grid */
     bool grid_of_standard; /* grid of EN 17037, which differs from the receivers */
-    struct pp_column *columns; /* by component, then in order of selection */
+    struct pp_column *columns; /* sorted by component, then in order of selection */
     int column_count;
     bool finished;        /* false: interrupted; the existing columns are valid */
     bool explain;         /* methods record their steps */
     int threads;          /* for the methods; 0: one per processor */
     const char *no_bands; /* reason why no column has likely ranges; NULL: some have,
                            * or none were requested. Owned, with the sentences */
-    const char *stand_in; /* replacement for the default methods if these do not
-                           * cover the room; NULL: they do. Owned, with the sentences */
+    const char *stand_in; /* methods used because the default methods do not cover the
+                           * room; NULL: they do. Owned, with the sentences */
     const char *missed_error; /* places where the simulation's standard errors exceed
                                * the target; NULL: none, or no target. Owned, with
                                * the sentences */

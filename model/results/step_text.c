@@ -12,7 +12,7 @@
 
 enum { DIGITS = 4 /* significant digits at least */ };
 
-/* Smaller values are printed as 0. */
+/* Values smaller than this are printed as 0. */
 static const double least = 1e-7;
 
 static const struct printed_unit {
@@ -28,8 +28,8 @@ static const struct printed_unit {
     [PP_UNIT_LUX] = {1, " lx", " lx"},
 };
 
-/* Decimals for DIGITS significant digits, but at least those of the unit. Values
- * counted in tenths have at most one decimal. */
+/* Number of decimals: enough for DIGITS significant digits, and at least the number set
+ * for the unit. Values counted in tenths have at most one decimal. */
 static int decimals_of(double value, const struct pp_calculation_step *step)
 {
     int decimals = units[step->unit].decimals;
@@ -119,8 +119,8 @@ static const struct pp_calculation_step *step_named(const struct pp_steps *steps
     return NULL;
 }
 
-/* Appends the value of a step, for a formula: degrees with their unit, negative values
- * in parentheses. */
+/* Appends the value of a step in the form used within a formula: degrees have their
+ * unit, negative values are in parentheses. */
 static void append_step_value(char *text, size_t room,
                               const struct pp_calculation_step *step)
 {
@@ -148,8 +148,8 @@ void pp_step_text_put_in(char *text, size_t room, const struct pp_steps *steps,
                          int index)
 {
     const char *formula = steps->list[index].formula;
-    bool ends_operand = false; /* the text so far ends in an operand; one that follows
-                                * is multiplied by it */
+    bool ends_operand = false; /* the text so far ends in an operand; an operand that
+                                * follows is multiplied */
     int values = 0, pieces = 0;
     text[0] = '\0';
     for (const char *at = formula; *at;) {

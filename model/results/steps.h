@@ -1,5 +1,5 @@
-/* steps.h - a calculation as written on paper: the input figures and those calculated
- * from them, in order, each with formula and unit.
+/* steps.h - a calculation as written on paper: input values and values calculated from
+ * them, in order, each with formula and unit.
  *
  * A formula is written for printed units: per cent, degrees, metres. Its language is
  * that of expression.h, with the symbols of earlier steps (the latest if a symbol
@@ -12,17 +12,18 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
-/* Unit of a value. It is stored in the program's unit, but printed, as in the text of
- * formulae, in the printed unit. The two differ only for daylight factors and angles: a
- * formula for a daylight factor of 2 % must give 2, and the program stores 0.02. */
+/* Unit of a value. Values are stored in the program's unit. They are printed, and
+ * written in formulae, in the printed unit. The two units differ only for daylight
+ * factors and angles: a formula for a daylight factor of 2 % must give 2, and the
+ * program stores 0.02. */
 enum pp_step_unit {
-    /* A daylight factor, a component of one, or another illuminance over the horizontal
-     * illuminance of the open sky. Stored as a fraction; printed, and in formula texts,
-     * per cent. */
+    /* A daylight factor, a component of one, or another illuminance divided by the
+     * horizontal illuminance of the open sky. Stored as a fraction; in per cent when
+     * printed, and in the text of formulae. */
     PP_UNIT_DAYLIGHT_FACTOR,
     PP_UNIT_NUMBER, /* ratio, factor or reflectance; a fraction also when printed */
     PP_UNIT_COUNT,  /* squares or dots; may be fractional */
-    PP_UNIT_ANGLE,  /* stored in radians; printed, and in formula texts, degrees */
+    PP_UNIT_ANGLE,  /* stored in radians; degrees when printed, and in formulae */
     PP_UNIT_METRE,
     PP_UNIT_SQUARE_METRE,
     PP_UNIT_LUX,
@@ -44,7 +45,7 @@ struct pp_calculation_step {
 struct pp_steps {
     struct pp_calculation_step *list;
     int count, capacity;
-    int line;    /* `line` of the steps that follow; set by the caller */
+    int line;    /* member `line` of the next steps; set by the caller */
     bool failed; /* out of memory: steps are missing */
 };
 
@@ -64,9 +65,9 @@ void pp_steps_add_v(struct pp_steps *steps, enum pp_step_unit unit, double value
                     const char *symbol, const char *formula, const char *what,
                     va_list args) __attribute__((format(printf, 6, 0)));
 
-/* Appends a sum of daylight factors: symbol = symbol_1 + symbol_2 + ..., over the
- * existing terms with numbers up to `count` from step `first` on, in several steps if
- * it is long; 0 without terms. */
+/* Appends a sum of daylight factors: symbol = symbol_1 + symbol_2 + ... The terms are
+ * the steps from `first` on with numbers up to `count`; missing numbers are skipped.
+ * The sum is 0 without terms, and is divided into several steps if it is long. */
 void pp_steps_add_sum(struct pp_steps *steps, int first, int count, const char *symbol,
                       const char *what);
 

@@ -1,5 +1,5 @@
-/* worksheet.c - values by symbol; formulae are evaluated from them and recorded as
- * steps, with the part numbers of symbols. */
+/* worksheet.c - stores values by symbol; evaluates formulae from these values and
+ * records them as steps, with the part numbers of symbols. */
 #include "model/results/worksheet.h"
 
 #include <assert.h>
@@ -16,8 +16,8 @@ static int symbol_place(const char *symbol)
     return (symbol[0] + 9 * symbol[1]) & (PP_WORKSHEET_PLACES - 1);
 }
 
-/* Value with that symbol and hash; NULL: none. Equal symbols are usually the same
- * string literal, so pointers are compared first. */
+/* Value with that symbol; place: hash of the symbol. NULL: none. Equal symbols are
+ * usually the same string literal, so pointers are compared first. */
 static const struct pp_worksheet_figure *find_at(const struct pp_worksheet *sheet,
                                                  int place, const char *symbol)
 {

@@ -1,5 +1,5 @@
-/* worksheet.h - a calculation on paper: values are recorded by symbol, and formulae are
- * evaluated from the values above them.
+/* worksheet.h - a calculation as on paper: values are recorded by symbol, and formulae
+ * are evaluated from the values already recorded.
  *
  * The program computes exactly what --explain prints: pp_worksheet_work takes its
  * values from the sheet, by the symbols in the formula's text. Arguments and results
@@ -22,8 +22,8 @@ struct pp_worksheet {
     struct pp_steps *steps;               /* list of recorded steps; NULL: not
                                            * recorded */
     const struct pp_formulary *formulary; /* not owned; NULL: published formulae only */
-    /* First reader's variant without a result: the reason, as the end of a sentence
-     * ("divides by zero"), and the column in its text. */
+    /* First failure of a reader's variant of a formula: the reason, as the end of a
+     * sentence ("divides by zero"), and the column in the variant's text. */
     struct pp_expression_fault fault;
     bool varied; /* true once a reader's variant was evaluated */
     int part;    /* number appended to the symbols of new steps; 0: none */

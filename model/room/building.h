@@ -15,7 +15,7 @@
 /* One room as described in the file: names, lengths and lines, not yet resolved. */
 struct pp_room;
 
-/* A line in plan. */
+/* The line at which a building is mirrored, in plan (m). */
 struct pp_mirror_line {
     double from[2], to[2];
 };
@@ -25,9 +25,9 @@ struct pp_building;
 
 /* Reads a room file; path "-" is standard input. Mistakes in the file's form or values
  * are added to mistakes (PP_BAD_INPUT). An unreadable file is PP_SYSTEM, or
- * PP_BAD_INPUT if it does not exist. *building is made even if there are mistakes, as
- * far as the file was understood, so that pp_world_create can find further ones; else
- * NULL. */
+ * PP_BAD_INPUT if it does not exist. If there are mistakes, *building contains the
+ * valid parts, so that pp_world_create can find further mistakes; if the file cannot be
+ * read, *building is NULL. */
 enum pp_status pp_building_read(struct pp_building **building, const char *path,
                                 struct pp_mistakes *mistakes, struct pp_error *err);
 
@@ -77,7 +77,7 @@ enum pp_status pp_building_set_state(struct pp_building *building,
 /* Replaces all rooms by those that exist in both states, with their common surroundings
  * and the mirror image of the placed rooms; pointers to rooms become invalid. The line
  * is in the building's axes (m); its ends must differ. PP_BAD_INPUT if rooms stand on
- * both sides of it, or no room has a place. */
+ * both sides of the line, or if no room has a placement. */
 enum pp_status pp_building_mirror(struct pp_building *building,
                                   const struct pp_mirror_line *line,
                                   struct pp_error *err);
@@ -89,11 +89,11 @@ const struct pp_project *pp_building_project(const struct pp_building *building)
 const char *pp_building_text(const struct pp_building *building, size_t *length);
 
 /* Height (m) of the block with that name, of the building or of a single room; the
- * height of its walls if it has a roof. NAN if there is none, or several. */
+ * height of its walls if it has a roof. NAN if there is no such block, or several. */
 double pp_building_block_height(const struct pp_building *building, const char *name);
 
-/* Changes the height (m, greater than 0) of the block with that name; its roof moves
- * along, base and footprint stay. For the rooms of a building the change takes effect
+/* Changes the height (m, greater than 0) of the block with that name. Its roof moves up
+ * or down; base and footprint stay. For the rooms of a building the change takes effect
  * at the next pp_building_set_state. */
 void pp_building_set_block_height(struct pp_building *building, const char *name,
                                   double height_m);
@@ -113,8 +113,8 @@ struct pp_building_cell {
 };
 
 /* Replaces the block with that name, or the boxes of an earlier call, by these boxes (1
- * or more) with the same other properties. Takes effect like a change of height,
- * above. */
+ * or more), which keep all other properties of the block. The change takes effect as
+ * for pp_building_set_block_height. */
 enum pp_status pp_building_divide_block(struct pp_building *building, const char *name,
                                         const struct pp_building_cell *cells, int count,
                                         struct pp_error *err);

@@ -25,13 +25,13 @@ const struct pp_named_factor *pp_corrections_find(
     const struct pp_named_factors *factors, const char *name);
 
 /* Maintenance factor M, 0 to 1: light transmitted through dirty glass of that slope
- * (rad, 0 horizontal) over light through clean glass. NAN if the edition has no value
- * for the place and work. */
+ * (rad, 0 horizontal) divided by light through clean glass. NAN if the edition has no
+ * value for the surroundings and the type of work. */
 double pp_corrections_maintenance(enum pp_dirt edition,
                                   enum pp_surroundings surroundings, enum pp_work work,
                                   double slope_rad);
 
-/* Keys in docs/SOURCES.md, by enum pp_dirt. */
+/* Sources of the editions: keys in docs/SOURCES.md, by enum pp_dirt. */
 extern const char *const pp_corrections_editions[];
 
 /* Factor D, 0 to 1, by which the deterioration of decorations reduces the internally

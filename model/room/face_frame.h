@@ -10,7 +10,7 @@
 struct pp_face_frame {
     const struct pp_surface *face; /* not owned */
     struct pp_vec3 origin, along, up;
-    double (*xy)[2]; /* the outline */
+    double (*xy)[2]; /* vertices of the outline */
     int count;
     struct pp_bounds2 bounds; /* bounds of xy */
     bool convex;
@@ -24,10 +24,10 @@ void pp_face_frame_clear(struct pp_face_frame *frame);
 struct pp_vec3 pp_face_frame_point(const struct pp_face_frame *frame, double x,
                                    double y);
 
-/* Moves vertices of the ring that extend beyond the frame by at most the tolerance (m)
- * to its edge. *out_m: distance by which the farthest remaining vertex, at *where, is
- * outside. *out_m2: area outside if no vertex is, but the ring crosses a recess of the
- * frame. Both are 0 if the ring lies within the frame. */
+/* Moves vertices of the ring that are outside the frame by at most the tolerance (m) to
+ * the frame's edge. *out_m: greatest distance of a remaining vertex, at *where, outside
+ * the frame. *out_m2: area outside the frame if no vertex is outside, but the ring
+ * crosses a recess of the frame. Both are 0 if the ring lies within the frame. */
 enum pp_status pp_face_frame_fit(const struct pp_face_frame *frame,
                                  struct pp_clipper *clipper, double (*xy)[2], int count,
                                  double tolerance, double *out_m, struct pp_vec3 *where,

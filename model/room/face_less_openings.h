@@ -13,8 +13,8 @@ struct pp_face_axes {
     struct pp_vec3 origin, a, b;
 };
 
-/* The polygon as a region, by crossings (region.h), less the world's openings in
- * `face`. face -1: no openings; the world may then be NULL. The caller clears the
+/* Makes the region of the polygon (pp_clipper_by_crossings) less the world's openings
+ * in `face`. face -1: no openings; the world may then be NULL. The caller clears the
  * region in any case. */
 enum pp_status pp_face_less_openings(struct pp_region *region,
                                      struct pp_clipper *clipper,
@@ -23,8 +23,9 @@ enum pp_status pp_face_less_openings(struct pp_region *region,
                                      const struct pp_world *world, int face,
                                      struct pp_error *err);
 
-/* Point at xy. A corner of the polygon, or of one of those openings, is returned
- * exactly if it is within 0.1 um, the rounding of the clipper. */
+/* Converts xy to a point of the room. If a corner of the polygon, or of one of its
+ * openings, is within 0.1 um (the rounding of the clipper), returns exactly that
+ * corner. */
 struct pp_vec3 pp_face_less_openings_corner(const struct pp_face_axes *axes,
                                             const double xy[2],
                                             const struct pp_polygon *polygon,

@@ -1,4 +1,4 @@
-/* ground.h - the level of the ground as a surface. */
+/* ground.h - the level of the ground, where the ground is a surface of a simulation. */
 #ifndef PP_MODEL_ROOM_GROUND_H
 #define PP_MODEL_ROOM_GROUND_H
 

@@ -1,7 +1,8 @@
 /* keyhole.c - see keyhole.h.
  *
- * The hole joined next is the one with the shortest bridge: a line from a corner of the
- * hole to a corner of the current outline, which crosses no edge.
+ * Holes are joined one by one, each time the hole with the shortest bridge. A bridge is
+ * a line from a corner of the hole to a corner of the current outline that crosses no
+ * edge.
  */
 #include "model/room/keyhole.h"
 
@@ -36,8 +37,8 @@ static bool same(const double *a, const double *b)
     return a[0] == b[0] && a[1] == b[1];
 }
 
-/* True if p is inside the angle at corner `at`, for a line with the figure on its
- * left. */
+/* True if p is inside the interior angle at corner `at` of a closed line that has its
+ * interior on the left. */
 static bool opens(const struct closed_line *line, int at, const double *p)
 {
     const double *before = line->xy[(at + line->count - 1) % line->count];

@@ -2,8 +2,8 @@
  *
  * A vertical line upwards from a point in the room crosses one more ceiling than
  * floors. Crossings are decided in plan, with half-open edges. Since neighbouring faces
- * share the ends of an edge exactly, the line crosses exactly one of the two, and never
- * a vertical face.
+ * share the ends of an edge exactly, a line through the edge crosses exactly one of the
+ * two faces, and never a vertical face.
  */
 #include "model/room/position.h"
 
@@ -150,8 +150,8 @@ static const char *fault_on_surface(enum pp_role role)
     return "lies on a surface";
 }
 
-/* True if a receiver on that surface receives the light that falls on it from the
- * room. */
+/* True if a receiver on that surface receives the light that falls on the surface from
+ * the room. */
 static bool lies_on(const struct pp_surface *surface, struct pp_vec3 normal)
 {
     bool envelope = surface->role == PP_FLOOR || surface->role == PP_WALL
@@ -180,7 +180,7 @@ enum pp_status pp_position_find_surfaces(struct pp_position_surfaces *surfaces,
     return PP_OK;
 }
 
-/* among NULL: all surfaces. */
+/* Fault of a receiver (see position.h). among: surfaces to test; NULL: all surfaces. */
 static const char *find_fault(const struct pp_world *world,
                               const struct pp_position_surfaces *among,
                               struct pp_vec3 position, struct pp_vec3 normal)
@@ -197,8 +197,8 @@ static const char *find_fault(const struct pp_world *world,
     const int count = among ? among->count : world->surface_count;
     for (int i = 0; i < count; i++) {
         const struct pp_surface *surface = &world->surfaces[among ? among->list[i] : i];
-        /* The tolerance is larger at a door, to include a point on the wall behind
-         * it. */
+        /* The tolerance is larger at a door, to include a point on the wall behind the
+         * door. */
         double near_m = surface->role == PP_COVER ? 2.0 * PP_TOUCH_M : PP_TOUCH_M;
         if (!(fabs(pp_polygon_height(&surface->outline, position)) < near_m
               && pp_polygon_distance(&surface->outline, position) < near_m))

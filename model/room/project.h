@@ -19,7 +19,7 @@ extern const struct pp_project_fact pp_project_facts[PP_PROJECT_FACTS];
 /* Value of the fact with that index in pp_project_facts; NULL: not given. */
 const char *pp_project_at(const struct pp_project *project, int index);
 
-/* Address of the fact with that index. */
+/* Pointer to the member of *project that holds the fact with that index. */
 const char **pp_project_place(struct pp_project *project, int index);
 
 #endif

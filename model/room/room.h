@@ -15,7 +15,7 @@ enum pp_status pp_room_copy(struct pp_room **copy, const struct pp_room *room,
                             struct pp_error *err);
 void pp_room_destroy(struct pp_room *room); /* copies only; NULL is allowed */
 
-/* Number of openings. Their order is that of the file and of the world's openings. */
+/* Number of openings, which are in the order of the file, as in the world. */
 int pp_room_opening_count(const struct pp_room *room);
 
 enum pp_opening_kind { PP_WINDOW, PP_ROOFLIGHT, PP_OPENING };
@@ -31,7 +31,7 @@ struct pp_room_opening {
     const char *wall;              /* windows only, not owned; else NULL */
     struct pp_opening_place place; /* NAN for a PP_OPENING, which is any polygon */
     struct pp_glass glass;
-    double frame_factor, maintenance; /* maintenance NAN: auto */
+    double frame_factor, maintenance; /* NAN maintenance: "auto" */
     int line;
 };
 struct pp_room_opening pp_room_opening_at(const struct pp_room *room, int index);
@@ -63,7 +63,7 @@ enum pp_status pp_room_set_sky(struct pp_room *room, const char *spec,
 /* Replaces the height of the working plane (m above the floor). */
 void pp_room_set_working_plane(struct pp_room *room, double height_m);
 
-/* Replaces the room's sky by that of another room. */
+/* Replaces the room's sky by the sky of another room. */
 void pp_room_take_sky(struct pp_room *room, const struct pp_room *other);
 
 /* Spacing (m) of the finest grid of points in the room file; NAN if there is none. */
@@ -90,7 +90,7 @@ void pp_room_clear_surroundings(struct pp_room *room, const struct pp_world *wor
 /* Removes the facades. */
 void pp_room_clear_facades(struct pp_room *room);
 
-/* *sound: the room has no mistakes. Fails only on a system error. */
+/* Sets *sound to true if the room has no mistakes. Fails only on a system error. */
 enum pp_status pp_room_is_sound(bool *sound, const struct pp_room *room,
                                 struct pp_error *err);
 

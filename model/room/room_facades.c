@@ -46,7 +46,7 @@ static enum pp_status try_facade(struct pp_room *room, struct pp_facade_part fac
 }
 
 /* True if the wall, extended at its left or right end as seen from outside, would be in
- * front of a window in another wall: that window is round a corner of the house. */
+ * front of a window in another wall, round a corner of the house. */
 static bool hides_a_window(const struct pp_world *world, const struct pp_surface *wall,
                            bool to_the_right, double reach_m)
 {

@@ -5,12 +5,12 @@
 
 #include "model/room/room.h"
 
-/* Adds a facade to every vertical wall with a window that has no facade. It extends by
- * reach_m to both sides and upwards, and down to the ground, each only if it does not
- * cross the room. It ends at a corner of the house if there is a window round that
- * corner. If an opening slopes there is no building above, and the facade does not
- * extend upwards. `world` is the world of the unchanged room. *added: number of new
- * facades. */
+/* Adds a facade to every vertical wall that has a window but no facade. The facade
+ * extends by reach_m to both sides and upwards, and down to the ground, but not in
+ * directions in which it would cross the room. It ends at a corner of the house if
+ * there is a window round that corner. If any opening slopes, there is assumed to be no
+ * building above, and facades do not extend upwards. `world` is the world of the
+ * unchanged room. *added: number of new facades. */
 enum pp_status pp_room_facades_add(struct pp_room *room, const struct pp_world *world,
                                    double reach_m, int *added, struct pp_error *err);
 

@@ -6,8 +6,9 @@
  * strings NULL. Lists are owned by the room.
  *
  * The reader leaves out a part with a mistake, so that nothing further is reported
- * about it. If a plan or envelope is left out (line 0), nothing can be checked against
- * it. The reader has reported the reason, and also reports a room with neither or both.
+ * about that part. If a plan or envelope is left out (line 0), other parts cannot be
+ * checked against it. The reader has then reported the reason. The reader also reports
+ * a room with neither plan nor envelope, or with both.
  */
 #ifndef PP_MODEL_ROOM_ROOM_PARTS_H
 #define PP_MODEL_ROOM_ROOM_PARTS_H
@@ -45,7 +46,7 @@ struct pp_vertices {
 struct pp_face_part {
     enum pp_role role;
     char *name;
-    double reflectance;             /* NAN: from <finishes> */
+    double reflectance;             /* NAN: as in <finishes> */
     const struct pp_finish *finish; /* finish of the reflectance; NULL: given as a
                                      * number; the same for all parts below */
     struct pp_vertices vertices;
@@ -91,10 +92,10 @@ enum pp_shade_kind { PP_OVERHANG, PP_FIN, PP_BALCONY, PP_SHELF };
  * outside (outside/shades.h). */
 struct pp_shade_part {
     enum pp_shade_kind kind;
-    double depth_m, inside_m; /* outside the wall; a shelf's part inside it */
-    double above_m, below_m;  /* beyond head and sill */
-    double left_m, right_m;   /* beyond the jambs */
-    bool is_left, is_right;   /* existing fins */
+    double depth_m, inside_m; /* depth outside the wall; of a shelf, also inside */
+    double above_m, below_m;  /* extension beyond head and sill */
+    double left_m, right_m;   /* extension beyond the jambs */
+    bool is_left, is_right;   /* true if there is a fin on that side */
     double height_m;          /* shelf: above the sill; balcony: its floor */
     double parapet_m;         /* height of a balcony's parapet; 0: none */
     double reflectance;
@@ -105,7 +106,7 @@ struct pp_shade_part {
 struct pp_opening_part {
     char *name; /* NULL: not given */
     enum pp_opening_kind kind;
-    char *wall;                               /* window */
+    char *wall;                               /* wall of a window */
     double left_m, sill_m, width_m, height_m; /* window */
     double x, y, depth_m;                     /* rooflight, with width_m */
     struct pp_vertices vertices;              /* opening */
@@ -145,7 +146,7 @@ struct pp_surface_part {
     bool is_shade;     /* shade of another room's window whose wall is in one front with
                     * a wall of this room */
     bool is_of_room;   /* side of an object in the room; must be entirely inside */
-    bool is_of_site;   /* given by the building, or by another room */
+    bool is_of_site;   /* part of the building, or of another room */
     bool is_of_block;  /* part of a block's roof, or a wall over its footprint */
     bool is_on_ground; /* z is relative to the ground; used only until the reader
                         * knows the ground level */
@@ -180,7 +181,7 @@ struct pp_cover_part {
     char *name;             /* NULL: not given */
     char *wall;             /* NULL: a dado of all walls without their own */
     double left_m, width_m; /* position and size of a door, as for a window */
-    double height_m;        /* from the foot of the wall */
+    double height_m;        /* height from the foot of the wall */
     double reflectance;
     const struct pp_finish *finish;
     int line;
@@ -195,9 +196,9 @@ struct pp_fitting_part {
                             * partition: centre of its first end */
     double width_m, depth_m;
     double height_m;   /* NAN: up to the highest ceiling */
-    double rotate_rad; /* about `corner`, counter-clockwise seen from above */
+    double rotate_rad; /* rotation about `corner`, counter-clockwise from above */
     bool is_round;
-    double reflectance; /* NAN: as the walls */
+    double reflectance; /* NAN: as for walls */
     const struct pp_finish *finish;
     char *name; /* NULL: not given */
     int line;
@@ -257,7 +258,7 @@ struct pp_room {
     struct pp_plan_part plan;
     double floor, walls, ceiling; /* reflectances */
     const struct pp_finish *floor_finish, *walls_finish, *ceiling_finish;
-    struct pp_rough_finishes *materials; /* of the file; held; NULL: none */
+    struct pp_rough_finishes *materials; /* materials of the file, shared; NULL: none */
     double decorations;                  /* NAN: from surroundings and work ("auto") */
     double working_plane_m;
     int working_plane_line; /* 0: not given */

@@ -1,10 +1,11 @@
 /* section.c - see section.h.
  *
  * The plane cuts each face along segments. A segment begins where the face's outline
- * crosses the plane upwards and ends where it crosses downwards. With the room on the
- * left, segments traverse the section counter-clockwise and its holes clockwise. A
- * segment ends on an edge shared by two faces, where the segment of the other face
- * begins. Corners in the plane count as below it, so the section is the one just above.
+ * crosses the plane upwards and ends where the outline crosses the plane downwards.
+ * With the room on the left, segments traverse the section counter-clockwise and its
+ * holes clockwise. A segment ends on an edge shared by two faces, where the segment of
+ * the other face begins. Corners in the plane count as below the plane, so the result
+ * is the section just above the plane.
  */
 #include "model/room/section.h"
 
@@ -18,7 +19,7 @@
 struct plane_crossing {
     int low, high;   /* numbers of its corners below and above the plane */
     bool upward;     /* the face traverses it upwards */
-    double position; /* along the section of the face */
+    double position; /* position along the section of the face */
     double xy[2];
 };
 
@@ -235,7 +236,8 @@ static int compare_corners(const void *left, const void *right)
                         : (a.z > b.z) - (a.z < b.z);
 }
 
-/* Numbers the corners; faces that meet share them exactly. */
+/* Numbers the corners. Corners with exactly equal coordinates get the same number,
+ * since faces that meet share corners exactly. */
 static void number_corners(int *numbers, struct corner *corners,
                            const struct pp_world *world)
 {

@@ -4,14 +4,15 @@
 
 #include "model/room/world.h"
 
-/* Section by the plane at z (m), like world->plane for the working plane; empty outside
- * the room's heights. The caller clears the region. */
+/* Section of the room at the height z (m); world->plane is the section at the working
+ * plane. The section is empty above and below the room. The caller clears the
+ * region. */
 enum pp_status pp_section_at(struct pp_region *region, const struct pp_world *world,
                              double z, struct pp_error *err);
 
 /* Section for an envelope with numbered corners: `corners` has a number for each vertex
- * of each face in order, equal for faces that meet in a corner. The caller clears the
- * region. */
+ * of each face in order; vertices that coincide have equal numbers. The caller clears
+ * the region. */
 enum pp_status pp_section_cut(struct pp_region *region, const struct pp_world *world,
                               const int *corners, double z, struct pp_error *err);
 

@@ -7,7 +7,7 @@
 #include "model/base/error.h"
 #include "model/light/sky.h"
 
-/* Description of a sky, before it is made. */
+/* Description of a sky, from which pp_sky_words_sky makes the sky. */
 struct pp_sky_part {
     enum pp_sky_kind kind;
     int iso;
@@ -23,7 +23,8 @@ extern const char *const pp_sky_words[];
 /* An overcast sky without a sun. */
 struct pp_sky_part pp_sky_words_default(void);
 
-/* Copies a part, with a new reference to its picture; clear releases that. */
+/* Copies a part, with a new reference to its picture; pp_sky_words_clear releases the
+ * reference. */
 struct pp_sky_part pp_sky_words_copy(const struct pp_sky_part *part);
 void pp_sky_words_clear(struct pp_sky_part *part);
 
@@ -39,7 +40,7 @@ enum pp_status pp_sky_words_parse(struct pp_sky_part *part, const char *spec,
                                   struct pp_error *err);
 
 /* Makes the sky in the axes of a room whose +y has the bearing north_rad. PP_BAD_INPUT
- * if it needs a sun that is not given. */
+ * if the sky needs a sun that is not given. */
 enum pp_status pp_sky_words_sky(struct pp_sky *sky, const struct pp_sky_part *part,
                                 double north_rad, struct pp_error *err);
 

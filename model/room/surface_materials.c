@@ -57,7 +57,7 @@ struct pp_material pp_surface_materials_of(const struct pp_world *world, int ind
     bool finished = surface->finish
                     && (front || !surface->inside || surface->role == PP_FREE_SURFACE
                         || surface->role == PP_COVER);
-    /* A rough surface whose reflectance was changed is no longer that surface. */
+    /* A physically rough finish applies only with its own reflectance. */
     if (finished && rough && reflectance == surface->finish->reflectance)
         material = pp_material_rough(rough);
     else if (finished && !rough)
@@ -98,7 +98,7 @@ static double open_share(const struct pp_opening *opening)
                : opening->frame_factor;
 }
 
-/* Mean reflectance of the frame, which is that of the wall, and of the fabric. */
+/* Mean reflectance of frame and fabric; the frame has the reflectance of the wall. */
 static double frame_reflectance(const struct pp_opening *opening, double wall)
 {
     double frame = 1.0 - opening->frame_factor,
@@ -272,7 +272,7 @@ struct pp_material_key pp_surface_materials_key(const struct pp_material *m)
 bool pp_surface_materials_same(const struct pp_material *a, const struct pp_material *b)
 {
     if (a->diffuse.r != b->diffuse.r || strcmp(a->name, b->name) != 0)
-        return false; /* decides most cases without a key */
+        return false; /* most cases are decided without a key */
     struct pp_material_key keys[2] = {pp_surface_materials_key(a),
                                       pp_surface_materials_key(b)};
     return memcmp(&keys[0], &keys[1], sizeof keys[0]) == 0 && a->rough == b->rough

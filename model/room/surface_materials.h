@@ -9,7 +9,7 @@
 
 /* Material of the front (the side of the normal) or back of a surface. Its name is
  * "floor", "ceiling", a wall's name, "reveal", "surface", "block" or "facade"; backs of
- * the envelope and of reveals have " (outside)" appended. Its emission is relative to
+ * the envelope and of reveals have " (outside)" appended. Emission is relative to
  * Eh. */
 struct pp_material pp_surface_materials_of(const struct pp_world *world, int surface,
                                            bool front);
@@ -30,15 +30,15 @@ struct pp_material pp_surface_materials_matt(const struct pp_world *world, int s
  *
  *     straight(cosine) = tau(cosine) F M K         mirrored(cosine) = rho(cosine) F
  *
- *   F   share of the area that is open: frame factor (glass area over opening area) and
- *       openness of a screen; the rest reflects diffusely, as wall and as fabric
+ *   F   share of the area that is open: frame factor (glass area over opening area)
+ *       times openness of a screen; frame and fabric reflect diffusely
  *   M   maintenance factor: share of the light that passes the dirt
  *   K   share of the light that passes the curtains
  *
  * All simulations use these functions. The tracer, its cache, photons, pictures and the
  * Radiance export use a material named "glazing", seen from inside or outside.
- * Radiosity, which has no scene materials, uses the two shares at a cosine of incidence
- * (0 to 1). Hand methods use methods/allowance.h.
+ * Radiosity has no scene materials; it uses the straight and the mirrored share at a
+ * cosine of incidence (0 to 1). Hand methods use methods/allowance.h.
  */
 struct pp_material pp_surface_materials_pane(const struct pp_world *world, int opening,
                                              bool inside);
@@ -56,15 +56,15 @@ struct pp_material pp_surface_materials_glass(const struct pp_world *world,
                                               bool inside);
 double pp_surface_materials_pane_straight(const struct pp_opening *opening,
                                           double cosine);
-/* Transmittance of the pane and its device for light of one radiance from all
+/* Transmittance of the pane and its device for light of equal radiance from all
  * directions, straight and scattered. Reflections between blind and glass are
  * neglected. */
 double pp_surface_materials_pane_even(const struct pp_opening *opening);
 double pp_surface_materials_pane_mirrored(const struct pp_opening *opening,
                                           double cosine);
 
-/* The straight share of light that comes from direction u (unit, outwards), at that cosine
- * of incidence; also for panes that scatter. */
+/* Straight share of the light from the outward unit direction u. cosine: cosine of its
+ * angle of incidence. Valid also for panes that scatter. */
 double pp_surface_materials_pane_from(const struct pp_opening *opening,
                                       struct pp_vec3 u, double cosine);
 /* The same of the sun, which slats can follow. */
@@ -92,7 +92,7 @@ struct pp_surface_materials {
                       * outer panes */
 };
 
-/* Makes the materials; equal ones usually share an entry. */
+/* Makes the materials; equal materials usually share an entry. */
 enum pp_status pp_surface_materials_init(struct pp_surface_materials *materials,
                                          const struct pp_world *world,
                                          enum pp_surface_look look,

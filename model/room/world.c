@@ -318,8 +318,8 @@ static void find_self_occlusion(struct pp_opening *opening,
     }
 }
 
-/* Finds whether faces can hide each opening, from inside and from outside, and whether
- * free-standing surfaces are in the room. */
+/* Sets for each opening whether faces can hide it from inside or from outside, and for
+ * the world whether there are surfaces in the room. */
 static enum pp_status resolve_self_occlusion(struct pp_resolver *r,
                                              struct pp_error *err)
 {

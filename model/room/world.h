@@ -35,8 +35,8 @@ enum pp_role {
     PP_ROLE_COUNT
 };
 
-/* Opaque and diffuse, visible from both sides. Faces of the envelope have no holes;
- * openings refer to their face. */
+/* A surface: opaque and diffuse, visible from both sides. Faces of the envelope have no
+ * holes; each opening refers to its face. */
 struct pp_surface {
     struct pp_polygon outline; /* normal: envelope and reveals into the room; blocks
                                 * outwards; facades to the open air; skylines towards
@@ -49,7 +49,7 @@ struct pp_surface {
     const char *name; /* name of the wall, or NULL */
     double front,
         back;        /* reflectance of the side the normal points to, and the other */
-    double exitance; /* emitted by each side, over Eh */
+    double exitance; /* light emitted by each side, relative to Eh */
     const struct pp_finish *finish; /* named in the file: for the front; for both
                                      * sides of blocks and free-standing surfaces.
                                      * NULL: grey and diffuse. Reflectance is that of
@@ -65,9 +65,9 @@ struct pp_surface {
     int line;      /* line of the room file; 0: none */
 };
 
-/* State in which a part exists: always; only before the new building; with it; or only
- * with the new building and others that are permitted nearby. A part of the proposed
- * state also exists in the cumulative one. */
+/* States of the site in which a part exists: always; only before the new building; with
+ * the new building; or only together with other buildings that are permitted nearby. A
+ * part of the proposed state also exists in the cumulative state. */
 enum pp_site_state {
     PP_STATE_BOTH,
     PP_STATE_EXISTING,
@@ -78,9 +78,9 @@ enum pp_site_state {
 /* Bytes of an opening's label, including its NUL. */
 enum { PP_WORLD_LABEL = 32 };
 
-/* An opening in a face, with its glass. Its axes lie in the face's plane: along is
- * horizontal and points right as seen from inside, up completes it. Their cross product
- * is the normal, into the room. */
+/* An opening in a face, with its glass. The axes of the opening lie in the face's
+ * plane: `along` is horizontal and points right as seen from inside; along x up is the
+ * normal, into the room. */
 struct pp_opening {
     int face;                  /* surface that contains it */
     struct pp_polygon inner;   /* outline in the face, normal into the room */
@@ -100,12 +100,12 @@ struct pp_opening {
     struct pp_measured_pane *measured;     /* NULL: not measured */
     double frame_factor;                   /* glass area / opening area */
     double maintenance;                    /* share of the light that passes the dirt */
-    bool maintenance_is_auto;              /* from the world's edition of dirt */
+    bool maintenance_is_auto;              /* from the tables of dirt factors */
     double curtains; /* share of the light that passes the curtains; 1: none */
     struct pp_window_device device; /* PP_DEVICE_NONE: none. A curtain is in `glass` */
-    struct pp_blind *blind;         /* its light (slats/blind.h); NULL: no blind */
+    struct pp_blind *blind;         /* data of the blind (slats/blind.h); NULL: none */
     double reveal_m;                /* depth; 0: glass in the plane of the face */
-    int facade;                     /* facade that it looks out of; -1: none */
+    int facade;                     /* facade that contains it; -1: none */
     double recess_m; /* distance of the glass behind that facade's plane */
     char *name;      /* NULL: no name */
     char
@@ -115,8 +115,8 @@ struct pp_opening {
     bool is_nested;            /* its light comes from the coarse model */
     int line;
 
-    /* True if no corner of the opening is behind the plane of a face. For a point with
-     * the same property no face hides the opening. */
+    /* True if no corner of the opening is behind the plane of a face. Then no face
+     * hides the opening from a point that is not behind the plane of a face either. */
     bool faces_open_in;
     bool faces_open_out; /* no face has a part outside the plane of its glass */
 };
@@ -135,7 +135,7 @@ struct pp_outer_pane {
 struct pp_skyline {
     int face;          /* index of the wall; outline.normal points away from the
                         * skyline */
-    double angle_rad;  /* above the horizontal, at the centre of the wall's openings */
+    double angle_rad;  /* altitude, from the centre of the wall's openings */
     double middle_z_m; /* z of that centre */
     double distance_m; /* from the wall's plane; INFINITY: the angle is the same from
                         * every point */
@@ -197,7 +197,7 @@ struct pp_facade {
                                 * right, upper right, upper left, seen from outside */
     double left_m, right_m, up_m, down_m; /* extension beyond the wall's bounding
                                            * rectangle, seen from outside */
-    double depth_m;                       /* distance of its plane outside the wall's */
+    double depth_m; /* distance of its plane from the wall's, outwards */
     double reflectance;
     int line;
 };
@@ -221,7 +221,7 @@ struct pp_world_view {
     char *name; /* NULL: no name */
     struct pp_vec3 eye;
     double bearing_rad;       /* of the line of sight, clockwise from true north */
-    struct pp_vec3 direction; /* the same in the room's axes; unit */
+    struct pp_vec3 direction; /* line of sight in the room's axes; unit */
     int line;                 /* 0: not from the file */
 };
 
@@ -233,11 +233,11 @@ enum pp_dirt { PP_DIRT_BRE309, PP_DIRT_BS8206 };
 struct pp_rough_finishes;
 
 struct pp_world {
-    struct pp_rough_finishes *materials; /* of the file; held; NULL: none */
+    struct pp_rough_finishes *materials; /* materials of the file, shared; NULL: none */
     char *name, *ref;                    /* NULL: no name */
     char *address; /* the house that the room is in; NULL: not given */
     enum pp_room_use use;
-    struct pp_placement placement;      /* in its building */
+    struct pp_placement placement;      /* position in the building */
     double north_rad;                   /* bearing of +y, clockwise from true north */
     double latitude_rad, longitude_rad; /* NAN: not given */
     char country[3];                    /* two letters; empty: not given */
@@ -259,7 +259,7 @@ struct pp_world {
     int skyline_count;
     struct pp_facade *facades;
     int facade_count;
-    struct pp_block *blocks; /* the sides of each are consecutive surfaces */
+    struct pp_block *blocks; /* the sides of a block are consecutive surfaces */
     int block_count;
     struct pp_fitting *fittings;
     int fitting_count;
@@ -291,14 +291,14 @@ struct pp_world {
 /* Label of the first opening on that line of the room file; "" if there is none. */
 const char *pp_world_label(const struct pp_world *world, int line);
 
-/* "window" if that opening is in a wall, else "rooflight"; precedes its label in
+/* "window" if that opening is in a wall, else "rooflight": the word before its label in
  * texts. */
 const char *pp_world_kind(const struct pp_world *world, int line);
 
 /* Area of the floor, m2. */
 double pp_world_floor_m2(const struct pp_world *world);
 
-/* Number of surfaces before those of meshes, which come last. */
+/* Number of surfaces that do not belong to meshes; surfaces of meshes come last. */
 int pp_world_before_meshes(const struct pp_world *world);
 
 /* Index of the next surface after i; the sides of a block are skipped together. */

@@ -8,8 +8,8 @@
 
 #include "model/light/bsdf/bsdf_file.h"
 
-/* Writes the path of a file: as it is if it exists, else in the folder of the scene
- * file. False if it is too long. */
+/* Finds the path of a file that a scene names: the given path if that file can be read,
+ * else the path in the folder of the scene file. False if the path is too long. */
 static bool locate_file(char *path, size_t size, const char *scene,
                         struct pp_rad_word file)
 {
@@ -22,7 +22,7 @@ static bool locate_file(char *path, size_t size, const char *scene,
     return length > 0 && (size_t)length < size;
 }
 
-/* The pane of a file, read once for each scene. */
+/* Returns the pane described by a file; each file is read once per scene. */
 static enum pp_status pane_of_file(struct pp_rad_reader *reader, const char *path,
                                    bool split, struct pp_measured_pane **pane,
                                    struct pp_error *err)

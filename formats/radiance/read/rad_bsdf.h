@@ -1,14 +1,16 @@
-/* rad_bsdf.h - Radiance's materials BSDF and aBSDF, whose data are a WINDOW XML file.
+/* rad_bsdf.h - Radiance's materials BSDF and aBSDF, whose data are in an XML file of
+ * the program WINDOW.
  *
  *     mod BSDF name             mod aBSDF name
  *     6 thickness file up .     5 file up .
  *     0                         0
  *     0                         0
  *
- * up: three numbers. Three or six numbers instead of the last 0 are diffuse reflectances of
- * front and back, in addition to the data. The front of a surface is the side of the room. A thickness is
- * ignored. aBSDF traces unscattered light as a ray (measured_pane.h). The file is sought
- * from the current folder, then from that of the scene file.
+ * up: three numbers. The last 0 may be replaced by three or six numbers: diffuse
+ * reflectances of the front, or of front and back, which are added to the data. The
+ * front of a surface faces the room. The thickness is ignored. aBSDF traces unscattered
+ * light as a ray (measured_pane.h). The path of the file is relative to the current
+ * folder, or else to the folder of the scene file.
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_BSDF_H
 #define PP_FORMATS_RADIANCE_READ_RAD_BSDF_H

@@ -1,8 +1,9 @@
 /* rad_genbox.c - builds the box from polygons, cylinders and spheres.
  *
- * Option -b bevels edges, -r rounds them. Rounded edges are cylinders and spheres. With
- * -n, and in boxes that face inwards, they are flat segments instead: N per quarter
- * turn, rounded up to a power of two. A bevel is a rounding of one segment.
+ * Option -b bevels edges, -r rounds them. Rounded edges are cylinders, and rounded
+ * corners spheres. With -n, and in boxes that face inwards, both are flat segments
+ * instead: N per quarter turn, rounded up to a power of two. A bevel is a rounding with
+ * one segment.
  */
 #include "formats/radiance/read/rad_genbox.h"
 
@@ -186,8 +187,8 @@ static enum pp_status add_genbox_edge(const struct genbox_box *box, int corner,
 }
 
 /* Adds the spherical triangle between three directions from `middle` as flat triangles.
- * It is divided into four at the midpoints of its sides, recursively, until `segments`
- * is 1. */
+ * The triangle is divided into four at the midpoints of its sides, recursively, until
+ * `segments` is 1. */
 static enum pp_status add_genbox_triangle(const struct genbox_box *box,
                                           struct pp_vec3 middle,
                                           const struct pp_vec3 d[3], int segments,

@@ -30,8 +30,8 @@ struct gensky_options {
     double altitude, azimuth;             /* rad; azimuth west of south */
     double latitude, longitude, meridian; /* rad; west is positive */
     double turbidity, ground;
-    double zenith, zenith_horizontal; /* -b, -B; NAN: not given */
-    double solar, solar_horizontal;   /* -r, -R */
+    double zenith, zenith_horizontal; /* options -b and -B; NAN: not given */
+    double solar, solar_horizontal;   /* options -r and -R */
 };
 
 /* ---- options ---- */

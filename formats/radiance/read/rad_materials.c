@@ -88,7 +88,7 @@ static struct pp_material mirror(const double *n, int count)
 /* Material types, and the functions that convert their numbers. */
 static const struct {
     const char *name;
-    int least, most; /* numbers */
+    int least, most; /* allowed number of arguments */
     bool grain;      /* four strings give the direction of the first roughness */
     struct pp_material (*make)(const double *numbers, int count);
 } materials[] = {

@@ -10,7 +10,7 @@ enum pp_status pp_rad_pipe_fail(const struct pp_rad_pipe *pipe, struct pp_error 
     return pp_rad_words_fail(pipe->words, pipe->line, err, "%s%.60s", what, word);
 }
 
-/* Ends the command that consists of the words from index `begin` on. */
+/* Ends the command whose words start at index `begin`. */
 static enum pp_status end_command(struct pp_rad_pipe *pipe, int begin, int count,
                                   struct pp_error *err)
 {

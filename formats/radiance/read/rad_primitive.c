@@ -11,8 +11,8 @@
 #include "model/base/array.h"
 
 /* Limit on the strings, or numbers, of one primitive: enough for a polygon of 100,000
- * corners. Its triangulation takes half a minute; the time grows with the square of the
- * corners. */
+ * corners. To triangulate such a polygon takes half a minute; the time grows with the
+ * square of the number of corners. */
 enum { ARGUMENTS_MOST = 300000 };
 
 /* Reads the number of strings, integers or numbers that follow. */

@@ -88,8 +88,8 @@ static struct pp_rad_context context_of(const struct pp_rad_xform *xform, long c
     return next;
 }
 
-/* Finds the parsed xform of a command. Each is parsed only once, although an xform that
- * is piped into a second one is evaluated for each copy that the second one makes. */
+/* Finds the parsed xform of a command. An xform is parsed only once, even if it is
+ * piped into a second xform and evaluated for each copy that the second one makes. */
 static enum pp_status find_xform(const struct pp_rad_xform **found,
                                  const struct pp_rad_reader *reader,
                                  struct pp_rad_pipe *pipe, int which,

@@ -242,7 +242,7 @@ static enum pp_status take_polygon(struct pp_rad_reader *reader,
                                  "a polygon has %d numbers; expected three for each of "
                                  "at least three corners",
                                  primitive->number_count);
-    /* Each three numbers are a corner. */
+    /* Every three numbers are the coordinates of one corner. */
     const struct pp_vec3 *corners =
         (const struct pp_vec3 *)(const void *)primitive->numbers;
     return pp_rad_shapes_add_polygon(reader, primitive->words, primitive->line,

@@ -5,7 +5,7 @@
  *     -t X Y Z   move          -rx -ry -rz DEG   rotate about an axis
  *     -s F       scale         -mx -my -mz       mirror along an axis
  *     -i N       the options up to the next -i or -a, N times
- *     -a N       the same, making N copies: 0 times, 1 time, ... N - 1 times
+ *     -a N       N copies, with the options applied 0, 1, ... N - 1 times
  */
 #ifndef PP_FORMATS_RADIANCE_READ_RAD_TRANSFORM_H
 #define PP_FORMATS_RADIANCE_READ_RAD_TRANSFORM_H

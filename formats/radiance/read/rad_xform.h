@@ -16,7 +16,7 @@ enum { PP_RAD_XFORM_STAGES_MOST = 16 };
 struct pp_rad_xform_stage {
     struct pp_rad_transform transform;
     int count;  /* number of applications, or of copies of an array */
-    bool array; /* copy i gets i applications, 0 to count - 1 */
+    bool array; /* copy i (0 to count - 1) gets i applications */
 };
 
 struct pp_rad_xform {

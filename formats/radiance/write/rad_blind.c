@@ -12,7 +12,8 @@ static const double GAP_M = 0.001;
 
 /* Axes of a blind: inwards, along the sequence of slats, and along a slat. */
 struct blind_axes {
-    struct pp_vec3 corner; /* of the glass: low end of both axes */
+    struct pp_vec3 corner; /* corner of the glass where `sequence` and `length`
+                            * begin */
     struct pp_vec3 inwards, sequence, length;
     double sequence_m, length_m;
     double centre_m; /* distance of the slats' middle from the glass, inwards */

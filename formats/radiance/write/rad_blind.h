@@ -5,9 +5,9 @@
 #include "model/light/scene_description.h"
 #include "model/room/world.h"
 
-/* Adds the slats of the opening's blind, 1 mm from its glass; a curved slat is six
- * polygons. PP_BAD_INPUT for blinds between panes, which a scene has as one surface, and
- * for openings that are not rectangular. */
+/* Adds the slats of the opening's blind, 1 mm from the glass; a curved slat becomes six
+ * polygons. PP_BAD_INPUT for openings that are not rectangular, and for blinds between
+ * panes (a scene represents all panes by one surface). */
 enum pp_status pp_rad_blind_add(struct pp_scene_description *scene,
                                 const struct pp_opening *opening, struct pp_error *err);
 

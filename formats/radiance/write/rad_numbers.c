@@ -7,7 +7,8 @@
 
 #include "model/base/text.h"
 
-/* Prints the number with that many digits and a decimal point in any locale. */
+/* Prints the number with `digits` significant digits and, in any locale, a decimal
+ * point. */
 static void print_digits(char *text, int digits, double number)
 {
     const char *point = localeconv()->decimal_point;

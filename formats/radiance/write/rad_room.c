@@ -36,8 +36,8 @@ static enum pp_status describe(struct rad_room_builder *b, int material, int *in
     return status;
 }
 
-/* Materials of both sides of a surface or pane; *back is -1 if they differ only by
- * name. */
+/* Materials of both sides of a surface or pane; *back is -1 if the two are equal apart
+ * from their names. */
 static enum pp_status sides_of(struct rad_room_builder *b, int which, int *front,
                                int *back)
 {
@@ -182,8 +182,8 @@ static struct pp_vec3 outward_of(const struct pp_world *world,
     return pp_vec_unit(pp_vec(-n.x, -n.y, 0.0));
 }
 
-/* Radiance of the side of a skyline that has this normal, lit by the open sky and the
- * ground. */
+/* Radiance of the side of a skyline with the given normal. The side is lit by the open
+ * sky, the sun and the ground. */
 static double radiance_of(const struct rad_room_builder *b,
                           const struct pp_skyline *skyline, struct pp_vec3 normal)
 {
@@ -270,12 +270,12 @@ static enum pp_status add_sky(struct rad_room_builder *b)
 
 /* ---- the ground outside as a disc ----
  *
- * The ground is diffuse. Its centre is below the centre of the room, at the level of
- * ground.h less a fifth of a millimetre, so that floors and surfaces on the ground stay
- * visible. Its radius is 100 times the distance of the farthest object outside. Ground
- * beyond it is seen only within 0.6 degrees below the horizon; the objects hide less
- * than a thousandth of its sky. If the room reaches below ground level, the disc has a
- * hole with the section of the room.
+ * The disc is diffuse. Its centre is below the centre of the room. It lies a fifth of a
+ * millimetre below the level of ground.h, so that floors and surfaces on the ground
+ * stay visible. Its radius is 100 times the distance of the farthest object outside.
+ * Ground beyond the disc is seen only within 0.6 degrees below the horizon, and the
+ * objects hide less than a thousandth of the sky from that ground. If the room extends
+ * below ground level, the disc has a hole with the outline of the room.
  */
 
 /* Radius of the disc divided by the distance of the farthest object. */
@@ -299,8 +299,8 @@ static void measure_ground(struct rad_ground_builder *b, const struct pp_world *
     b->middle.z = level;
     for (int i = 0; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
-        /* The wall of a skyline is half as long as the disc's diameter, so only its
-         * distance counts. */
+        /* The wall of a skyline is very long, so its distance counts instead of its
+         * corners. */
         if (surface->role == PP_SKYLINE)
             b->reach_m = fmax(b->reach_m, world->skylines[surface->owner].distance_m);
         else
@@ -321,7 +321,7 @@ static enum pp_status add_disc(struct rad_ground_builder *b, double hole_m)
     return pp_scene_description_add_shape(b->scene, &disc, NULL, b->err);
 }
 
-/* Adds a triangle of the ground around a room that reaches below it. */
+/* Adds a triangle of the ground around a room that extends below ground level. */
 static enum pp_status add_ground_triangle(struct rad_ground_builder *b, double xy[3][2])
 {
     struct pp_vec3 corners[3];
@@ -333,7 +333,7 @@ static enum pp_status add_ground_triangle(struct rad_ground_builder *b, double x
                                             b->err);
 }
 
-/* Adds a square around the room, without the room's section, as triangles. */
+/* Adds a square of ground around the room, as triangles, with a hole for the room. */
 static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
                                  const struct pp_region *room)
 {
@@ -362,8 +362,8 @@ static enum pp_status add_square(struct rad_ground_builder *b, double half_m,
     return status;
 }
 
-/* Adds the square, and the disc, whose hole lies inside the square. Where they overlap
- * they are in one plane. */
+/* Adds the square, and the disc with a round hole inside the square. Square and disc
+ * overlap in one plane. */
 static enum pp_status add_round(struct rad_ground_builder *b,
                                 const struct pp_region *room)
 {

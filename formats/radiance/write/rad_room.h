@@ -1,17 +1,17 @@
 /* rad_room.h - converts a room's world and its light to a scene that Radiance can read.
  *
  * The scene has the faces without their openings, the panes, reveals, free-standing
- * surfaces and blocks. Each has two materials if its sides differ. The sky is a distant
- * glow with the horizontal irradiance `horizontal`. A second glow below the horizon is
- * the ground; if the ground is shaded, it is only the part of the ground beyond a disc
- * (rad_room.c). Skylines without a distance are part of the sky's pattern; those with a
- * distance are walls among the surfaces.
+ * surfaces and blocks. Each of these surfaces has two materials if its sides differ.
+ * The sky is a distant glow with the horizontal irradiance `horizontal`. The ground is
+ * a second glow, below the horizon. Shaded ground is a disc instead, with the glow
+ * beyond the edge of the disc (rad_room.c). Skylines without a distance are part of the
+ * sky's pattern; skylines with a distance are walls among the surfaces.
  *
  * Finishes are diffuse and grey, as in the calculation of daylight factors, or have
  * their colour and gloss.
  *
- * Rooms that Radiance cannot describe are rejected with a reason: surfaces that emit
- * light, and more than 16 skylines without a distance.
+ * Radiance cannot describe rooms with surfaces that emit light, or with more than 16
+ * skylines without a distance. Such rooms are rejected with a reason.
  */
 #ifndef PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H
 #define PP_FORMATS_RADIANCE_WRITE_RAD_ROOM_H
@@ -36,8 +36,9 @@ struct pp_rad_room {
 };
 
 /* Makes the scene. horizontal: irradiance on the open horizontal ground, above 0.
- * PP_BAD_INPUT for a room that Radiance cannot describe; the message begins with the
- * line of the room file, if there is one. */
+ * gloss: finishes have their colour and gloss. PP_BAD_INPUT for a room that Radiance
+ * cannot describe; the message begins with the line of the room file, if there is
+ * one. */
 enum pp_status pp_rad_room_init(struct pp_rad_room *room, const struct pp_world *world,
                                 const struct pp_outside_light *light, double horizontal,
                                 bool gloss, struct pp_error *err);

@@ -74,7 +74,7 @@ static enum pp_status add_name(struct pp_rad_writer *writer, const char *from,
 static enum pp_status find_pairs(struct pp_rad_writer *writer, struct pp_error *err)
 {
     const struct pp_scene_description *scene = writer->scene;
-    struct pp_rad_names known = {0}; /* by front and back index */
+    struct pp_rad_names known = {0}; /* pairs so far, by front and back material */
     enum pp_status status = PP_OK;
     for (int i = 0; i < scene->shape_count && status == PP_OK; i++) {
         const struct pp_shape *shape = &scene->shapes[i];

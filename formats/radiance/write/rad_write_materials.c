@@ -88,8 +88,9 @@ static bool is_mirror(const struct pp_material *m)
            && m->roughness[0] == 0.0 && m->roughness[1] == 0.0;
 }
 
-/* Roughness of the gloss that resembles a physically rough surface: of facets with its
- * slopes, to which its lobe tends if it is very rough (he_torrance.h). */
+/* Roughness of the gloss that represents a physically rough surface: the RMS slope of
+ * its facets. The lobe of a very rough surface approaches that gloss
+ * (he_torrance.h). */
 static double roughness_of(const struct pp_rough_surface *rough)
 {
     return fmin(2.0 * rough->optics.roughness / rough->optics.correlation, 1.0);
@@ -306,8 +307,8 @@ static void write_gensky(const struct pp_pattern *pattern, const char *name, FIL
 
 /* ---- materials of a scene ---- */
 
-/* True if two clear panes have the same glass and differ only in the sides of their
- * frames. */
+/* True if the two sides are clear glazing that differs only in the reflectance of the
+ * frame. */
 static bool is_one_glazing(const struct pp_material *front,
                            const struct pp_material *back)
 {
@@ -331,7 +332,7 @@ static bool is_room_side(const struct pp_material *material)
     return material->kind == PP_MATERIAL_SCATTERING && !material->is_outside;
 }
 
-/* The first material whose pane has the same data and losses. */
+/* Index of the first material whose pane has the same data and losses. */
 static int first_like(const struct pp_scene_description *scene, int material)
 {
     const struct pp_material *own = &scene->materials[material];
@@ -355,8 +356,9 @@ int pp_rad_write_materials_pane(const struct pp_scene_description *scene, int ma
     return number;
 }
 
-/* A pane is one material of both sides. Its file has the transmission, with losses of
- * frame and dirt; the numbers are the diffuse reflectances of room and outside. */
+/* Writes a scattering pane as one material for both sides. Its data file contains the
+ * transmission, reduced by frame and dirt. The numbers are the diffuse reflectances of
+ * the room side and the outside. */
 static void write_pane(const struct pp_rad_writer *writer, int front, int back,
                        const char *name, FILE *out)
 {
@@ -387,8 +389,9 @@ bool pp_rad_write_materials_is_mirror(const struct pp_rad_writer *writer,
            && back->emits == PP_EMITS_NOTHING && !writer->behind[pair->front];
 }
 
-/* A pair of clear panes with the same glass becomes one BRTDfunc, and neither of its
- * materials is written. The back of a mirror is not written either. */
+/* The two sides of a glazing become one Radiance material if is_one_glazing or
+ * is_one_pane is true; they are then not written separately. The back of a mirror is
+ * not written either. */
 void pp_rad_write_materials_classify(struct pp_rad_writer *writer)
 {
     const struct pp_scene_description *scene = writer->scene;

@@ -16,8 +16,8 @@ struct pp_rad_pair;
  * for errors. */
 void pp_rad_write_materials(const struct pp_rad_writer *writer, FILE *out);
 
-/* Number, from 1, of the file with the data of a scattering pane, for its material on the
- * side of the room; 0 for other materials. Panes with equal data and losses share a
+/* Number of the data file of a scattering pane, from 1, given the material of the
+ * pane's room side; 0 for other materials. Panes with equal data and losses share a
  * file. */
 #define PP_RAD_PANE_FILE "pane_%d.xml"
 int pp_rad_write_materials_pane(const struct pp_scene_description *scene, int material);

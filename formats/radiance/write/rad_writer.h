@@ -23,8 +23,8 @@ struct pp_rad_writer {
     struct pp_rad_name_text *names;           /* order: materials, patterns, pairs */
     int name_count;
     struct pp_rad_names
-        taken; /* the names in use, each with the last number appended to it to make
-                * another unique */
+        taken; /* names in use, each with the number last appended to make another
+                * name unique */
     struct pp_rad_pair *pairs;
     int pair_count;
     int *pair_of;     /* by shape; -1: one material */

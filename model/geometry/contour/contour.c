@@ -1,5 +1,5 @@
 /* contour.c - joins the crossings of a level (level_crossing.h) into curves, and joins
- * curves and parts of the figure's edge into outlines. */
+ * curves and parts of the region's edge into outlines. */
 #include "model/geometry/contour/contour.h"
 
 #include <float.h>
@@ -11,8 +11,8 @@
 #include "model/geometry/contour/level_crossing.h"
 #include "model/geometry/min_max.h"
 
-/* True if the level may cross the triangle. Between its corners the function is assumed
- * to exceed their range by up to half of it. */
+/* True if the level may cross the triangle. Inside the triangle the function is assumed
+ * to exceed the range of the three corner values by up to half of that range. */
 static bool is_near(const struct pp_field *field, int triangle)
 {
     const int *t = field->mesh.triangles[triangle];
@@ -48,8 +48,8 @@ static enum pp_status halve_near(struct pp_field *field, struct pp_error *err)
     return PP_OK;
 }
 
-/* Reserves an end for each edge of the mesh; known ends of the level are kept, without
- * their crossings. */
+/* Reserves a curve end for each edge of the mesh. Ends already found for this level
+ * keep their positions; their links to crossings are cleared. */
 static enum pp_status reserve_ends(struct pp_field *field, struct pp_error *err)
 {
     int had = field->end_count, count = field->mesh.edge_count;
@@ -171,7 +171,7 @@ enum pp_status pp_contour_curves(struct pp_field *field, double level,
 
 /* ---- outlines ---- */
 
-/* Position on the figure's edge where a curve begins or ends. */
+/* Position on the region's edge where a curve begins or ends. */
 struct boundary_end {
     int ring;
     double along; /* segment number plus fraction of the segment, from the ring's
@@ -180,7 +180,7 @@ struct boundary_end {
     bool taken;
 };
 
-/* Finds the position on the figure's edge that is nearest to a point. */
+/* Finds the position on the region's edge that is nearest to a point. */
 static void find_landing(const struct pp_region *region, const double xy[2],
                          struct boundary_end *landing)
 {
@@ -261,9 +261,9 @@ static enum pp_status add_backwards(struct pp_curve *outline, int *room,
     return PP_OK;
 }
 
-/* Traces one outline: in reverse along curves, and along the figure's edge from each
+/* Traces one outline: in reverse along curves, and along the region's edge from each
  * curve to the next. `ends`: sorted final points of the curves; `first`: index of the
- * one to begin with. */
+ * final point to begin with. */
 static enum pp_status trace_outline(const struct pp_field *field,
                                     const struct pp_curve_list *curves,
                                     struct boundary_end *ends, int end_count, int first,
@@ -334,7 +334,7 @@ enum pp_status pp_contour_below(struct pp_field *field, double level,
         if (!ends[i].taken)
             status = trace_outline(field, &curves, ends, end_count, i, outlines, err);
 
-    /* Rings of the figure that no curve meets are outlines if the function does not
+    /* Rings of the region that no curve meets are outlines if the function does not
      * exceed the level there. */
     for (int r = 0; r < field->region.count && status == PP_OK; r++) {
         const struct pp_ring *ring = &field->region.rings[r];

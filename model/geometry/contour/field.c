@@ -7,10 +7,10 @@
 
 #include "model/base/array.h"
 
-/* Longest edge of the initial triangles divided by the figure's diagonal; chosen by
+/* Longest edge of the initial triangles divided by the region's diagonal; chosen by
  * trial. */
 #define COARSE (1.0 / 24.0)
-/* Longest side of a triangle on the figure's edge, as a fraction of the longest
+/* Longest side of a triangle on the region's edge, as a fraction of the longest side
  * elsewhere: light changes most next to windows. Without this limit, the highest level
  * in a hall of 100 m was missed. */
 #define FINE_EDGE 0.25
@@ -47,7 +47,7 @@ static double diagonal_of(const struct pp_region *region)
     return hypot(bounds.high[0] - bounds.low[0], bounds.high[1] - bounds.low[1]);
 }
 
-/* True if the triangle has a side on the figure's edge. */
+/* True if the triangle has a side on the region's edge. */
 static bool is_on_edge(const struct pp_mesh *mesh, int triangle)
 {
     const int *t = mesh->triangles[triangle];

@@ -1,9 +1,9 @@
-/* field.h - a function sampled over a plane figure, at the nodes of a triangle mesh.
+/* field.h - a function sampled over a plane region, at the nodes of a triangle mesh.
  *
- * The mesh follows the figure's edges. The function is evaluated only in the figure and
- * on its edge, and never twice at one point. Triangles are at most 1/24 of the figure's
- * diagonal long, and a quarter of that along the figure's edge; contour.h halves those
- * near a level.
+ * The mesh follows the region's edges. The function is evaluated only in the region and
+ * on its edge, and never twice at one point. Triangles are at most 1/24 of the region's
+ * diagonal long, and a quarter of that along the region's edge; contour.h halves the
+ * triangles near a level.
  */
 #ifndef PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
 #define PP_MODEL_GEOMETRY_CONTOUR_FIELD_H
@@ -15,15 +15,15 @@
 #include "model/geometry/contour/mesh.h"
 #include "model/geometry/region.h"
 
-/* Sets *value at (x, y); it must be finite. An error stops the tracing and is
- * returned. */
+/* Sets *value, which must be finite, to the function at (x, y). An error stops the
+ * tracing of curves, which returns it. */
 typedef enum pp_status (*pp_field_function)(void *context, double x, double y,
                                             double *value, struct pp_error *err);
 
 /* Part of a curve across one triangle, from edge to edge, with higher values on its
  * left. */
 struct pp_crossing {
-    int from, to;     /* edges */
+    int from, to;     /* indices of edges of the mesh */
     int first, count; /* points in between, in field.between */
     bool used;
 };
@@ -32,13 +32,13 @@ struct pp_crossing {
 struct pp_curve_end {
     int stamp; /* the other members are valid for the level with this stamp */
     double xy[2];
-    int leaving, arriving; /* crossing that begins, and that ends here; -1: none */
+    int leaving, arriving; /* crossings that begin and end here; -1: none */
 };
 
-/* Used only by the files of contour/. */
+/* The members are used only by the files of contour/. */
 struct pp_field {
     struct pp_mesh mesh;
-    struct pp_region region; /* copy of the figure */
+    struct pp_region region; /* copy of the caller's region */
     pp_field_function function;
     void *context;
     double tolerance, coarse;
@@ -50,7 +50,7 @@ struct pp_field {
     /* Level that is being traced. */
     double level;
     int stamp;
-    struct pp_curve_end *ends; /* end on each edge of the mesh */
+    struct pp_curve_end *ends; /* by edge of the mesh */
     int end_count, end_room;
     struct pp_crossing *crossings;
     int crossing_count, crossing_room;
@@ -58,9 +58,9 @@ struct pp_field {
     int between_count, between_room;
 };
 
-/* Creates the mesh and evaluates the function at its nodes. tolerance: of the position
- * of curves, above 0; lengths are in the figure's unit. The region is copied; context
- * is not owned and must outlive the field. PP_BAD_INPUT for an empty figure. */
+/* Creates the mesh and evaluates the function at its nodes. tolerance: greatest error
+ * of the position of curves, above 0, in the unit of the region. The region is copied;
+ * context is not owned and must outlive the field. PP_BAD_INPUT for an empty region. */
 enum pp_status pp_field_create(struct pp_field **field, const struct pp_region *region,
                                pp_field_function function, void *context,
                                double tolerance, struct pp_error *err);
@@ -70,7 +70,7 @@ void pp_field_destroy(struct pp_field *field); /* NULL is allowed */
 void pp_field_range(const struct pp_field *field, double *lowest, double lowest_xy[2],
                     double *highest, double highest_xy[2]);
 
-/* Share of the figure's area with values below the level, from the mean of each
+/* Fraction of the region's area with values below the level, from the mean of each
  * triangle's corner values. Accurate enough only to choose levels. */
 double pp_field_share_below(const struct pp_field *field, double level);
 

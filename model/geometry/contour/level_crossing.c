@@ -11,8 +11,8 @@ enum { DEEPEST = 10 };
 
 /* Finds the crossing of the level between a and b, to within the tolerance. ga, gb:
  * value minus level, of opposite sign. Brent's zeroin [BRE73]: secant or inverse
- * quadratic steps, or else bisection. It keeps a bracket, so that it also finds a jump
- * of the function. */
+ * quadratic steps, or else bisection. The root stays bracketed, so that a jump of the
+ * function is found too. */
 static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
                                  double ga, const double b_xy[2], double gb,
                                  double found[2], struct pp_error *err)
@@ -75,8 +75,9 @@ static enum pp_status find_level(struct pp_field *field, const double a_xy[2],
     return PP_OK;
 }
 
-/* A triangle crossed by the level: corner A is the only one on its side. The curve runs
- * from edge AB to edge AC and crosses each ray from A to a point of BC. */
+/* A triangle crossed by the level: corner A is on one side of the level, B and C are on
+ * the other. The curve runs from edge AB to edge AC and crosses each ray from A to a
+ * point of BC. */
 struct fan {
     const double *a, *b, *c;
     bool a_high;
@@ -100,11 +101,12 @@ static double chord_on_ray(const struct fan *fan, const double r[2], const doubl
     return fmin(fmax(share, 0.0), 1.0);
 }
 
-/* Finds the curve on the ray from A to r, near `guess`, the fraction of the ray at the
- * chord. *strays: it is further from the chord than the tolerance. *leaves is set if
- * there is no such point, since the curve leaves the triangle or follows the ray.
- * Evaluates on the chord, then at one tolerance beside it, then further away until the
- * level is between two points. */
+/* Finds the point where the curve crosses the ray from A to r. guess: where the chord
+ * crosses the ray, as a fraction of the ray. *strays: the point is farther from the
+ * chord than the tolerance. *leaves is set if there is no such point, since the curve
+ * leaves the triangle or follows the ray. The function is evaluated on the chord, then
+ * one tolerance beside the chord, then farther away until the level is between two
+ * points. */
 static enum pp_status find_on_ray(struct pp_field *field, const struct fan *fan,
                                   const double r[2], double guess, double found[2],
                                   bool *strays, bool *leaves, struct pp_error *err)
@@ -162,9 +164,9 @@ static enum pp_status add_between(struct pp_field *field, const double xy[2],
     return status;
 }
 
-/* Positions on a chord at which the curve is searched for. The middle is always one. A
- * chord across the whole triangle has a second one, since an S-shaped curve passes
- * through the middle. */
+/* Positions on a chord at which the curve is searched for. The middle is always used.
+ * On a chord across the whole triangle the second position is used too, since an
+ * S-shaped curve crosses its chord in the middle. */
 static const double asides[] = {0.5, 0.27};
 enum { ASIDES = sizeof asides / sizeof *asides };
 

@@ -1,4 +1,4 @@
-/* mesh.h - a conforming triangle mesh of a plane figure; triangles can be halved.
+/* mesh.h - a conforming triangle mesh of a plane region; triangles can be halved.
  *
  * A triangle is halved from the midpoint of its longest edge to the opposite corner,
  * together with its neighbour across that edge. If that edge is not the longest one of
@@ -15,13 +15,13 @@
 
 struct pp_mesh_edge {
     int a, b;         /* nodes, a < b */
-    int triangles[2]; /* on either side; -1: none */
+    int triangles[2]; /* triangles on both sides; -1: none */
 };
 
 struct pp_mesh {
     double (*nodes)[2];
     int node_count, node_room;
-    int (*triangles)[3]; /* nodes, counter-clockwise */
+    int (*triangles)[3]; /* indices of nodes, counter-clockwise */
     int triangle_count, triangle_room;
     struct pp_mesh_edge *edges; /* halved edges are kept, without triangles */
     int edge_count, edge_room;

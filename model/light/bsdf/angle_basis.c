@@ -180,7 +180,8 @@ int pp_angle_basis_opposite(const struct pp_angle_basis *basis, int patch)
     return ring->first + (patch - ring->first + ring->patches / 2) % ring->patches;
 }
 
-/* True if the azimuths of two patches of rings touch. */
+/* True if the azimuth ranges of two patches touch or overlap: patch i of ring a and
+ * patch k of ring b. */
 static bool azimuths_touch(const struct pp_angle_ring *a, int i,
                            const struct pp_angle_ring *b, int k)
 {

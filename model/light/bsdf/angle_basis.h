@@ -9,9 +9,8 @@
  *              projected hemisphere by the equal-area map of Shirley and Chiu [SC97].
  *              All cells have the same projected solid angle.
  *
- * Directions are unit vectors in the axes of the pane (pane_scatter.h). Only x and y
- * count, so that light which travels along a direction and light which leaves along it
- * have the same patch.
+ * Directions are unit vectors in the axes of the pane (pane_scatter.h). A patch depends
+ * only on x and y; the sign of z has no effect.
  */
 #ifndef PP_MODEL_LIGHT_BSDF_ANGLE_BASIS_H
 #define PP_MODEL_LIGHT_BSDF_ANGLE_BASIS_H
@@ -30,18 +29,19 @@ struct pp_angle_ring {
 
 struct pp_angle_basis {
     int count;      /* number of patches */
-    int side;       /* grid; 0: rings */
-    int ring_count; /* 0: grid */
+    int side;       /* cells along one side of a grid; 0: rings */
+    int ring_count; /* number of rings; 0: grid */
     struct pp_angle_ring rings[PP_ANGLE_BASIS_RINGS_MOST];
 };
 
-/* The basis of that name in WINDOW's files ("LBNL/Klems Full", "... Half", "...
+/* Finds a basis by its name in WINDOW's files ("LBNL/Klems Full", "... Half", "...
  * Quarter"); false if there is none. */
 bool pp_angle_basis_named(struct pp_angle_basis *basis, const char *name);
 
-/* Adds the next ring of a basis that is initially zero; false if it does not begin where
- * the previous one ends (the first at 0), if there are too many patches, or if their number
- * is odd and not 1: no patch is then opposite another. */
+/* Adds the next ring to a basis (initialised with zeros). A ring must begin where the
+ * previous one ends, the first at 0. The number of its patches must be 1 or even, so
+ * that each patch has an opposite one. Returns false for other rings, or if there are
+ * too many patches. */
 bool pp_angle_basis_add_ring(struct pp_angle_basis *basis, double low_rad,
                              double high_rad, int patches);
 
@@ -56,9 +56,9 @@ double pp_angle_basis_projected(const struct pp_angle_basis *basis, int patch);
 /* The patch that contains a direction. */
 int pp_angle_basis_find(const struct pp_angle_basis *basis, struct pp_vec3 direction);
 
-/* Direction in a patch, z >= 0, by two numbers from 0 to 1: uniform by projected solid
- * angle, so that the density per steradian is cosine / projected solid angle. 0.5, 0.5 is
- * the centre. */
+/* Maps two numbers from 0 to 1 to a direction in a patch, z >= 0. The map is uniform in
+ * projected solid angle: the density per steradian is cosine / projected solid angle.
+ * (0.5, 0.5) gives the centre. */
 struct pp_vec3 pp_angle_basis_direction(const struct pp_angle_basis *basis, int patch,
                                         double u, double v);
 

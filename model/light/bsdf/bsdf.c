@@ -49,7 +49,7 @@ void pp_bsdf_warn(struct pp_bsdf *bsdf, const char *format, ...)
     va_end(arguments);
 }
 
-/* f of the opposite direction of travel, by reciprocity. */
+/* f for light that travels in the opposite directions, by reciprocity. */
 static double reversed(const struct pp_bsdf_block *block, int out, int in)
 {
     int there = pp_angle_basis_opposite(&block->out, in);
@@ -69,11 +69,11 @@ static enum pp_status reverse(struct pp_bsdf_block *block,
     return status;
 }
 
-/* Warns if light from one side leaves as more light than has arrived. */
+/* Warns if more light leaves the pane than arrives, for light from one side. */
 static void check_energy(struct pp_bsdf *bsdf, enum pp_bsdf_part through,
                          enum pp_bsdf_part reflected, const char *from)
 {
-    static const double TOLERATED = 1.01; /* rounding of the file's values */
+    static const double TOLERATED = 1.01; /* allows for rounding in the file */
     const struct pp_bsdf_block *T = &bsdf->blocks[through];
     const struct pp_bsdf_block *R = &bsdf->blocks[reflected];
     double most = 0.0;
@@ -97,10 +97,10 @@ static void check_energy(struct pp_bsdf *bsdf, enum pp_bsdf_part through,
             from, acos(d.z) / PP_RAD, most);
 }
 
-/* Warns if front and back contradict each other. */
+/* Warns if transmission from front and back contradicts reciprocity. */
 static void check_reciprocity(struct pp_bsdf *bsdf)
 {
-    static const double TOLERATED = 0.1; /* of all transmitted light */
+    static const double TOLERATED = 0.1; /* fraction of all transmitted light */
     const struct pp_bsdf_block *front = &bsdf->blocks[PP_BSDF_THROUGH_FRONT];
     const struct pp_bsdf_block *back = &bsdf->blocks[PP_BSDF_THROUGH_BACK];
     if (!pp_angle_basis_is_same(&front->in, &back->out)

@@ -22,7 +22,7 @@ static const struct pp_xml_format window_format = {
 static const char *const directions[PP_BSDF_PARTS] = {
     "Transmission Front", "Transmission Back", "Reflection Front", "Reflection Back"};
 
-/* Trees: the rank. */
+/* Layouts of the data; the value of a tree is its rank. */
 enum layout { BY_COLUMNS, BY_ROWS, BY_TREE_3 = 3, BY_TREE_4 = 4 };
 
 struct bsdf_reader {

@@ -36,7 +36,8 @@ static double bsdf_value(const struct pp_pane_scatter *scatter,
     return f;
 }
 
-/* A tree writes the leaving patches of each arriving one, a matrix the reverse. */
+/* Writes the values row by row. A row of a tree has all leaving patches for one
+ * arriving patch; a row of a matrix has all arriving patches for one leaving patch. */
 static void write_values(FILE *out, const struct pp_pane_scatter *scatter,
                          const struct pp_angle_basis *basis, double scale, double way)
 {

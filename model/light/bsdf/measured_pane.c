@@ -47,7 +47,8 @@ static double measured_arriving(const void *data, struct pp_vec3 out)
     return arriving_sum(way, pp_angle_basis_find(&way->out, out));
 }
 
-/* Draws a patch in proportion to f W, and a direction in it. u is used for both. */
+/* Draws a patch in proportion to f W, and a direction in that patch. u is used for
+ * both. */
 static double measured_sample(const void *data, struct pp_vec3 out, double u, double v,
                               struct pp_vec3 *in)
 {
@@ -96,7 +97,7 @@ static double class_value(const void *data, struct pp_vec3 in, int class_index)
 /* Moves the unscattered light of a patch out of the matrix. */
 static void split_patch(struct pp_measured_way *way, int patch)
 {
-    static const double PEAK = 2.0; /* over the values around it */
+    static const double PEAK = 2.0; /* relative to the adjacent patches */
     double around = 0.0, *own = &way->scattered[patch * way->in.count + patch];
     for (int out = 0; out < way->out.count; out++)
         if (pp_angle_basis_is_adjacent(&way->out, out, patch))
@@ -158,7 +159,7 @@ static enum pp_measured_kind kind_of(const struct pp_measured_pane *pane)
     const struct pp_measured_way *way = &pane->into_room;
     if (pane->straight_diffuse > CLEAR * pane->diffuse && pane->normal > 0.0)
         return PP_MEASURED_CLEAR;
-    double apart = PP_PI * pane->straight_diffuse; /* of the integral of f W W */
+    double apart = PP_PI * pane->straight_diffuse; /* sum of |f - Lambertian f| W W */
     for (int out = 0; out < way->out.count; out++)
         for (int in = 0; in < way->in.count; in++)
             apart += fabs(value_of(way, out, in) - pane->diffuse / PP_PI)

@@ -1,5 +1,5 @@
-/* number_list.h - numbers separated by white space or commas, as in the data of WINDOW's
- * files. */
+/* number_list.h - numbers separated by white space or commas, as in the data of
+ * WINDOW's files. */
 #ifndef PP_MODEL_LIGHT_BSDF_NUMBER_LIST_H
 #define PP_MODEL_LIGHT_BSDF_NUMBER_LIST_H
 
@@ -16,8 +16,8 @@ struct pp_number_list {
 const char *pp_number_list_skip(const char *text);
 
 /* Appends the numbers from *text on, up to a brace or the end; *text is moved there.
- * False if other text precedes it, if there are more than `most` numbers, or if memory
- * runs out. */
+ * False if there is other text among the numbers, if there are more than `most`
+ * numbers, or if memory runs out. */
 bool pp_number_list_read(struct pp_number_list *numbers, const char **text, int most);
 
 #endif

@@ -1,5 +1,5 @@
-/* tensor_tree.c - see tensor_tree.h. The text is read twice: for its depth, then for its
- * values. */
+/* tensor_tree.c - see tensor_tree.h. The text is read twice: for its depth, then for
+ * its values. */
 #include "model/light/bsdf/tensor_tree.h"
 
 #include <stdlib.h>
@@ -17,10 +17,10 @@ enum {
 struct tree_reader {
     const char *at;
     int rank;
-    int side;      /* of `cells`; 0: only `levels` is found */
-    double *cells; /* the first coordinate slowest */
+    int side;      /* cells per coordinate; 0: finds only `levels` */
+    double *cells; /* values; the first coordinate varies slowest */
     int levels;
-    struct pp_number_list numbers; /* of one brace */
+    struct pp_number_list numbers; /* numbers in the current brace */
     const char *fault;
 };
 
@@ -43,7 +43,8 @@ static char next_sign(struct tree_reader *r)
     return *r->at;
 }
 
-/* Sets the cells of a node, or adds its share to the cell that contains it. */
+/* Sets the cells of a node. A node smaller than a cell adds its value, weighted by its
+ * share of the cell. */
 static void set_cells(const struct tree_reader *r, const struct tree_node *node,
                       double value)
 {
@@ -121,7 +122,7 @@ static bool read_tree(struct tree_reader *r, const char *text)
            && (next_sign(r) == '\0' || fails(r, "text follows the tree"));
 }
 
-/* Value of a tree of rank 3. */
+/* Value of a tree of rank 3 for a pair of directions. */
 static double isotropic_value(const struct tree_reader *r, struct pp_vec3 arrives,
                               struct pp_vec3 leaves)
 {
@@ -153,7 +154,7 @@ static double isotropic_mean(const struct tree_reader *r,
     return sum / (PLACES * PLACES);
 }
 
-/* Makes the block of the cells. */
+/* Makes a block from the cells. */
 static enum pp_status fill_block(struct pp_bsdf_block *block,
                                  const struct tree_reader *r, struct pp_error *err)
 {

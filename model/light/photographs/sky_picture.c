@@ -54,8 +54,8 @@ static bool is_on_side(const struct pp_sky_frame *frame, int x, int y, double si
            > 0.0;
 }
 
-/* Criterion for valid pixels: within the circle or picture, and on that side of the
- * horizon. */
+/* Criterion for valid pixels: within the circle or picture, and on the side of the
+ * horizon given by the sign of `side` (0: any). */
 struct counted {
     double side;
     bool colour;
@@ -86,7 +86,7 @@ static void add_pixel(struct pixel_square *sum, const struct pp_sky_frame *frame
     }
 }
 
-/* Mean at x, y (pixels). */
+/* Mean of the valid pixels around the position x, y (pixels). */
 static struct pixel_square around(const struct pp_sky_frame *frame, double x, double y,
                                   struct counted counted)
 {
@@ -105,7 +105,8 @@ static struct pixel_square around(const struct pp_sky_frame *frame, double x, do
     return sum;
 }
 
-/* Mean at `in` pixels inwards from a place at `radius` from the centre. */
+/* Mean at a position that is `in` pixels nearer to the centre than `place`, whose
+ * distance from the centre is `radius`. */
 static struct pixel_square inside(const struct pp_sky_frame *frame,
                                   const double place[2], double radius, double in)
 {
@@ -229,8 +230,8 @@ static double share_of_first(const struct pp_sky_picture *picture, struct pp_vec
     return fmax(0.0, fmin(1.0, (most - t) / (most - least)));
 }
 
-/* The direction, raised to the horizon of the picture if it is below it; sets
- * *below. */
+/* Returns the direction, raised to the horizon of the picture if it is below that
+ * horizon; sets *below. */
 static struct pp_vec3 above_horizon(const struct pp_sky_picture *picture,
                                     struct pp_vec3 u, bool *below)
 {
@@ -394,9 +395,9 @@ static enum pp_status check_pixels(struct pp_sky_picture *picture, struct pp_err
     return PP_OK;
 }
 
-/* Counts the pixels of a sun beyond the camera's range. The sun is beyond it if several
- * pixels share the largest value, within the resolution of the format, and that value
- * is more than SUN times the mean of the sky. */
+/* Counts the pixels of a sun beyond the camera's range. The sun is assumed to be beyond
+ * this range if several pixels share the largest value, within the resolution of the
+ * format, and that value is more than SUN times the mean of the sky. */
 static void count_saturated(struct pp_sky_picture *picture)
 {
     enum { SEVERAL = 4 };

@@ -2,9 +2,10 @@
  * two that look in opposite directions.
  *
  * Pixels are samples at their centres, with bilinear interpolation between them. At the
- * rim of a fisheye's circle only pixels within it count; luminance is extrapolated in
- * the angle (in its cosine for a hemispherical picture), by at most half. At the
- * horizon pixels on its other side do not count. Overlapping pictures are blended.
+ * rim of a fisheye's circle only pixels within the circle count. Luminance is
+ * extrapolated there in the angle (for a hemispherical picture, in the cosine of the
+ * angle); extrapolation changes it by at most half. At the horizon, pixels on the other
+ * side of the horizon do not count. Overlapping pictures are blended.
  *
  * Directions are x east, y north, z up.
  */
@@ -34,25 +35,25 @@ struct pp_sky_frame {
  * columns of equal bearing steps clockwise from north. */
 enum { PP_SKY_PICTURE_ROWS = 256, PP_SKY_PICTURE_COLUMNS = 1024 };
 
-/* Set frames, frame_count, horizon_rad and fill_cd_m2; pp_sky_picture_settle sets the
- * rest. */
+/* A photographed sky. The caller sets frames, frame_count, horizon_rad and fill_cd_m2;
+ * pp_sky_picture_settle sets all other members. */
 struct pp_sky_picture {
     struct pp_sky_frame frames[2]; /* the picture owns their pixels */
     int frame_count;
     double horizon_rad; /* altitude below which pixels are ignored */
-    double fill_cd_m2;  /* luminance below it and outside the pictures; NAN: the
+    double fill_cd_m2; /* luminance below the horizon and outside the pictures; NAN: the
                          * nearest valid luminance, at the same bearing or on the rim */
 
     char *title;          /* file name */
     double horizontal_lx; /* unobstructed horizontal illuminance */
-    double filled;        /* share of it from directions that are filled */
+    double filled;        /* fraction of horizontal_lx from filled directions */
     double peak_cd_m2;    /* luminance of the brightest pixel */
-    int saturated;        /* number of pixels with it, if they may be a sun beyond the
-                      * camera's range; else 0 */
-    uint64_t hash;        /* hash of all members above */
-    float *cells;         /* [PP_SKY_PICTURE_ROWS][PP_SKY_PICTURE_COLUMNS], cd/m2 */
-    double step_rad;      /* smallest angle of a pixel */
-    int holders;          /* see pp_sky_picture_release */
+    int saturated;   /* number of pixels with peak_cd_m2, if they may be a sun beyond
+                      * the camera's range; else 0 */
+    uint64_t hash;   /* hash of all members above */
+    float *cells;    /* [PP_SKY_PICTURE_ROWS][PP_SKY_PICTURE_COLUMNS], cd/m2 */
+    double step_rad; /* smallest angle of a pixel */
+    int holders;     /* see pp_sky_picture_release */
 };
 
 /* Calculates all members but frames, horizon and fill. measured_lx: horizontal
@@ -62,7 +63,7 @@ enum pp_status pp_sky_picture_settle(struct pp_sky_picture *picture, double meas
                                      struct pp_error *err);
 
 /* Releases one reference; the last one frees the picture. NULL is allowed. A new
- * picture has one reference. It must not change once it is settled. */
+ * picture has one reference. A picture must not change after pp_sky_picture_settle. */
 void pp_sky_picture_release(struct pp_sky_picture *picture);
 
 /* Luminance (cd/m2) in unit direction u. *filled (may be NULL) is set to true if the

@@ -6,7 +6,7 @@
 static const double SQRT_PI = 1.77245385090551602730;
 static const double LEAST_COSINE = 1e-6;
 
-/* Terms of the series are added until one is below this share of the sum. */
+/* Terms of the series are added until one is below this fraction of the sum. */
 static const double LAST_TERM = 1e-16;
 
 /* ---- Fresnel ---- */
@@ -26,7 +26,7 @@ double pp_he_torrance_fresnel(double n, double k, double cosine)
 
 /* ---- the series of D ---- */
 
-/* Term m + 1 over term m; it falls with m. */
+/* Term m + 1 divided by term m; decreases with m. */
 static double series_ratio(double g, double e, double m)
 {
     return g * m / ((m + 1.0) * (m + 1.0)) * exp(e / (m * (m + 1.0)));
@@ -54,7 +54,7 @@ static double largest_term(double g, double e)
     return series_ratio(g, e, low) > 1.0 ? high : low;
 }
 
-/* Sum over the largest term, from neighbour to neighbour. */
+/* Sum of the series divided by its largest term, by adding every term. */
 static double sum_of_neighbours(double g, double e, double peak)
 {
     double sum = 1.0, term = 1.0;
@@ -66,8 +66,9 @@ static double sum_of_neighbours(double g, double e, double peak)
     return sum;
 }
 
-/* Sum over the largest term, from every stride-th term: with several terms in a standard
- * deviation of the nearly Gaussian sequence, the result is the same to 1e-13. */
+/* Sum of the series divided by its largest term, by adding every stride-th term. The
+ * terms are nearly Gaussian in m. With several of the added terms in one standard
+ * deviation, the result is the same to 1e-13. */
 static double sum_of_strides(double g, double e, double peak, double stride)
 {
     double top = log_term(g, e, peak), sum = 1.0, term = 1.0;

@@ -3,27 +3,27 @@
  *
  * The surface is Gaussian and isotropic: s0 is the RMS deviation of its height, T the
  * length over which heights are correlated, l the wavelength (all in micrometres), and
- * n + ik its refractive index. With unit directions i and r away from the surface, their
- * sum v, vz = ci + cr the sum of their cosines, and vxy the length of v along the
+ * n + ik its refractive index. With unit directions i and r away from the surface,
+ * their sum v, vz = ci + cr the sum of their cosines, and vxy the length of v along the
  * surface:
  *
- *     spike = F(ci) exp(-g) S1(i)^2                 in the mirror direction          (1)
- *     dd    = F(|v|/2) G S1(i) S1(r) D / (pi ci cr)                      1/sr        (2)
- *     g     = (2 pi s vz / l)^2                                                      (3)
+ *     spike = F(ci) exp(-g) S1(i)^2                 in the mirror direction        (1)
+ *     dd    = F(|v|/2) G S1(i) S1(r) D / (pi ci cr)                      1/sr      (2)
+ *     g     = (2 pi s vz / l)^2                                                    (3)
  *     D     = (pi T / 2 l)^2 sum_{m>=1} g^m exp(-g) / (m m!) exp(-e/m),
- *             e = (pi vxy T / l)^2                                                   (4)
- *     G     = (|v|^2 / vz)^2                                                         (5)
+ *             e = (pi vxy T / l)^2                                                 (4)
+ *     G     = (|v|^2 / vz)^2                                                       (5)
  *     s     = s0 / sqrt(1 + x^2),  x exp(x^2/2) = (K(i) + K(r)) / sqrt(8 pi),
- *             K = tan t erfc(u)                                                      (6)
+ *             K = tan t erfc(u)                                                    (6)
  *     S1    = (1 - erfc(u)/2) / (1 + L),  u = T cot t / (2 s0),
- *             L = (exp(-u^2) / (sqrt(pi) u) - erfc(u)) / 2                           (7)
+ *             L = (exp(-u^2) / (sqrt(pi) u) - erfc(u)) / 2                         (7)
  *
  * with t the angle from the normal and F Fresnel's reflectance, the mean of both
- * polarisations. As printed, L lacks exp(-u^2); it is restored here. G is printed with
- * a quotient that equals 1, and 0/0 where the light returns to its source; it is left
- * out. The model is reciprocal. It counts light that the surface reflects once only,
- * and can reflect up to 2 % more than it receives at grazing incidence:
- * rough_surface.h corrects that.
+ * polarisations. The published L lacks exp(-u^2), which is restored here. The published
+ * G contains a quotient that equals 1, but is 0/0 where the light returns to its
+ * source; the quotient is left out here. The model is reciprocal. It describes only
+ * light that the surface reflects once. At grazing incidence it can reflect up to 2 %
+ * more than it receives; rough_surface.h corrects that.
  */
 #ifndef PP_MODEL_LIGHT_ROUGH_HE_TORRANCE_H
 #define PP_MODEL_LIGHT_ROUGH_HE_TORRANCE_H
@@ -55,14 +55,14 @@ struct pp_he_torrance {
     double roughness, correlation; /* s0 and T */
 };
 
-/* (1), and exp(-g) S1^2 in it. */
+/* (1), and its factor exp(-g) S1^2. */
 double pp_he_torrance_spike(const struct pp_he_torrance *surface,
                             const struct pp_he_torrance_direction *i);
 double pp_he_torrance_spike_share(const struct pp_he_torrance *surface,
                                   const struct pp_he_torrance_direction *i);
 
-/* (2) without the factor F; s: by pp_he_torrance_roughness. Fresnel's reflectance is at
- * the cosine *half = |v|/2. */
+/* (2) without the factor F; s: result of pp_he_torrance_roughness. The caller
+ * multiplies by Fresnel's reflectance at the cosine *half = |v|/2. */
 double pp_he_torrance_lobe(const struct pp_he_torrance *surface, double s,
                            const struct pp_he_torrance_direction *i,
                            const struct pp_he_torrance_direction *r, double *half);

@@ -14,7 +14,7 @@ struct pp_rough_finishes {
     atomic_int holders;
 };
 
-/* Fills the tables, or copies those of a material with the same optics. */
+/* Fills the tables, or copies the tables of a material with the same optics. */
 static enum pp_status make_surface(struct pp_rough_surface *surface,
                                    const struct pp_rough_finishes *list,
                                    const struct pp_rough_optics *optics,

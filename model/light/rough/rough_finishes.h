@@ -1,8 +1,8 @@
 /* rough_finishes.h - the physically rough materials that a room file defines, as
  * finishes of its surfaces.
  *
- * All rooms of a file and their worlds share one list, with a count of its holders. The
- * list is complete when a second one holds it.
+ * All rooms of a file and their worlds share one list, which counts its holders. No
+ * material may be added once the list has a second holder.
  */
 #ifndef PP_MODEL_LIGHT_ROUGH_ROUGH_FINISHES_H
 #define PP_MODEL_LIGHT_ROUGH_ROUGH_FINISHES_H
@@ -30,11 +30,12 @@ const struct pp_rough_finish *pp_rough_finishes_at(const struct pp_rough_finishe
 const struct pp_rough_finish *pp_rough_finishes_find(
     const struct pp_rough_finishes *list, const char *name); /* NULL: none */
 
-/* The surface of a finish; NULL if it is not one of the list. */
+/* The surface of a finish; NULL if the finish is not in the list. */
 const struct pp_rough_surface *pp_rough_finishes_surface(
     const struct pp_rough_finishes *list, const struct pp_finish *finish);
 
-/* Adds a holder, and returns the list; frees it after the last. NULL is allowed. */
+/* Add a holder and return the list; remove a holder and free the list after the last
+ * one. NULL is allowed. */
 struct pp_rough_finishes *pp_rough_finishes_hold(struct pp_rough_finishes *list);
 void pp_rough_finishes_release(struct pp_rough_finishes *list);
 

@@ -13,7 +13,7 @@ enum {
     ANGLES = PP_ROUGH_ANGLES,
     RADII = PP_ROUGH_RADII,
     IN_RADIUS = 2,  /* Gauss points in each interval of radius */
-    IN_AZIMUTH = 12 /* and over half the azimuths */
+    IN_AZIMUTH = 12 /* Gauss points over half the azimuths */
 };
 
 /* Largest albedo: 1 less the error of this quadrature and of interpolation between
@@ -71,8 +71,8 @@ struct rough_kernel {
     double white[3][ANGLES][ANGLES], own[3][ANGLES][ANGLES];
 };
 
-/* The direction r for which i_xy + r_xy has this length and azimuth from i_xy, if i_xy
- * is along x. */
+/* Returns the direction r for which the sum i_xy + r_xy has the length `radius` and is
+ * at `azimuth` from i_xy, which has the length `sine` along x. */
 static struct pp_vec3 exit_of(double sine, double radius, double azimuth)
 {
     double x = radius * cos(azimuth) - sine, y = radius * sin(azimuth);
@@ -103,8 +103,8 @@ static double add_exit(const struct pp_rough_surface *surface,
     return sum;
 }
 
-/* Integrates over the exit directions of one angle of incidence, in polar coordinates of
- * i_xy + r_xy: int dd cos do = int dd d(r_xy). */
+/* Integrates over the exit directions of one angle of incidence, in polar coordinates
+ * of i_xy + r_xy: int dd cos do = int dd d(r_xy). */
 static void integrate_angle(struct pp_rough_surface *surface,
                             struct rough_kernel *kernel, int angle)
 {
@@ -122,7 +122,7 @@ static void integrate_angle(struct pp_rough_surface *surface,
             double radius = low + wide * (1.0 + rho[p]) / 2.0;
             double reach = pp_rough_surface_reach(sine, radius);
             for (int q = 0; q < IN_AZIMUTH; q++) {
-                /* Both halves of the azimuths. */
+                /* Both halves of the azimuths count: a factor of 2 is included. */
                 double area = radius * wide * in_rho[p] / 2.0 * reach * in_phi[q];
                 sum +=
                     add_exit(surface, kernel, angle, &i,
@@ -162,7 +162,7 @@ static double spike_share(const struct pp_rough_optics *optics, int channel,
                  : pp_he_torrance_spike(&model, &i);
 }
 
-/* c(i) sum_j kernel(i, j) c(j) */
+/* int dd' cos for an angle of incidence i: c(i) sum_j kernel(i, j) c(j). */
 static double lobe_of(const double (*kernel)[ANGLES], const double *keep, int angle)
 {
     double sum = 0.0;
@@ -171,8 +171,8 @@ static double lobe_of(const double (*kernel)[ANGLES], const double *keep, int an
     return keep[angle] * sum;
 }
 
-/* Lowers the factors until no albedo exceeds the bound; returns the largest albedo
- * before. */
+/* Lowers the factors until no albedo exceeds the bound; returns the largest initial
+ * albedo. */
 static double bound_albedo(double *keep, const double (*kernel)[ANGLES],
                            const double *spike, double bound)
 {

@@ -32,7 +32,7 @@ struct pp_rough_optics {
     struct pp_rgb diffuse;         /* a: uniform diffuse reflectance */
 };
 
-/* Angles of the tables: the root of the cosine is 0, 1/32, ... 1. */
+/* Angles of the tables: the square root of the cosine is 0, 1/32, ... 1. */
 enum { PP_ROUGH_ANGLES = 33, PP_ROUGH_RADII = 96 };
 
 struct pp_rough_surface {
@@ -78,8 +78,8 @@ struct pp_rgb pp_rough_surface_reflectance(const struct pp_rough_surface *surfac
 /* Cell of the tables by angle: the lower index, and the weight of the next. */
 int pp_rough_surface_cell(double cosine, double *next);
 
-/* Largest angle between r_xy's and i_xy's sum of length `radius` and i_xy, for which r
- * exists: |i_xy| = sine. */
+/* Largest angle between i_xy and the sum i_xy + r_xy for which a direction r exists.
+ * radius: length of the sum; sine: length of i_xy. */
 double pp_rough_surface_reach(double sine, double radius);
 
 #endif

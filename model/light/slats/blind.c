@@ -1,5 +1,6 @@
-/* blind.c - see blind.h. Light between slats and glass is followed by bins of its
- * profile angle until less than 1e-9 of it is left. */
+/* blind.c - see blind.h. Light that slats and glass reflect between them is sorted into
+ * bins of its profile angle. Reflections are added until less than 1e-9 of the light is
+ * left. */
 #include "model/light/slats/blind.h"
 
 #include <math.h>
@@ -14,9 +15,10 @@ enum { BINS = PP_SLAT_BINS, QUARTER = PP_SLAT_BINS / 4, PASSES = 100 };
 #define BIN_RAD (2.0 * PP_PI / BINS)
 #define LEAST 1e-9
 
-/* Response of slats and glass to light in a bin of directions, all around. */
+/* Response of slats and glass to light in each bin of directions, over the full
+ * circle. */
 struct blind_response {
-    double slats[BINS][BINS]; /* light that leaves in bin k per light in bin i */
+    double slats[BINS][BINS]; /* [i][k]: light that leaves in k per light in i */
     double glass[BINS]; /* reflectance of the pane that light leaving in k meets */
 };
 
@@ -53,8 +55,8 @@ static void find_response(struct blind_response *response, const struct pp_blind
     }
 }
 
-/* Adds to `leaving` the light that the glass returns to the slats. returning: light that
- * leaves towards the glass; it is used up. */
+/* Adds to `leaving` the light that leaves the slats after reflections in the glass.
+ * returning: light that leaves the slats towards the glass; overwritten. */
 static void add_returns(const struct blind_response *response, double leaving[BINS],
                         double returning[BINS])
 {
@@ -92,7 +94,7 @@ static void find_through(struct pp_blind *blind, const struct pp_slat_cell *cell
     }
 }
 
-/* Reflectance for even light from the room, or from outside. */
+/* Reflectance for uniform light from the room, or from outside. */
 static double even_reflectance(const struct pp_blind *blind,
                                const struct blind_response *response, bool from_room)
 {
@@ -142,7 +144,7 @@ static void find_hand_figures(struct pp_blind *blind, const struct pp_slat_cell 
                       : blind->all;
 }
 
-/* Some of the panes of a glazing. */
+/* Glazing that consists of `panes` of the panes of `glass`. */
 static struct pp_glass part_of_glass(const struct pp_glass *glass, int panes)
 {
     if (panes == glass->panes)

@@ -1,24 +1,25 @@
 /* blind.h - a blind with its glass, for simulations by direction and for hand methods.
  *
- * The light that passes straight is a ray (slats.h). Scattered light depends only on
- * the profile angles p and q at which it arrives and leaves, because the slats are
- * endless and Lambertian. With N(p, q) the share of the light that has passed the outer
- * glass and leaves the blind in the bin of q, and d the bin's range of sin q,
+ * Light that passes straight is traced as a ray (slats.h). Scattered light depends only
+ * on the profile angles p and q at which it arrives and leaves, because the slats are
+ * endless and Lambertian. Let N(p, q) be the fraction of the light behind the outer
+ * glass that leaves the blind in the bin of q, and d the bin's range of sin q. Then
  *
  *     btdf(in, out) = tau_outer(in) (2/pi) N(p, q) / d tau_inner(out)            (1)
  *
- * as light that leaves with one radiance over a bin has the flux pi/2 d times that. N is
- * tabulated by 2.5 degrees of p. It includes the light that blind and glass reflect
- * between them; the glass reflects by the mean reflectance of a bin. For light from the
- * room to the outside, btdf(in, out) = btdf(-out, -in).
+ * because light that leaves a bin with uniform radiance L has the flux L pi d / 2. N is
+ * tabulated at steps of 2.5 degrees of p. It includes the light that blind and glass
+ * reflect between them; for this, the glass has the mean reflectance of a bin. For
+ * light from the room to the outside, btdf(in, out) = btdf(-out, -in).
  *
- * Hand methods multiply by one number, the mean transmittance of the blind alone: that
- * of even light from the sky's half and the ground's half of the outside. A vertical
- * window under the CIE overcast sky receives 80 % of its light from the sky and 20 %
- * from ground of reflectance 0.2:
+ * Hand methods multiply by one number, the mean transmittance of the blind alone. It is
+ * calculated from the transmittances for uniform light from the upper half of the
+ * outside (sky), from the lower half (ground), and from both. A vertical window under
+ * the CIE overcast sky receives 80 % of its light from the sky and 20 % from ground of
+ * reflectance 0.2:
  *
  *     horizontal slats in a vertical window:  0.8 sky + 0.2 ground
- *     vertical slats, and sloping windows:    that of even light from all directions
+ *     vertical slats, and sloping windows:    uniform light from both halves
  */
 #ifndef PP_MODEL_LIGHT_SLATS_BLIND_H
 #define PP_MODEL_LIGHT_SLATS_BLIND_H
@@ -37,17 +38,17 @@ enum {
 struct pp_blind {
     struct pp_pane_scatter scatter; /* data: this blind, which must not move */
     struct pp_window_device device;
-    struct pp_glass glass;        /* both */
+    struct pp_glass glass;        /* outer and inner together */
     struct pp_glass outer, inner; /* panes before and behind the slats */
 
     double through[PP_BLIND_CELLS + 1][PP_BLIND_BINS]; /* N at the ends of the cells */
-    /* For sampling: means of tau_outer over a cell and of tau_inner over a bin, and sums
-     * of N tau_outer d over the cells up to and including each. */
+    /* For sampling: means of tau_outer over each cell and of tau_inner over each bin;
+     * cumulative sums of N tau_outer d over cells, up to and including each cell. */
     double outer_mean[PP_BLIND_CELLS], inner_mean[PP_BLIND_BINS];
     double cumulative[PP_BLIND_BINS][PP_BLIND_CELLS];
 
     double sky, ground, all; /* transmittances of the blind alone */
-    double mean;             /* for hand methods */
+    double mean;             /* transmittance for hand methods */
     int holders;             /* number of openings that share it */
 
     /* Of slats that follow the sun (blind_follow.h): */
@@ -55,14 +56,14 @@ struct pp_blind {
     double straight_of_sun[PP_BLIND_SUNS + 1]; /* of such a blind for the sun, by p */
 };
 
-/* Makes the blind of a device, with one holder. glass: clear, or none; for a blind
- * between panes, at least two. PP_BAD_INPUT if its slats touch each other. */
+/* Makes the blind of a device, with one holder. glass: clear, or none; a blind between
+ * panes needs at least two panes. PP_BAD_INPUT if neighbouring slats touch. */
 enum pp_status pp_blind_create(struct pp_blind **blind,
                                const struct pp_window_device *device,
                                const struct pp_glass *glass, bool upright,
                                struct pp_error *err);
 
-/* A holder less; the blind is freed after the last. NULL is allowed. */
+/* Removes a holder; the blind is freed after the last one. NULL is allowed. */
 void pp_blind_release(struct pp_blind *blind);
 
 #endif

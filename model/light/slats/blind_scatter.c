@@ -40,7 +40,7 @@ static int part_of(double profile_rad, int count)
     return part < 0 ? 0 : part < count ? part : count - 1;
 }
 
-/* N(p, q) for a bin of q. */
+/* N(p, q) at this profile angle p, for a bin of q. */
 static double through_at(const struct pp_blind *blind, double profile_rad, int bin)
 {
     double at = (profile_rad / PP_PI + 0.5) * PP_BLIND_CELLS;
@@ -74,8 +74,8 @@ static double angle_to_section(double v)
     return 0.5 * t;
 }
 
-/* Direction of travel into the room, in the axes of the pane, in one of `count` parts of
- * the profile angle: uniform in sin p by u, s by v. */
+/* Direction of travel into the room, in the axes of the pane, within one of `count`
+ * parts of the profile angle. u selects sin p, uniformly; v selects s. */
 static struct pp_vec3 direction_in(const struct pp_blind *blind, int part, int count,
                                    double u, double v)
 {
@@ -94,7 +94,8 @@ static struct pp_vec3 reversed(struct pp_vec3 d)
 
 /* ---- the functions of the pane ---- */
 
-/* Light reflected between the panes before and behind the slats is in N. */
+/* Straight light only; light reflected between the panes before and behind the slats is
+ * part of N. */
 static double blind_straight(const void *data, struct pp_vec3 in)
 {
     const struct pp_blind *blind = data;
@@ -103,7 +104,7 @@ static double blind_straight(const void *data, struct pp_vec3 in)
            * pp_glass_transmittance(&blind->inner, fabs(in.z));
 }
 
-/* For light that arrives from outside. */
+/* Scattered share of light that arrives from outside. */
 static double scattered_inwards(const struct pp_blind *blind, struct pp_vec3 in)
 {
     double p = profile_of(blind, in), sum = 0.0;
@@ -112,7 +113,7 @@ static double scattered_inwards(const struct pp_blind *blind, struct pp_vec3 in)
     return sum * pp_glass_transmittance(&blind->outer, in.z);
 }
 
-/* Integral of the btdf times |in.z| over light from outside. */
+/* Integral of btdf |in.z| over all directions of light from outside. */
 static double arriving_inwards(const struct pp_blind *blind, struct pp_vec3 out)
 {
     int bin = part_of(profile_of(blind, out), PP_BLIND_BINS);
@@ -147,8 +148,8 @@ static double blind_btdf(const void *data, struct pp_vec3 in, struct pp_vec3 out
            * pp_glass_transmittance(&blind->inner, out.z);
 }
 
-/* For light that leaves to the outside: shares of the bins of its reverse. Returns their
- * sum. */
+/* For light that leaves to the outside: share of each bin, by reciprocity from light
+ * that travels in the opposite direction. Returns the sum of the shares. */
 static double leaving_shares(const struct pp_blind *blind, struct pp_vec3 out,
                              double shares[PP_BLIND_BINS])
 {
@@ -219,7 +220,7 @@ static double blind_density(const void *data, struct pp_vec3 in, struct pp_vec3 
                      : 0.0;
 }
 
-/* Classes for a year of skies: the bins of q. */
+/* Class of leaving light for annual simulations: its bin of q. */
 static int blind_class(const void *data, struct pp_vec3 out)
 {
     return part_of(profile_of(data, out), PP_BLIND_BINS);

@@ -5,16 +5,16 @@
 
 #include "model/light/slats/blind.h"
 
-/* Fills in the functions and the tables for sampling; `through` and the means are
- * known. */
+/* Fills in the functions and the tables for sampling; `through` and the means must be
+ * set before the call. */
 void pp_blind_scatter_init(struct pp_blind *blind);
 
 /* Range of the sine of the profile angle in a bin of `count` from -90 to 90 degrees. */
 double pp_blind_scatter_range(int bin, int count);
 
-/* Mean over the directions of profile angle p of a function of the cosine of incidence,
- * weighted by their light on the window's plane: (2/pi) integral of f(cos s cos p)
- * cos^2 s ds. */
+/* Mean of f, a function of the cosine of incidence, over all directions with profile
+ * angle p, weighted by the light from each direction on the window's plane: (2/pi)
+ * integral of f(cos s cos p) cos^2 s ds. */
 double pp_blind_scatter_mean(double (*f)(const struct pp_glass *, double),
                              const struct pp_glass *glass, double profile_rad);
 

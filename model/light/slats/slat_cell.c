@@ -1,9 +1,9 @@
 /* slat_cell.c - solves (1) once for all incident light.
  *
- * Strips and neighbours are found along rays: between two neighbouring critical angles,
- * at which a ray passes the end of a strip, all rays meet the same strip. The
- * equations are solved for the light that leaves in each bin: from_strip[j][k] is the
- * share of the light that falls on strip side j and leaves in bin k in the end.
+ * Shares are calculated from rays. At a critical angle a ray passes the end of a strip;
+ * between two successive critical angles all rays meet the same strip. The equations
+ * are solved for the light that leaves in each bin. from_strip[j][k] is the fraction of
+ * the light incident on strip side j that leaves in bin k after all reflections.
  */
 #include "model/light/slats/slat_cell.h"
 
@@ -16,14 +16,14 @@
 enum {
     STRIPS = 24,
     SIDES = 2 * STRIPS, /* upper sides, then lower sides */
-    POINTS = 4,         /* of the quadrature over a strip */
+    POINTS = 4,         /* points of the quadrature over a strip */
     NEIGHBOURS = 3,     /* the slat itself, the one above and the one below */
     ENDS = NEIGHBOURS * (STRIPS + 1),
     CRITICAL = ENDS + PP_SLAT_BINS + 2,
     SKY_STEPS = 180,
 };
 
-#define STEEPEST (89.99 * PP_RAD) /* of slats that close the blind */
+#define STEEPEST (89.99 * PP_RAD) /* largest tilt: slats close the blind */
 #define BIN_RAD (2.0 * PP_PI / PP_SLAT_BINS)
 
 struct slat_place {
@@ -32,15 +32,15 @@ struct slat_place {
 
 struct pp_slat_cell {
     struct pp_slats slats;
-    struct slat_place end[STRIPS + 1]; /* of the strips of one slat */
+    struct slat_place end[STRIPS + 1]; /* ends of the strips of one slat */
     double from_strip[SIDES][PP_SLAT_BINS];
 };
 
-/* Ray from a place; slat and strip that it meets first. */
+/* First strip that a ray meets, the side of the strip, and its slat. */
 struct meeting {
     int strip; /* -1: none */
     bool upper;
-    int slat; /* -1: the slat below, 0, 1 */
+    int slat; /* -1: the slat below; 0: the same; 1: above */
 };
 
 static double cross(struct slat_place p, struct slat_place q)
@@ -61,7 +61,7 @@ static struct slat_place strip_end(const struct pp_slat_cell *cell, int slat, in
 }
 
 /* First strip that a ray meets beyond the distance `after`; strip `own` of slat 0 is
- * passed over. */
+ * skipped. */
 static struct meeting first_strip(const struct pp_slat_cell *cell,
                                   struct slat_place from, struct slat_place way,
                                   double after, int own)
@@ -98,7 +98,8 @@ static int slat_bin(struct slat_place way)
     return bin < 0 ? 0 : bin < PP_SLAT_BINS ? bin : PP_SLAT_BINS - 1;
 }
 
-/* Directions from a place, as angles from the normal, at which the view changes. */
+/* Directions from a place, as angles from the normal, at which a ray begins to meet
+ * another strip or bin. Returns their number. */
 static int critical_angles(const struct pp_slat_cell *cell, struct slat_place from,
                            struct slat_place normal, double *angle)
 {
@@ -120,8 +121,8 @@ static int critical_angles(const struct pp_slat_cell *cell, struct slat_place fr
     return n;
 }
 
-/* Adds the shares of light from a place on a strip: falls on strip sides (F_ij), and
- * leaves in bins. */
+/* Adds the shares of the light from a place on a strip. falls: share that falls on each
+ * strip side (F_ij); leaves: share that leaves in each bin. */
 static void add_place(const struct pp_slat_cell *cell, int own, struct slat_place from,
                       struct slat_place normal, double weight, double *falls,
                       double *leaves)
@@ -155,8 +156,8 @@ static double side_reflectance(const struct pp_slat_cell *cell, int side)
     return side < STRIPS ? cell->slats.upper : cell->slats.lower;
 }
 
-/* Solves (I - F rho) X = leaves by elimination; the diagonal dominates, as some light
- * leaves. rows: F_ij rho_j, replaced. */
+/* Solves (I - F rho) X = leaves by elimination without pivoting: the diagonal
+ * dominates, since some light leaves. rows: F_ij rho_j, overwritten. */
 static void solve_leaving(double (*rows)[SIDES], double (*leaves)[PP_SLAT_BINS])
 {
     for (int i = 0; i < SIDES; i++)
@@ -220,8 +221,8 @@ static bool slats_cross(const struct pp_slat_cell *cell)
     return false;
 }
 
-/* Cuts the slat in strips: finer towards its edges, and at the feet of the neighbours'
- * edges on its chord, where closed slats overlap. */
+/* Cuts the slat into strips. They are narrower towards the edges of the slat, and end
+ * where the edges of its neighbours project onto its chord (closed slats overlap). */
 static void cut_strips(struct pp_slat_cell *cell)
 {
     double at[STRIPS + 1];
@@ -287,7 +288,7 @@ void pp_slat_cell_destroy(struct pp_slat_cell *cell)
 }
 
 /* Light that falls on each side of the slat's strips, relative to the light that falls
- * on one spacing; in all, what does not pass straight. */
+ * on one spacing. The sum is the light that does not pass straight. */
 static void incident_on_strips(const struct pp_slat_cell *cell, double profile_rad,
                                double straight, double *incident)
 {
@@ -335,7 +336,8 @@ void pp_slat_cell_light(const struct pp_slat_cell *cell, double profile_rad,
             light->leaving[k] += incident[i] * cell->from_strip[i][k];
 }
 
-/* Light from the profile angle p falls on the plane in proportion to cos p dp. */
+/* Integrates over profile angles; the light from p falls on the plane in proportion to
+ * cos p dp. */
 void pp_slat_cell_diffuse(const struct pp_slat_cell *cell, double low_rad,
                           double high_rad, struct pp_slat_light *light)
 {

@@ -2,14 +2,14 @@
  * leaves.
  *
  * A slat is cut into straight strips; each side of a strip is uniformly bright. With
- * P_i the light that strip i gives off and F_ij the share of it that falls on j,
+ * P_i the light that strip i reflects and F_ij the share of this light that falls on j,
  *
  *     P_j = rho_j (E_j + sum_i F_ij P_i)                                            (1)
  *
- * E_j is the incident light on strip j. Shares are exact over the angle in the section
- * and a quadrature over the strip; only the two neighbours of a slat can be seen from
- * it. As slats are endless and Lambertian, the shares in the section are those in space,
- * and depend on no direction along the slats. Notation as in slats.h; all light is
+ * E_j is the light that falls on strip j from outside the blind. F_ij is integrated
+ * exactly over the angle in the section, and by quadrature over strip i. Only the two
+ * neighbours of a slat are visible from that slat. As slats are endless and Lambertian,
+ * the shares in the section equal those in space. Notation as in slats.h; all light is
  * relative to the light that falls on the window's plane.
  */
 #ifndef PP_MODEL_LIGHT_SLATS_SLAT_CELL_H
@@ -20,13 +20,13 @@
 #include "model/light/slats/slats.h"
 #include "pepperpot.h"
 
-/* Directions in which light leaves: bins of 5 degrees of the profile angle of its
- * travel, from -180 degrees. The middle half of the bins leads into the room. */
+/* Number of bins for leaving light: 5 degrees each of the profile angle of travel, from
+ * -180 degrees. Light in the middle half of the bins travels into the room. */
 enum { PP_SLAT_BINS = 72 };
 
 struct pp_slat_light {
     double straight;
-    double leaving[PP_SLAT_BINS]; /* scattered */
+    double leaving[PP_SLAT_BINS]; /* scattered light, by bin */
 };
 
 struct pp_slat_cell;
@@ -39,7 +39,8 @@ enum pp_status pp_slat_cell_create(struct pp_slat_cell **cell,
 bool pp_slat_cell_fits(const struct pp_slats *slats);
 void pp_slat_cell_destroy(struct pp_slat_cell *cell); /* NULL is allowed */
 
-/* Light of one profile angle, -pi to pi; beyond pi/2 it comes from the room. */
+/* Light of one profile angle, -pi to pi; light beyond pi/2 (either sign) comes from the
+ * room. */
 void pp_slat_cell_light(const struct pp_slat_cell *cell, double profile_rad,
                         struct pp_slat_light *light);
 
@@ -49,7 +50,7 @@ void pp_slat_cell_light(const struct pp_slat_cell *cell, double profile_rad,
 void pp_slat_cell_diffuse(const struct pp_slat_cell *cell, double low_rad,
                           double high_rad, struct pp_slat_light *light);
 
-/* Sum of the scattered light that leaves between two bins; the last is not included. */
+/* Sum of the scattered light that leaves in the bins `first` to `end` - 1. */
 double pp_slat_cell_sum(const struct pp_slat_light *light, int first, int end);
 
 /* Scattered light that leaves into the room downwards and upwards, and back outside

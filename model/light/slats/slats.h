@@ -11,7 +11,7 @@
  *
  * e(p) is the extent of the slat across the light. For an arc of radius R that turns by
  * an angle of A either side of its crown, it is R times the range of cos(q - p + t) for
- * |q| <= A. Both follow from the geometry; the slats are endless and have no thickness.
+ * |q| <= A. Both formulae are exact for endless slats without thickness.
  */
 #ifndef PP_MODEL_LIGHT_SLATS_SLATS_H
 #define PP_MODEL_LIGHT_SLATS_SLATS_H
@@ -25,20 +25,21 @@ struct pp_slats {
     double rise;     /* height of the arc over the middle of its chord (m), at most w/2;
                       * greater than 0: the upper side is convex */
     double upper;    /* diffuse reflectance of the upper side, 0 to 1 */
-    double lower;    /* and of the lower side */
+    double lower;    /* diffuse reflectance of the lower side, 0 to 1 */
 };
 
-/* Share of the light with this profile angle that passes between the slats; the angle
- * is that of its travel, -pi to pi: beyond pi/2 the light leaves the room. */
+/* Share of light that passes straight between the slats. profile_rad: profile angle of
+ * the direction of travel, -pi to pi; light beyond pi/2 (either sign) leaves the
+ * room. */
 double pp_slats_straight(const struct pp_slats *slats, double profile_rad);
 
-/* Smallest change of tilt from 0 that lets no light of this profile angle pass
- * straight; without one, the tilt that lets least pass. Slats turn against the light:
- * the inner edge rises for light from above. */
+/* Cut-off tilt: the tilt nearest to 0 at which no light of this profile angle passes
+ * straight. If there is none, the tilt at which the least light passes. Slats turn
+ * against the light: the inner edge rises for light from above. */
 double pp_slats_cut_off(const struct pp_slats *slats, double profile_rad);
 
 /* Point of the slat at a fraction of its arc, 0 at the outer edge and 1 at the inner
- * one, from the middle of its chord (m). */
+ * edge. *a and *b are relative to the middle of the chord (m). */
 void pp_slats_point(const struct pp_slats *slats, double fraction, double *a,
                     double *b);
 

@@ -24,17 +24,17 @@ struct pp_window_device {
     bool follows_sun;      /* blind: its slats turn until they cut off the sun */
     enum pp_device_position position;
     double openness;      /* screen: share of its area that is open */
-    double reflectance;   /* screen: of its fabric */
-    double transmittance; /* curtain: of diffuse light, scattered evenly */
+    double reflectance;   /* screen: reflectance of the fabric */
+    double transmittance; /* curtain: for diffuse light; Lambertian */
     int line;
 };
 
 /* "blind", "screen" or "curtain". */
 const char *pp_window_device_word(enum pp_device_kind kind);
 
-/* Appends the device in words, after a semicolon: "; blind inside, slats 25 mm at 20 mm,
- * tilt -45 deg, reflectance 0.6"; nothing if there is none. degrees: " deg" or "\u00b0".
- */
+/* Appends a description of the device: "; blind inside, slats 25 mm at 20 mm, tilt -45
+ * deg, reflectance 0.6". Appends nothing if there is no device. degrees: " deg" or
+ * "\u00b0". */
 void pp_window_device_say(const struct pp_window_device *device, char *text,
                           size_t room, const char *degrees);
 

@@ -21,19 +21,19 @@ enum {
 
 extern const double pp_annual_sheet_levels_lx[PP_ANNUAL_LEVELS];
 
-/* Results for a point, and their means over all points. "Hours" are occupied hours. */
+/* Results for a point, or their means over all points. "Hours" are occupied hours. */
 struct pp_annual_figures {
     struct pp_annual_value
         autonomy[PP_ANNUAL_ILLUMINANCES_MOST]; /* share of hours with E >= target */
     struct pp_annual_value
         continuous[PP_ANNUAL_ILLUMINANCES_MOST]; /* mean of min(1, E/target) */
     struct pp_annual_value udi_below, udi_low, udi_good,
-        udi_above;                  /* shares of hours: E < 100, to 300, to 3000,
-                                     * above (lx) */
+        udi_above;                  /* shares of hours with E below 100, 100 to
+                                     * 300, 300 to 3000, above 3000 lx */
     struct pp_annual_value sun_h;   /* hours with more than 1000 lx of direct sun */
     struct pp_annual_value mean_lx; /* mean over the hours */
     struct pp_annual_value
-        median_lx; /* reached in 2190 of the 4380 brightest hours of the year */
+        median_lx; /* median illuminance of the 4380 brightest hours of the year */
     struct pp_annual_value year_lxh; /* sum over all hours of the year */
     struct pp_annual_value sky_lxh, sun_lxh, sun_reflected_lxh; /* parts: sky and
                                                                  * ground; direct
@@ -41,7 +41,7 @@ struct pp_annual_figures {
                                                                  * sun */
     struct pp_annual_value autonomy_300; /* share of hours with 300 lx, blinds open */
     struct pp_annual_value
-        blinds_autonomy; /* E >= 300 lx with blinds; NAN: no blinds */
+        blinds_autonomy; /* share of hours with 300 lx, with blinds; NAN: no blinds */
 };
 
 /* Number of values of pp_annual_figures. */
@@ -93,15 +93,15 @@ struct pp_annual_hour {
     int sky;                      /* index in lx and sun_lx; -1: dark */
 };
 
-/* Discretisation error of patches and cells: compared on a sample with paths under the
- * actual sky and sun. */
+/* Discretisation error of sky patches and sun cells, measured on a sample of points and
+ * hours by comparison with light paths under the actual sky and sun. */
 struct pp_annual_discretisation {
     int points, hours; /* size of the sample; 0: not measured */
     struct pp_annual_value
-        sky;        /* error by patches over the light of sky and ground, mean */
-    double sky_rms; /* rms of single hours and points */
+        sky;        /* error of patches, divided by the light of sky and ground; mean */
+    double sky_rms; /* RMS error of single hours and points */
     struct pp_annual_value
-        all; /* error over all light except direct sun, mean of the points */
+        all; /* error, divided by all light except direct sun; mean of points */
 };
 
 struct pp_annual_sheet {
@@ -115,9 +115,9 @@ struct pp_annual_sheet {
     int warning_count;
     char warnings[PP_ANNUAL_WARNINGS_MOST][PP_ANNUAL_WORDS];
     double sun_shift_min;
-    double occupied_h;        /* in the year */
+    double occupied_h;        /* occupied hours in the year */
     double daylit_h;          /* hours with a sky or a sun */
-    double diffuse_median_lx; /* reached in 2190 of the brightest 4380 h */
+    double diffuse_median_lx; /* median of the 4380 brightest hours */
     bool is_grid;             /* the points are a grid over the plane; else `plane`
                                * is not defined */
     bool has_blinds;          /* there are figures with blinds */
@@ -138,7 +138,7 @@ struct pp_annual_sheet {
 
     int hour_count;
     struct pp_annual_hour *hours; /* owned */
-    const char *sky_name;         /* of a moment: "perez", "iso-12", ...; not owned */
+    const char *sky_name;         /* sky of a moment: "perez", ...; not owned */
     int sky_count;
     float *lx; /* [receiver][sky]: illuminances, blinds open, except if they are
                 * always closed or have a schedule; owned */
@@ -151,8 +151,8 @@ struct pp_annual_sheet {
     float *sun_lx;                /* [receiver][sky]: direct sun, blinds open; owned */
 };
 
-/* Credits of LEED v4.1, daylight, option 1. They depend on the mean sDA of all
- * regularly occupied areas; here only this room is considered. */
+/* Credits of LEED v4.1, daylight, option 1. The credits of a building depend on the
+ * mean sDA of all regularly occupied areas; here only this room is considered. */
 struct pp_annual_leed {
     const char *why_not; /* reason why points is not known; NULL: known */
     int points;          /* 1, 2, 3 for an sDA of 40, 55, 75 % */

@@ -1,4 +1,4 @@
-/* annual_value.h - a figure of a simulated year with its standard error. */
+/* annual_value.h - a result of an annual simulation with its standard error. */
 #ifndef PP_MODEL_RESULTS_SHEETS_ANNUAL_VALUE_H
 #define PP_MODEL_RESULTS_SHEETS_ANNUAL_VALUE_H
 

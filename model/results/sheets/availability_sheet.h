@@ -27,8 +27,8 @@ struct pp_availability_period {
     double *lx, *share; /* descending illuminance, and share of hours that reach it;
                          * owned */
     double light;       /* share of hours with any light */
-    double half_lx;     /* reached in half of the hours */
-    double most_lx;     /* reached in 85 of 100 hours */
+    double half_lx;     /* illuminance reached in half of the hours */
+    double most_lx;     /* illuminance reached in 85 % of the hours */
 };
 
 /* Values of `place` that are not receiver indices. */
@@ -37,15 +37,15 @@ enum { PP_PLACE_AVERAGE = -1, PP_PLACE_MEDIAN = -2 };
 /* Share of time that one place reaches one illuminance, by one method's daylight
  * factor. */
 struct pp_availability_row {
-    int place;                         /* receiver index, PP_PLACE_AVERAGE or
+    int place;                     /* receiver index, PP_PLACE_AVERAGE or
                                     * PP_PLACE_MEDIAN */
-    const char *method;                /* "exact+bre"; not owned */
-    struct pp_reading df;              /* if it has no value, needs_lx, share and
+    const char *method;            /* "exact+bre"; not owned */
+    struct pp_reading df;          /* if it has no value, needs_lx, share and
                                         * std_error are NAN */
-    double lx;                         /* target on the working plane */
-    double needs_lx;                   /* outdoors: lx over df; INFINITY if df is 0 */
-    double share[PP_PERIODS_MOST];     /* by period */
-    double std_error[PP_PERIODS_MOST]; /* from that of df; NAN: not sampled */
+    double lx;                     /* target on the working plane */
+    double needs_lx;               /* outdoor illuminance: lx / df; INFINITY for 0 */
+    double share[PP_PERIODS_MOST]; /* share of time, by period */
+    double std_error[PP_PERIODS_MOST]; /* from the error of df; NAN: not sampled */
 };
 
 struct pp_availability_sheet {
@@ -53,8 +53,8 @@ struct pp_availability_sheet {
     enum pp_light_origin origin;
     const char *light;    /* place and model, one sentence; not owned */
     const char *calendar; /* days and clock, one sentence; not owned */
-    double median_lx;     /* over the brightest 4380 hours of the year; NAN: not
-                           * known */
+    double median_lx;     /* median of the 4380 brightest hours of the year; NAN:
+                           * not known */
     int period_count;
     struct pp_availability_period periods[PP_PERIODS_MOST];
     int illuminance_count;

@@ -10,17 +10,17 @@
 
 enum { PP_BRS_ROWS = 29, PP_BRS_COLUMNS = 20 };
 
-/* One reading. */
+/* One reading from the table, for one corner of a rectangle. */
 struct pp_brs_reading {
     int window;                /* index in the sheet's windows */
-    bool hidden;               /* for an obstruction, not for sky */
-    bool lower, left;          /* edge of the rectangle, and jamb */
+    bool hidden;               /* true for an obstruction, false for sky */
+    bool lower, left;          /* true: lower edge; true: left jamb */
     int sign;                  /* +1 or -1 in the sum */
     double h_over_d, w_over_d; /* both above 0 */
     double row, column;        /* position of these values: 0 is the first row
                                 * (infinity) and the first column (0.1); PP_BRS_ROWS
                                 * and -1 where the table ends in zero */
-    double value;              /* a fraction */
+    double value;              /* value read, a fraction of Eh */
     double factor;             /* luminance factor of the obstruction; 1 for sky */
 };
 
@@ -38,8 +38,8 @@ struct pp_brs_sheet {
     double h_over_d[PP_BRS_ROWS], w_over_d[PP_BRS_COLUMNS]; /* as printed;
                                                              * h/d descends */
     double percent[PP_BRS_ROWS][PP_BRS_COLUMNS];            /* as printed */
-    bool odd[PP_BRS_ROWS][PP_BRS_COLUMNS]; /* differs more from the sky component
-                                            * than other cells, in the original */
+    bool odd[PP_BRS_ROWS][PP_BRS_COLUMNS]; /* deviates unusually from the calculated
+                                            * sky component (brs_odd_cells.csv) */
     struct pp_brs_window *windows;
     int window_count;
     struct pp_brs_reading *readings;

@@ -13,10 +13,10 @@ enum {
     PP_EN17037_MAPS = 2
 };
 
-/* A requirement or a figure of a part. */
+/* One line of a part: a requirement, or a result for information. */
 struct pp_en17037_row {
     char what[128], figure[64], wanted[64], over[32], verdict[32];
-    bool decides; /* the verdict is on the minimum level */
+    bool decides; /* true if the verdict is on the minimum level */
 };
 
 struct pp_en17037_part {

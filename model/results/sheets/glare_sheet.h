@@ -11,8 +11,8 @@
 #include "model/results/sheets/annual_sheet.h"
 #include "model/room/world.h"
 
-/* Classes of glare, and the levels of EN 17037 for the year, are divided by DGP of
- * these values. */
+/* Number of DGP values that separate the classes of glare, and the levels of EN 17037
+ * for a year. */
 enum { PP_GLARE_LIMITS = 3 };
 /* Share of the occupied hours in which a limit may be exceeded. */
 #define PP_GLARE_SHARE 0.05
@@ -23,13 +23,14 @@ const char *pp_glare_sheet_class(double dgp);
 
 /* The sources seen through one opening, or on the surfaces of the room. */
 struct pp_glare_part {
-    double sum;      /* of L^2 omega/P^2, cd2/m4 sr */
+    double sum;      /* sum of L^2 omega/P^2, cd2/m4 sr */
     double omega_sr; /* solid angle of the sources; 0: none */
     double light;    /* sum of L omega */
     double square;   /* sum of L^2 omega */
 };
 
-/* Mean luminance (cd/m2), and the mean of 1/P^2 weighted by L^2, as a position index. */
+/* Mean luminance (cd/m2); and mean position index: the index P of the mean of 1/P^2
+ * weighted by L^2. */
 double pp_glare_sheet_luminance(const struct pp_glare_part *part);
 double pp_glare_sheet_index(const struct pp_glare_part *part);
 
@@ -38,7 +39,7 @@ double pp_glare_sheet_index(const struct pp_glare_part *part);
 
 struct pp_glare_sun {
     bool visible;
-    int opening; /* through which it is seen; -1: none */
+    int opening; /* opening through which the sun is seen; -1: none */
     double cd_m2, index, sum;
 };
 
@@ -50,14 +51,14 @@ struct pp_glare_moment {
     struct pp_glare_sun sun;
 };
 
-/* A view over the year. */
+/* Results of a view for a year. */
 struct pp_glare_year {
-    struct pp_annual_value above_h[PP_GLARE_LIMITS]; /* occupied hours with DGP above */
+    struct pp_annual_value above_h[PP_GLARE_LIMITS]; /* hours above each limit */
     double exceeded_in_5; /* DGP exceeded in 5 % of the occupied hours */
-    double most;          /* greatest DGP of an occupied hour, */
-    int most_hour;        /* and its index in the hours of the year; -1: none */
+    double most;          /* greatest DGP in the occupied hours */
+    int most_hour;        /* index of that hour in the year; -1: none */
     double sun_h;         /* occupied hours with the sun in the field of view */
-    float *dgp;           /* by sky; owned */
+    float *dgp;           /* DGP by sky; owned */
 };
 
 struct pp_glare_sheet {
@@ -71,8 +72,8 @@ struct pp_glare_sheet {
     struct pp_annual_sheet annual;   /* illuminances at the eyes, hours and sentences */
 };
 
-/* Level of EN 17037 5.4: "high", "medium", "minimum", or "none". The limit of DGP
- * (0.35, 0.40, 0.45) is exceeded in at most 5 % of the occupied hours. */
+/* Level of EN 17037 5.4: "high", "medium", "minimum" or "none". At a level, the DGP
+ * exceeds its limit (0.35, 0.40, 0.45) in at most 5 % of the occupied hours. */
 const char *pp_glare_sheet_level(const struct pp_glare_year *year, double occupied_h);
 
 void pp_glare_sheet_clear(struct pp_glare_sheet *sheet);

@@ -43,7 +43,7 @@ struct pp_hand_year_sheet {
     char when[64];    /* hour of the explanation; empty: none */
     bool finished;
     int column_count;
-    struct pp_hand_column *columns; /* in the order of the list; owned */
+    struct pp_hand_column *columns; /* by method; owned */
 };
 
 void pp_hand_year_sheet_clear(struct pp_hand_year_sheet *sheet);

@@ -1,7 +1,7 @@
 /* lighting_sheet.h - electric lighting with a daylight control in a year, as printed.
  *
- * studies/lighting/ fills it. Shares are 0 to 1, of the occupied hours with all lamps at
- * full power.
+ * studies/lighting/ fills it. Shares of energy are relative to all lamps at full power
+ * in all occupied hours.
  */
 #ifndef PP_MODEL_RESULTS_SHEETS_LIGHTING_SHEET_H
 #define PP_MODEL_RESULTS_SHEETS_LIGHTING_SHEET_H
@@ -24,11 +24,11 @@ struct pp_lighting_control {
     double target_lx;       /* illuminance to maintain; not used by manual */
     double differential_lx; /* on-off: off at target + differential */
     int steps;              /* stepped: number of equal groups of lamps */
-    double residual_light;  /* dimmed: least share of the lamps' light */
-    double residual_power;  /* dimmed: share of the power at that light */
+    double residual_light;  /* dimmed: lowest output, share of full light */
+    double residual_power;  /* dimmed: share of full power at that output */
     bool switches_off;      /* dimmed: off if the residual light is not needed */
     double power_w;         /* installed power; NAN: not given */
-    double power_w_m2;      /* the same over the floor area; NAN: not given */
+    double power_w_m2;      /* installed power per floor area; NAN: not given */
     int point;              /* number of the control point, from 1; 0: the darkest point
                              * of each hour */
     bool with_blinds;       /* blinds as in LM-83; otherwise always open */
@@ -36,7 +36,7 @@ struct pp_lighting_control {
 
 /* Results of a control; hours are occupied hours. */
 struct pp_lighting_figures {
-    struct pp_annual_value saved;  /* share of the energy of lamps that are always on */
+    struct pp_annual_value saved;  /* energy saved, relative to lamps always on */
     struct pp_annual_value used_h; /* hours at full power with the same energy */
     struct pp_annual_value on_h;   /* hours with lamps on; expected value for manual */
     struct pp_annual_value
@@ -50,22 +50,22 @@ enum {
         sizeof(struct pp_lighting_figures) / sizeof(struct pp_annual_value)
 };
 
-/* The saving by the tables of EN 15193:2007 (studies/lighting/en15193.h). */
+/* The saving according to EN 15193:2007 (studies/lighting/en15193.h). */
 struct pp_lighting_standard {
-    const char *why;         /* reason why there is no figure; NULL: there is one */
-    double depth_m, width_m; /* zone with daylight */
-    double factor;           /* D_C, of openings without glass */
+    const char *why;         /* reason why there is no saving; NULL: there is one */
+    double depth_m, width_m; /* size of the daylight zone */
+    double factor;           /* D_C, daylight factor of openings without glass */
     int class;               /* 0 none, 1 weak, 2 medium, 3 strong */
     double supply, control;  /* F_D,S and F_D,C */
-    double saved;            /* F_D,S F_D,C, times the zone's share of the floor */
+    double saved;            /* F_D,S x F_D,C x the zone's share of the floor */
 };
 
 struct pp_lighting_sheet {
     struct pp_lighting_control control; /* both powers given, or both NAN */
     struct pp_lighting_figures figures;
     struct pp_annual_value
-        *points;                 /* [receiver]: saved if that were the control point */
-    struct pp_annual_value mean; /* of points */
+        *points;                 /* [receiver]: `saved` if it were the control point */
+    struct pp_annual_value mean; /* mean of points */
     struct pp_lighting_standard standard;
     float *fraction; /* [record]: mean share of the installed power */
 };

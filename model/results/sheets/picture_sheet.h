@@ -19,9 +19,10 @@ struct pp_picture_sheet {
 
     struct pp_raster raster;
 
-    double pixels_per_m; /* parallel view; 0: no uniform scale */
-    bool upright;        /* not a view straight up or down */
-    double north_rad;    /* else: north, anticlockwise from up */
+    double pixels_per_m; /* scale of a parallel view; 0: no uniform scale */
+    bool upright;        /* true unless the view is straight up or down */
+    double north_rad;    /* for a view straight up or down: direction of north in the
+                          * picture, anticlockwise from its top */
 
     bool scaled; /* false colours with a scale */
     struct pp_false_colour_scale scale;

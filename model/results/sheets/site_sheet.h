@@ -14,7 +14,8 @@
 #include "model/geometry/region.h"
 #include "model/geometry/vec.h"
 
-/* When an object exists: in both states, only before, or only at present. */
+/* Time when an object exists: before and at present, only before, or only at
+ * present. */
 enum pp_site_when { PP_SITE_ALWAYS, PP_SITE_GONE, PP_SITE_NEW };
 
 /* A polygon outside, a part of a mesh, or a room's own floor. */
@@ -22,13 +23,13 @@ struct pp_site_shape {
     int count;
     struct pp_vec3 *corners;
     int *
-        ends; /* of a part of a mesh, which has several rings: past the last corner of each;
-                * NULL: the corners are one ring */
+        ends; /* index past the last corner of each ring; only a part of a mesh can have
+                * several; NULL: one ring */
     int ring_count;
     bool *
-        unseen; /* true: the edge from a corner to the next is no line; NULL: all are lines */
+        unseen; /* [i]: edge from corner i to i + 1 is not drawn; NULL: all are drawn */
     double top_m;     /* z of its highest corner */
-    const char *name; /* name of the object with this side; NULL: none */
+    const char *name; /* name of the object that it belongs to; NULL: none */
     enum pp_site_when when;
     bool is_room;  /* floor of a room */
     bool is_level; /* not vertical: it covers an area in plan */
@@ -49,12 +50,12 @@ struct pp_site_window {
     int storey; /* number of windows below it in the same wall */
 };
 
-/* A garden, and its area with less than two hours of sun on 21 March. */
+/* A garden, and its area without two hours of sun on 21 March. */
 struct pp_site_garden {
     int count;
     double (*corners)[2];
     struct pp_curve_list dark;
-    double share;     /* share with two hours or more; NAN: no latitude */
+    double share;     /* share with two hours of sun or more; NAN: no latitude */
     const char *name; /* NULL: no name */
 };
 
@@ -67,9 +68,9 @@ struct pp_site_cell {
 struct pp_site_sheet {
     const char *title;
     double north_rad; /* bearing of +y */
-    bool has_before;  /* any window has a value of `before` */
-    double french_m;  /* height above the floor of the point for windows down to the
-                      * floor; 0: their centre */
+    bool has_before;  /* true if any window has a value `before` */
+    double french_m;  /* windows down to the floor: height of their reference point
+                      * above the floor; 0: their centre */
     double ground_m;  /* z of the ground */
     struct pp_site_shape *shapes; /* ascending by height */
     int shape_count;
@@ -95,7 +96,7 @@ extern const double pp_site_sheet_levels[PP_SITE_LEVELS];
 struct pp_elevation_wall {
     const char *room;  /* name of its room; NULL: it has none */
     int room_at, face; /* its room in the list of rooms, and its face */
-    double front_m;    /* distance of its inner face along the direction it faces */
+    double front_m;    /* position of its inner face along the direction it faces */
     struct pp_region outline;
     struct pp_curve_list below; /* areas below each level, as in pp_daylight_plan;
                                  * each curve has its level */
@@ -104,7 +105,7 @@ struct pp_elevation_wall {
     int door_count;
 };
 
-/* Walls of a site that face the same way, none of which hides another. */
+/* Walls of a site that face the same way and do not hide each other. */
 struct pp_site_elevation {
     struct pp_vec3 out, right; /* unit, level */
     int layer;                 /* 0: the walls in front; 1 and more: walls behind */
@@ -112,7 +113,7 @@ struct pp_site_elevation {
                                 * 0 to 2 pi */
     struct pp_elevation_wall *walls;
     int wall_count;
-    struct pp_bounds2 *facades; /* in u and v; walls are in front of them */
+    struct pp_bounds2 *facades; /* in u and v; drawn behind the walls */
     int facade_count;
     struct pp_bounds2 *shades; /* parts of balconies and other shades of windows */
     int shade_count;

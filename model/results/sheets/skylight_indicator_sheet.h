@@ -1,9 +1,9 @@
 /* skylight_indicator_sheet.h - data of a skylight indicator: marks of equal value on a
  * plan around a window, and its obstructions.
  *
- * Positions are divided by the height above the window's centre. x is to the right of
- * the window seen from inside, y ahead of it; an edge of a building is at its distance
- * over its height. A method fills the sheet
+ * Positions are distances divided by the height above the window's centre. x is to the
+ * right, seen from inside; y is the distance in front of the window. So an edge of a
+ * building is drawn at its distance divided by its height. A method fills the sheet
  * (methods/waldram/skylight_indicator_fill.h); a chart draws it
  * (charts/drawing_board/skylight_indicator_chart.h).
  */
@@ -20,7 +20,7 @@ enum { PP_SKYLIGHT_RINGS = 8, PP_SKYLIGHT_RAYS = 10 };
 
 struct pp_skylight_mark {
     double x, y;
-    bool counted; /* on visible sky */
+    bool counted; /* true on visible sky */
 };
 
 struct pp_skylight_indicator_sheet {
@@ -31,11 +31,11 @@ struct pp_skylight_indicator_sheet {
     struct pp_sky sky;
     double whole; /* vertical sky component of an unobstructed sky, fraction of Eh */
     double worth; /* value of a mark */
-    double reach; /* extent of the plan to both sides and ahead */
+    double reach; /* extent of the plan to each side and to the front */
     struct pp_skylight_mark marks[PP_SKYLIGHT_RINGS * PP_SKYLIGHT_RAYS];
     struct pp_region hidden; /* area of the plan covered by obstructions */
     int counted;             /* number of marks on visible sky */
-    double sky_component;    /* counted times worth */
+    double sky_component;    /* counted x worth */
 };
 
 void pp_skylight_indicator_sheet_clear(struct pp_skylight_indicator_sheet *sheet);

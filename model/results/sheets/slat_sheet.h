@@ -15,10 +15,10 @@ enum { PP_SLAT_SHEET_CURVE = 169, PP_SLAT_SHEET_ROWS = 16 };
 struct pp_slat_sheet {
     const char *title; /* not owned */
     struct pp_window_device device;
-    /* From -84 to 84 degrees by 1. */
+    /* Profile angles from -84 to 84 degrees by 1. */
     struct pp_slat_parts curve[PP_SLAT_SHEET_CURVE];
-    /* Profile angles of -75 to 75 degrees by 15, then even light from all directions,
-     * from the sky's half and from the ground's half. */
+    /* Profile angles of -75 to 75 degrees by 15; then uniform light from the whole
+     * outside, from its upper half (sky) and from its lower half (ground). */
     int row_count;
     struct {
         char words[24];

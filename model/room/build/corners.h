@@ -7,8 +7,8 @@
 
 /* Gives points nearer than PP_SAME_M (by more than PP_ROUNDING_M) exactly equal
  * coordinates, so that later steps can match edges of neighbouring faces. Fills
- * r->corners with the numbers of the points. Gaps below 1 mm are closed by this; a gap
- * of 1 mm stays open. */
+ * r->corners with the numbers of the points. This closes gaps below 1 mm; a gap of 1 mm
+ * stays open. */
 enum pp_status pp_build_corners(struct pp_resolver *r, struct pp_error *err);
 
 #endif

@@ -45,8 +45,9 @@ static enum pp_status add_cover_piece(struct pp_resolver *r,
 
 /* ---- other parts of a wall ---- */
 
-/* Outline, in the frame of a wall, of opening i or of surface i - opening_count if that
- * is a cover; freed by the caller. NULL, and *count 0, if it is not in this wall. */
+/* Outline, in the frame of a wall, of opening i, or for i >= opening_count of surface i
+ * - opening_count if that is a cover. NULL, and *count 0, if the opening or cover is
+ * not in this wall. The caller frees the outline. */
 static enum pp_status neighbour(double (**xy)[2], int *count, int *line,
                                 const struct pp_world *world, int i,
                                 const struct pp_face_frame *frame, struct pp_error *err)

@@ -2,8 +2,8 @@
  * different reflectance. Inside model/room/ only.
  *
  * A cover is offset from its wall by PP_SET_OFF_M into the room, so that rays hit the
- * cover. It obstructs nothing else. In mean reflectances it replaces that part of its
- * wall. A dado leaves out openings and doors.
+ * cover. It obstructs nothing else. In mean reflectances a cover replaces the part of
+ * the wall behind it. A dado leaves out openings and doors.
  */
 #ifndef PP_MODEL_ROOM_BUILD_COVERS_H
 #define PP_MODEL_ROOM_BUILD_COVERS_H

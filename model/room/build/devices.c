@@ -6,7 +6,8 @@
 #include "model/light/slats/blind.h"
 #include "model/room/build/opening_outline.h"
 
-/* Windows within 15 degrees of the vertical count as vertical, as for dirt. */
+/* Windows within 15 degrees of the vertical count as vertical, as in the tables of
+ * dirt. */
 #define VERTICAL_FROM (75.0 * PP_RAD)
 
 static bool same_slats(const struct pp_slats *a, const struct pp_slats *b)

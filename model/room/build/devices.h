@@ -5,10 +5,11 @@
 
 #include "model/room/build/resolve.h"
 
-/* Puts the device of the part before the opening's glass. A curtain makes it a
- * diffusing pane, whose transmittance is the product of both for diffuse light; a blind
- * gets its transmittances, shared with an earlier opening that has the same. Reports a
- * blind that is not possible. */
+/* Adds the device of the part to the opening. A curtain replaces the glass by a
+ * diffusing pane; its transmittance is the product of the transmittances of glass and
+ * curtain for diffuse light. The data of a blind are calculated, or shared with an
+ * earlier opening that has the same blind and glass. Reports a device that is not
+ * possible. */
 enum pp_status pp_devices_put(struct pp_resolver *r, struct pp_opening *opening,
                               const struct pp_opening_part *part, struct pp_error *err);
 

@@ -65,8 +65,7 @@ static struct face_finish finish_of_face(const struct pp_room *room,
     return finish_of_role(room, face->role, face->name);
 }
 
-/* Reports a wall with the name of an earlier one, and returns true; false if there is
- * none. */
+/* Returns true, with a report, if the wall has the name of an earlier wall. */
 static bool is_second_wall(struct pp_resolver *r, const struct pp_face_part *wall)
 {
     for (const struct pp_face_part *face = r->room->plan.faces; face < wall; face++)
@@ -238,7 +237,7 @@ static enum pp_status resolve_faces(struct pp_resolver *r, struct pp_error *err)
 static enum pp_status check_finishes(struct pp_resolver *r, struct pp_error *err)
 {
     const struct pp_room *room = r->room;
-    int *lines = calloc(r->wall_count + 1, sizeof *lines); /* line of finish, by wall */
+    int *lines = calloc(r->wall_count + 1, sizeof *lines); /* by wall: line of finish */
     if (!lines)
         return pp_fail_memory(err);
     for (int i = 0; i < room->plan.face_count; i++) {

@@ -9,7 +9,7 @@
 
 enum { SIDES_ROUND = PP_FITTING_CORNERS };
 
-/* Name of the part in messages; only furniture always has a height. */
+/* Name of the part in messages. */
 static const char *words_of(const struct pp_fitting_part *part)
 {
     static const char *const words[] = {[PP_FURNITURE] = "furniture",
@@ -22,7 +22,8 @@ static const char *words_of(const struct pp_fitting_part *part)
                                                                : words[part->kind];
 }
 
-/* Twelve corners outside the circle; the polygon has the area of the circle. */
+/* Finds twelve corners outside the circle, so that the polygon has the area of the
+ * circle. */
 static int round_outline(double xy[PP_FITTING_CORNERS][2],
                          const struct pp_fitting_part *part)
 {
@@ -35,7 +36,8 @@ static int round_outline(double xy[PP_FITTING_CORNERS][2],
     return SIDES_ROUND;
 }
 
-/* Outline seen from above, counter-clockwise; returns the number of corners. */
+/* Finds the outline, counter-clockwise seen from above; returns the number of
+ * corners. */
 static int outline_of(double xy[PP_FITTING_CORNERS][2],
                       const struct pp_fitting_part *part)
 {

@@ -2,8 +2,8 @@
  *
  * A surface may touch the room's faces, or lie in one, like a picture on a wall; it is
  * then offset into the room. Faces of the building's other rooms, and pieces of their
- * facades, are added here too. They are outside: one that lies in a face of this room
- * is offset outwards.
+ * facades, are added here too. They are outside the room; a face that lies in a face of
+ * this room is offset outwards.
  */
 #include "model/room/build/free_surfaces.h"
 
@@ -46,8 +46,8 @@ static void note_side_of_point(struct sides_seen *seen, const struct pp_world *w
     }
 }
 
-/* Finds the side of each vertex, of the midpoints of edges, and of the centroids of
- * triangles. */
+/* Finds the sides of the envelope on which the vertices, the midpoints of edges, and
+ * the centroids of the polygon's triangles lie. */
 static enum pp_status look_over(struct sides_seen *seen, struct pp_resolver *r,
                                 const struct pp_polygon *polygon, struct pp_error *err)
 {
@@ -246,10 +246,10 @@ static void flatten_to_plane(struct pp_polygon *polygon)
     }
 }
 
-/* Offsets a surface that lies in a face of the envelope: inwards, or outwards if it is
- * outside. is_of_room: it is a face or a facade of another room, whose normal points
- * into that room. It is offset only if it faces this room; two fronts in one plane stay
- * as they are. */
+/* Offsets a surface that lies in a face of the envelope: inwards if `inside`, else
+ * outwards. is_of_room: the surface is a face or a facade of another room, and its
+ * normal points into that room. Such a surface is offset only if it faces this room;
+ * two fronts in one plane stay as they are. */
 static void set_off(const struct pp_world *world, struct pp_polygon *polygon,
                     bool inside, bool is_of_room)
 {

@@ -147,9 +147,9 @@ static int ceiling_of(const struct pp_world *world, const struct pp_opening_part
     return nearest;
 }
 
-/* Face in whose plane all vertices lie; if there are several, the one nearest to the
- * centre of the vertices; -1 if there is none. *nearest is the face whose greatest
- * distance from a vertex is least, *off_m that distance. */
+/* Face in whose plane all vertices lie; -1 if there is none. If there are several, the
+ * face nearest to the centre of the vertices. *nearest: face whose plane fits the
+ * vertices best; *off_m: greatest distance of a vertex from that plane. */
 static int face_of_outline(const struct pp_world *world,
                            const struct pp_vertices *vertices, int *nearest,
                            double *off_m)

@@ -110,8 +110,8 @@ static bool crosses_itself(struct pp_resolver *r, const char *what, int line,
 }
 
 /* Unit normal of the largest triangle formed by the first vertex and two consecutive
- * others; zero if all vertices are collinear. It gives the plane of a bow-tie, whose
- * halves cancel in Newell's sum. */
+ * others; zero if all vertices are collinear. This normal is valid also for a bow-tie,
+ * whose halves cancel in Newell's sum. */
 static struct pp_vec3 largest_triangle(const struct pp_vertices *vertices)
 {
     struct pp_vec3 largest = {0.0, 0.0, 0.0};

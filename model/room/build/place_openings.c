@@ -68,9 +68,9 @@ static bool is_upright_rectangle(const double (*xy)[2], int count, const double 
     return true;
 }
 
-/* Finds the factor for maintenance="auto", from the site's table of dirt factors, its
- * surroundings and work, and the slope. Reports a mistake if the table has no such
- * factor. */
+/* Finds the maintenance factor for maintenance="auto" in the table of dirt factors that
+ * the site selects, by surroundings, type of work and slope of the glass. Reports a
+ * mistake if the table has no such factor. */
 static void find_maintenance(struct pp_resolver *r, struct pp_opening *opening)
 {
     const struct pp_world *world = r->world;
@@ -95,8 +95,8 @@ static bool is_opening_name(const struct pp_room *room, const char *text)
     return false;
 }
 
-/* Sets the label: the name, or letters with the next number that is not the name of
- * another opening. The letters are W in walls, RL in ceilings. */
+/* Sets the label of an opening: its name, or else W (in walls) or RL (in ceilings) with
+ * a number. Numbers that would give the name of another opening are skipped. */
 static void label_opening(struct pp_opening *opening, const struct pp_world *world,
                           const struct pp_room *room)
 {
@@ -168,7 +168,7 @@ static enum pp_status add_placed_opening(struct pp_resolver *r,
         status = pp_polygon_of(&opening.outer, vertices, count, err);
     }
     free(vertices);
-    /* Exactly the normal of the face, without further rounding. */
+    /* The opening gets exactly the normal of the face, without further rounding. */
     opening.inner.normal = opening.outer.normal = normal;
     opening.name = part->name ? strdup(part->name) : NULL;
     if (status == PP_OK && part->name && !opening.name)

@@ -2,7 +2,7 @@
  *
  * A grid covers the extent of the working plane less the margin on all sides, with
  * equal cells no larger than the spacing. A cell counts if its centre is in the plane,
- * and at least the margin away from its edge.
+ * and at least the margin away from the edge of the plane.
  */
 #include "model/room/build/receivers.h"
 

@@ -5,7 +5,7 @@
 
 #include "model/room/build/resolve.h"
 
-/* Makes the receivers of the room file; if it has none, those of the default grid. */
+/* Makes the receivers of the room file, or of the default grid if the file has none. */
 enum pp_status pp_build_receivers(struct pp_resolver *r, struct pp_error *err);
 
 #endif

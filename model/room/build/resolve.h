@@ -29,17 +29,17 @@ struct pp_resolver {
     int wall_count;
     int *corners;       /* number of the merged corner, for each vertex of each face in
                    * order (corners.h) */
-    bool faces_missing; /* some faces are too wrong to be made */
-    bool watertight;    /* the envelope is closed, so that inside and outside are
-                         * defined */
+    bool faces_missing; /* some faces have faults and were not made */
+    bool watertight;    /* true if the envelope is closed, so that inside and outside
+                         * are defined */
     int unknown_walls;  /* number of references to unknown walls */
     int surface_space;  /* allocated length of world->surfaces */
     bool keeps_places;  /* surfaces in a face of the envelope are not offset */
 };
 
-/* True if the numbers of faces, openings and surfaces allow comparing all pairs. Faces
- * are compared with all nearby parts, corner by corner; a room with more pairs would
- * take many seconds (40,000 windows in one wall took minutes). */
+/* True if the room has few enough faces, openings and surfaces to compare all pairs.
+ * Faces are compared with all nearby parts, corner by corner; a room with more pairs
+ * would take many seconds (40,000 windows in one wall took minutes). */
 bool pp_resolve_is_comparable(const struct pp_room *room);
 
 /* Index in r->walls of the wall with that name. If there is none, reports the valid

@@ -3,7 +3,7 @@
 
 #include "model/room/position.h"
 
-/* Deeper than any wall; a larger value is taken to be a typing error. */
+/* Larger depths are reported as probable typing errors. */
 static const double reveal_most_m = 10.0;
 
 /* Adds the surfaces of the reveal, one per edge of the opening's outline, facing

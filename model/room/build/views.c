@@ -7,7 +7,7 @@
 
 #include "model/room/position.h"
 
-/* Views are simulated one by one. */
+/* Limit on views, since each one is simulated separately. */
 enum { VIEWS_MOST = 1000 };
 
 enum pp_status pp_build_views(struct pp_resolver *r, struct pp_error *err)

@@ -33,9 +33,9 @@ static struct pp_vec3 box_corner(const struct block_box *box, int u, int v, int 
 
 /* ---- clearance from the room ---- */
 
-/* Clips the polygon to coordinates along the axis of at most `limit`. The result may
- * have overlapping edges along the cut, which do not change its area. Returns its
- * number of vertices. */
+/* Clips the polygon to coordinates of at most `limit` along the axis. The result may
+ * have overlapping edges along the cut, which do not change the area. Returns the
+ * number of vertices of the result. */
 static int clip(struct pp_vec3 *cut, const struct pp_vec3 *polygon, int count,
                 struct pp_vec3 origin, struct pp_vec3 axis, double limit)
 {
@@ -59,7 +59,7 @@ static enum pp_status area_in_box(double *area_m2, const struct block_box *box,
                                   const struct pp_polygon *polygon,
                                   struct pp_error *err)
 {
-    /* A cut adds at most one vertex for every two, and 1.5 to the sixth is under 12. */
+    /* Each of the six cuts adds at most one vertex for every two; 1.5^6 is under 12. */
     size_t space = 16 * (size_t)polygon->count;
     struct pp_vec3 *buffers = malloc(2 * space * sizeof *buffers);
     if (!buffers)

@@ -15,8 +15,9 @@
 
 /* ---- parts of a room ---- */
 
-/* True if the building's gardens are assessed with this room. Only one room has them:
- * the first that exists in both states, or else the first that exists in this state. */
+/* True if the building's gardens are assessed with this room. Gardens are assessed with
+ * only one room: the first one that exists in both states, or else the first one that
+ * exists in this state. */
 static bool has_gardens(const struct pp_building *building, int index,
                         enum pp_site_state state)
 {
@@ -90,8 +91,8 @@ static enum pp_status add_sheet(struct pp_room *room, const struct pp_room *othe
     return status;
 }
 
-/* Adds a front of another room, except where this room's own fronts overlap it, since
- * its world contains those already. */
+/* Adds a front of another room, except where a front of this room overlaps it. The
+ * world of this room contains the room's own fronts already. */
 static enum pp_status add_front(struct pp_room *room, const struct pp_room_shell *own,
                                 const struct pp_room *other,
                                 const struct pp_room_front *front,
@@ -164,8 +165,8 @@ static bool holds(const struct pp_room *common)
            > 0;
 }
 
-/* True if more rooms are placed than may obstruct each other; the reader of the file
- * has reported that. */
+/* True if the number of placed rooms exceeds the limit; the reader of the file has
+ * reported that. */
 static bool has_too_many(const struct pp_building *building)
 {
     int placed = 0;

@@ -6,9 +6,10 @@
  * and with the rims. A rim joins an opening's pane to its hole in the sheet if the pane
  * is recessed.
  *
- * A sheet in the plane of the wall leaves out the wall, whose back is then the facade.
- * `down` ends at ground level. Light may enter the gap between wall and sheet from the
- * sides, but meets only their backs there.
+ * A sheet in the plane of the wall has a gap for the wall; the back of the wall is then
+ * the facade there. The sheet does not extend below ground level. Light can enter the
+ * space between wall and sheet from the sides, where it meets only the back of the wall
+ * and the back of the sheet.
  */
 #include "model/room/outside/facades.h"
 
@@ -19,7 +20,7 @@
 #include "model/room/face_frame.h"
 #include "model/room/position.h"
 
-/* Thicker than any wall; a larger value is taken to be a typing error. */
+/* Larger depths are reported as probable typing errors. */
 static const double depth_most_m = 10.0;
 
 /* grid_m: grid of the clipper, so that an opening at the border of the sheet leaves no
@@ -35,9 +36,9 @@ struct facade_site {
     struct pp_vec3 normal;      /* normal of the wall, into the room */
     int face;
     double depth_m;
-    struct pp_bounds2 sheet;   /* extent in the frame */
+    struct pp_bounds2 sheet;   /* extent of the sheet in the frame */
     struct pp_surface surface; /* properties shared by all its surfaces */
-    bool reported;             /* a clash with the room was reported */
+    bool reported;             /* true once a clash with the room is reported */
 };
 
 static bool is_flush(const struct facade_site *site)

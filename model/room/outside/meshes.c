@@ -10,8 +10,8 @@
 #include "model/room/build/free_surfaces.h"
 #include "model/room/position.h"
 
-/* Limit on comparisons of triangles within the room's bounds with its faces, which take
- * about 1 ms for several hundred pairs. */
+/* Limit on the number of comparisons between triangles within the room's bounds and the
+ * room's faces. Several hundred comparisons take about 1 ms. */
 static const double near_pairs_most = 1e5;
 
 /* Converts a corner of the file to the room's axes. */
@@ -58,7 +58,7 @@ static void say(struct pp_resolver *r, const struct pp_mesh_part *part,
                     pp_text_excerpt(shown, sizeof shown, part->path), what);
 }
 
-/* Adds the triangles, up to the first one that is in the room. */
+/* Adds the triangles; stops at the first triangle that is in the room. */
 static enum pp_status add_mesh_triangles(struct pp_resolver *r,
                                          struct pp_world_mesh *made,
                                          const struct pp_mesh_part *part,

@@ -13,7 +13,7 @@ enum pp_status pp_outside_parts_add_block(struct pp_room *room,
                                           const struct pp_block *block,
                                           struct pp_error *err);
 
-/* Adds the part, but with the given vertices. */
+/* Adds the part with the given vertices instead of its own. */
 enum pp_status pp_outside_parts_add_surface(struct pp_room *room,
                                             const struct pp_surface_part *part,
                                             const struct pp_vec3 *vertices, int count,

@@ -197,8 +197,9 @@ static enum pp_status leave_wall(struct pp_room_front *front,
     return status;
 }
 
-/* The body in the sheet's axes, with z the height above its plane. *goes_through: the
- * body crosses the plane. The caller clears *turned, whatever the status. */
+/* Copies the body in the sheet's axes; z is the distance in front of the sheet's plane.
+ * *goes_through: the body crosses the plane. The caller clears *turned, whatever the
+ * status. */
 static enum pp_status turn_body(struct pp_world *turned, bool *goes_through,
                                 const struct pp_room_front *front,
                                 const struct pp_world *body, struct pp_error *err)
@@ -228,8 +229,8 @@ static enum pp_status turn_body(struct pp_world *turned, bool *goes_through,
     return PP_OK;
 }
 
-/* Removes the section of a room that crosses the sheet's plane. The section is taken
- * just behind the plane. */
+/* Removes the section of a room that crosses the sheet's plane. The section is
+ * calculated just behind the plane. */
 static enum pp_status leave_section(struct pp_room_front *front,
                                     const struct pp_world *body,
                                     struct pp_clipper *clipper, struct pp_error *err)

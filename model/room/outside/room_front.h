@@ -13,17 +13,17 @@
 #include "model/geometry/region_pieces.h"
 #include "model/room/room_parts.h"
 
-/* Distance (m) up to which a wall behind a sheet belongs to it; more than any wall
- * thickness. */
+/* A wall less than this (m) behind a sheet counts as directly behind the sheet; more
+ * than any wall thickness. */
 #define PP_ROOM_FRONT_BEHIND_M 1.0
 
-/* Smallest area of a piece of a sheet; smaller ones are rounding errors of the
+/* Smallest area of a piece of a sheet; smaller pieces are rounding errors of the
  * clipper. */
 #define PP_ROOM_FRONT_PIECE_M2 1e-9
 
 struct pp_room_front {
     struct pp_vec3 origin, along, up,
-        out;                  /* in the building's axes; along x up = out */
+        out; /* axes of the sheet, in those of the building; along x up = out */
     struct pp_bounds2 extent; /* extent of the facade, including openings */
     struct pp_region sheet;   /* present outline, relative to origin */
     double reflectance;
@@ -43,7 +43,7 @@ enum pp_status pp_room_front_of(struct pp_room_front *front,
 void pp_room_front_clear(struct pp_room_front *front);
 
 /* Removes the parts of the sheet that are in front of a room's faces, or inside the
- * room; `body` has its faces in the building's axes. */
+ * room. body: faces of that room, in the building's axes. */
 enum pp_status pp_room_front_give_way(struct pp_room_front *front,
                                       const struct pp_world *body,
                                       struct pp_clipper *clipper, struct pp_error *err);

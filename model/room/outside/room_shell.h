@@ -25,7 +25,7 @@ struct pp_room_shell {
     int wall_count;
     struct pp_room *own; /* the room alone in the state, with its own blocks and meshes;
                           * NULL: no fixed parts */
-    bool *is_divided;    /* true, by face, if its panes and the rest of it are among
+    bool *is_divided;    /* by face: true if panes and the rest of the face are among
                           * `carried` */
     struct pp_room_carried *carried;
     int carried_count;
@@ -48,8 +48,8 @@ void pp_room_shell_clear(struct pp_room_shell *shell);
 /* True if the room has a wall of that name. */
 bool pp_room_shell_has_wall(const struct pp_room_shell *shell, const char *name);
 
-/* True if a wall of the room is in one front with the shaded window's wall and faces
- * the same way. */
+/* True if a wall of the room faces the same way as the wall of the shaded window, and
+ * the planes of the two walls are less than PP_ROOM_FRONT_BEHIND_M apart. */
 bool pp_room_shell_shares_front(const struct pp_room_shell *shell,
                                 const struct pp_room_carried *shade);
 

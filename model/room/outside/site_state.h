@@ -11,8 +11,8 @@ bool pp_site_state_has(enum pp_site_state state, enum pp_site_state it);
 /* Removes the parts of the room that do not exist in the state; keeps their order. */
 void pp_site_state_keep(struct pp_room *room, enum pp_site_state state);
 
-/* The states of the room and its parts: bit 1 << enum pp_site_state of each; 1 if all
- * exist always. */
+/* Set of the states of the room and its parts, as bits 1 << enum pp_site_state; 1 if
+ * all parts always exist. */
 unsigned pp_site_state_set(const struct pp_room *room);
 
 #endif

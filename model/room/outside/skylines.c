@@ -1,10 +1,10 @@
 /* skylines.c - see skylines.h.
  *
  * A skyline at a distance D is a vertical wall, visible from both sides, from the
- * ground to its head. Its length is 200 D; the missing parts of an endless wall are
- * within 0.6 degrees of its direction. At 70 degrees (D = 10 m) this increases the
- * vertical sky component of a window opposite by 7e-6 of its value, and that of a
- * window in a perpendicular wall by 8e-5.
+ * ground to its head. Its length is 200 D. The parts of an endless wall that are
+ * missing would be seen within 0.6 degrees of the wall's direction. For a skyline of 70
+ * degrees (D = 10 m), their absence increases the vertical sky component of a window
+ * opposite by 7e-6 of its value, and that of a window in a perpendicular wall by 8e-5.
  */
 #include "model/room/outside/skylines.h"
 

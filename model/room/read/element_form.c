@@ -17,7 +17,7 @@ bool pp_element_form_matches(const struct pp_xml_element *element,
     return strcmp(element->name, rule->name) == 0;
 }
 
-/* Position of the value being read, for error messages. */
+/* A value that is being read, with its element and attribute for error messages. */
 struct value_place {
     const char *element, *attribute;
     const struct pp_value_kind *kind;
@@ -166,7 +166,7 @@ static bool read_choice(int *index, const struct value_place *at)
         if (strcmp(words[*index], at->text) == 0)
             return true;
     char more[64] = "";
-    if (words[1]) /* if there are several */
+    if (words[1]) /* several words */
         pp_text_append_nearest(more, sizeof more, at->text, words, -1);
     return wrong(at, more);
 }
@@ -377,8 +377,8 @@ static bool attributes_known(const struct pp_element_rule *rule,
     return good;
 }
 
-/* True if an unknown attribute is most similar to this one, which is then not reported
- * as missing. */
+/* True if an unknown attribute of the element resembles this attribute most; the
+ * attribute is then not reported as missing. */
 static bool is_misspelt(const struct pp_element_rule *rule,
                         const struct pp_xml_element *element, const char *name)
 {

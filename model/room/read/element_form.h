@@ -14,8 +14,8 @@ bool pp_element_form_fill(void *form, const struct pp_element_rule *rule,
                           const struct pp_rough_finishes *materials,
                           struct pp_mistakes *mistakes);
 
-/* Reports children that the element cannot have, or has too often or too rarely.
- * Returns false if there are any. */
+/* Reports children that the element cannot have, and kinds of which it has too many or
+ * too few. Returns false after a report. */
 bool pp_element_form_check_children(const struct pp_element_rule *rule,
                                     const struct pp_xml_element *element,
                                     struct pp_mistakes *mistakes);

@@ -22,8 +22,8 @@ struct pp_plan_roof {
 /* Adds the faces of an envelope to the plan: the floor; the walls south, east, north
  * and west; slopes named by direction, roof-south, ... A saw-tooth roof has the slopes
  * roof-1, ... with the vertical walls light-1, ... between them. Shapes are those of
- * block_shape.h; saw teeth slope like a mono-pitch roof. If memory runs out, this is
- * recorded in the reader. */
+ * block_shape.h; saw teeth slope like a mono-pitch roof. The reader records if memory
+ * runs out. */
 void pp_plan_roof_add(struct pp_reader *r, struct pp_plan_part *plan,
                       const struct pp_plan_roof *roof);
 

@@ -3,8 +3,8 @@
 
 #include "model/room/read/element_form.h"
 
-/* Ratio of the spacing to the width of slats, unless given: as of usual blinds with
- * slats of 25 mm at 20 mm. */
+/* Default ratio of the spacing of slats to their width: usual blinds have slats of 25
+ * mm at 20 mm. */
 #define USUAL_SPACING 0.8
 
 static bool read_blind(struct pp_reader *r, struct pp_window_device *device,

@@ -7,7 +7,7 @@
 #include "model/light/slats/window_device.h"
 
 /* Reads the device among the children of an opening; PP_DEVICE_NONE if there is none.
- * Returns false, with a report, after a mistake, and if there are two. */
+ * Returns false, with a report, after a mistake or if there are two devices. */
 bool pp_read_device(struct pp_reader *r, struct pp_window_device *device,
                     const struct pp_xml_element *opening);
 

@@ -276,7 +276,7 @@ static void read_child(struct pp_reader *r, struct pp_room *room,
         read_receiver(r, room, e, PP_GRID, &pp_rule_grid);
 }
 
-/* Default of <site>. */
+/* Site of a room or building without an element <site>. */
 static const struct pp_site_part plain_site = {
     .latitude_rad = NAN, .longitude_rad = NAN, .ground_reflectance = 0.2};
 
@@ -349,8 +349,8 @@ static void read_room(struct pp_reader *r, struct pp_room *room,
     pp_read_shape_check(r, e);
 }
 
-/* A building's skyline has the same angle for all rooms on all floors, so it cannot
- * have a distance. Reports those that have one. */
+/* Reports skylines of a building that have a distance. A building's skyline has the
+ * same angle for all rooms on all floors, so it cannot have a distance. */
 static void check_common_skylines(struct pp_reader *r, const struct pp_room *common)
 {
     for (int i = 0; i < common->skyline_count; i++)

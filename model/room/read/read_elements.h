@@ -22,7 +22,7 @@ struct pp_building {
                  * skylines, blocks, surfaces; no plan */
     double glass_reflectance; /* reflectance of the windows of placed rooms, as seen
                                * from other rooms; NAN: windows reflect like walls */
-    struct pp_mirror_line boundary; /* mirror line */
+    struct pp_mirror_line boundary; /* line for the mirror image */
     struct pp_room *read; /* rooms as in the file; a room that stays unchanged is
                            * moved to `rooms` */
     int read_count;
@@ -32,7 +32,7 @@ struct pp_building {
     int *places;           /* index in `read`, by room of `rooms` */
     bool *moved;           /* true if the room was moved from `read` */
     int room_count;
-    unsigned states; /* of all parts, as of pp_site_state_set */
+    unsigned states; /* states of all parts, as in pp_site_state_set */
     char *folder;    /* folder for relative paths, "" or with a final "/"; NULL: read
                    * from memory */
     struct pp_project project; /* owned texts */

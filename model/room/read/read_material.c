@@ -6,7 +6,7 @@
 #include "model/base/text.h"
 #include "model/room/read/element_form.h"
 
-/* Reports a material that no surface can have; false. */
+/* Returns false, with a report, for a material that no surface can have. */
 static bool material_is_possible(struct pp_reader *r,
                                  const struct pp_material_form *form, int line)
 {
@@ -18,8 +18,8 @@ static bool material_is_possible(struct pp_reader *r,
                         "material: the name \"%s\" is taken, by the material on line "
                         "%d; expected another",
                         pp_text_excerpt(shown, sizeof shown, form->name), other->line);
-    /* Steeper slopes reflect light among them many times, which the theory leaves
-     * out. */
+    /* Steeper slopes reflect light to each other many times, which the theory
+     * neglects. */
     bool steep = form->roughness_um > form->correlation_um;
     if (steep)
         pp_mistakes_add(r->mistakes, line,

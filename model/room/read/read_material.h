@@ -6,7 +6,7 @@
 #include "model/room/read/reader.h"
 
 /* Reads all materials of the root and of its rooms into r->materials, before any other
- * element. They hold for the whole file. */
+ * element. All rooms of the file can use these materials. */
 void pp_read_materials(struct pp_reader *r, const struct pp_xml_element *root);
 
 #endif

@@ -30,7 +30,7 @@ static bool has(const struct pp_xml_element *e, const char *name)
     return false;
 }
 
-/* False, with a report, if two ways of giving the glass are used. */
+/* False, with a report, if the attributes specify the glass in two ways. */
 static bool said_once(struct pp_reader *r, const struct pp_xml_element *e)
 {
     static const char *const pairs[][2] = {{"glazing", "transmittance"},
@@ -80,8 +80,8 @@ static struct pp_measured_pane *read_pane_file(struct pp_reader *r, const char *
     return pane;
 }
 
-/* The pane of a file that another opening of the room has, or a new one; NULL after a
- * mistake. */
+/* Measured pane of a file: shared with another opening of the room, or new; NULL after
+ * a mistake. */
 static struct pp_measured_pane *measured_pane(struct pp_reader *r,
                                               const struct pp_room *room,
                                               const struct pp_opening_form *form,
@@ -103,7 +103,7 @@ static struct pp_measured_pane *measured_pane(struct pp_reader *r,
     return NULL;
 }
 
-/* The glass that hand methods use for a measured pane. */
+/* Glass that represents a measured pane in hand methods. */
 static struct pp_glass glass_for(const struct pp_measured_pane *pane)
 {
     return pane->kind == PP_MEASURED_DIFFUSING
@@ -111,7 +111,8 @@ static struct pp_glass glass_for(const struct pp_measured_pane *pane)
                : pp_glass_measured(pane->normal, pane->diffuse);
 }
 
-/* Glass tinted in its mass. */
+/* Makes glass tinted in its mass; false, with a report, if the attributes do not allow
+ * it. */
 static bool absorbing_glass(struct pp_reader *r, struct pp_glass *glass,
                             const struct pp_opening_form *form,
                             const struct pp_xml_element *e)
@@ -205,7 +206,7 @@ void pp_read_opening(struct pp_reader *r, struct pp_room *room,
                      const struct pp_xml_element *e, enum pp_opening_kind kind,
                      const struct pp_element_rule *rule)
 {
-    /* Attributes of other kinds of openings stay "not given". */
+    /* Attributes that this kind of opening does not have stay "not given". */
     struct pp_opening_form form = {.left_m = NAN,
                                    .sill_m = NAN,
                                    .width_m = NAN,

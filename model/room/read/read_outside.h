@@ -19,12 +19,12 @@ void pp_read_outside_block(struct pp_reader *r, struct pp_room *room,
 void pp_read_outside_surface(struct pp_reader *r, struct pp_room *room,
                              const struct pp_xml_element *e);
 
-/* Reads a mesh and its file. Mistakes in that file are reported on the element's line,
- * with their line in the file. */
+/* Reads a mesh and its file. Mistakes in the mesh file are reported on the line of the
+ * element; the message gives their line in the mesh file. */
 void pp_read_outside_mesh(struct pp_reader *r, struct pp_room *room,
                           const struct pp_xml_element *e);
 
-/* Moves objects without a base to the level of the ground, once that is known. */
+/* Moves objects without a base to ground level, once the ground level is known. */
 void pp_read_outside_stand_on_ground(struct pp_room *room);
 
 #endif

@@ -9,7 +9,7 @@
 #include "model/room/read/element_form.h"
 #include "model/room/read/plan_roof.h"
 
-/* Fault of a plan's outline, or NULL. */
+/* Message about the outline of a plan; NULL if the outline is valid. */
 static const char *plan_fault(const struct pp_plan_form *form, int vertices)
 {
     bool width = !isnan(form->width_m), depth = !isnan(form->depth_m);
@@ -27,7 +27,7 @@ static const char *plan_fault(const struct pp_plan_form *form, int vertices)
                      "vertices";
 }
 
-/* Fault of a plan's roof, or NULL. */
+/* Message about the roof of a plan; NULL if the roof is valid. */
 static const char *roof_fault(const struct pp_plan_form *form, int vertices)
 {
     bool is_flat = form->roof == PP_ROOF_FLAT;

@@ -21,10 +21,10 @@ struct pp_reader {
     bool out_of_memory;
     double per_metre;   /* units of the file per metre: 1, or 1000 for millimetres */
     const char *folder; /* folder for relative paths; NULL: read from memory */
-    struct pp_rough_finishes *materials; /* of the file; NULL: none */
+    struct pp_rough_finishes *materials; /* materials of the file; NULL: none */
 
-    /* Glazings of the table used so far (panes > 0), so that each is integrated
-     * once. */
+    /* Glazings of the table that were used so far (panes > 0), so that the integral of
+     * each is calculated once. */
     struct pp_glass glasses[PP_READER_GLASSES];
 };
 
@@ -46,8 +46,8 @@ char *pp_reader_copy_text(struct pp_reader *r, const char *text);
 char *pp_reader_path(struct pp_reader *r, const char *file);
 
 /* Fills form from the element's attributes, and checks the names and numbers of its
- * children. False after a mistake, or if the file is truncated within the element,
- * about which nothing more is reported then. */
+ * children. False after a mistake, or if the file is truncated within the element;
+ * truncation itself is reported elsewhere. */
 bool pp_reader_fill_form(struct pp_reader *r, void *form,
                          const struct pp_element_rule *rule,
                          const struct pp_xml_element *element);

@@ -19,7 +19,7 @@ static const struct pp_value_kind face_name = {.reading = PP_VALUE_NAME,
                                                .expected = "a name"};
 static const struct pp_value_kind file_name = {.reading = PP_VALUE_NAME,
                                                .expected = "the name of a file"};
-/* Elements */
+/* ---- elements ---- */
 
 #define REQUIRED true, NAN
 #define OR(fallback) false, fallback

@@ -35,7 +35,7 @@ enum pp_reading_of_value {
 struct pp_value_kind {
     enum pp_reading_of_value reading;
     const char *expected;     /* text after "expected" in a message */
-    double least, most;       /* inclusive limits of numbers, unless */
+    double least, most;       /* limits of numbers, included unless: */
     bool above_least;         /* least is excluded */
     bool below_most;          /* most is excluded */
     double unit;              /* factor applied to the number; 0: 1 */
@@ -49,14 +49,14 @@ struct pp_attribute_rule {
     const struct pp_value_kind *kind;
     bool required;
     double fallback; /* default, in the stored unit; texts default to NULL */
-    size_t offset;   /* in the form */
+    size_t offset;   /* offset of the value in the form */
 };
 
 struct pp_element_rule;
 
 struct pp_child_rule {
     const struct pp_element_rule *rule;
-    int least, most; /* allowed number; most 0: no limit */
+    int least, most; /* allowed number of children; most 0: no limit */
 };
 
 struct pp_element_rule {
@@ -121,7 +121,7 @@ enum { PP_SKY_FORM_OPTIONS = 12 };
 extern const char *const pp_sky_form_keys[PP_SKY_FORM_OPTIONS];
 
 struct pp_sky_form {
-    int type; /* type of pp_sky_words */
+    int type; /* index in pp_sky_words */
     double sun_altitude_rad, sun_bearing_rad;
     const char *file, *second; /* photographs; second: the opposite half, or NULL */
     const char
@@ -174,7 +174,7 @@ struct pp_opening_form {
     const char *glazing;
     double transmittance, frame_factor, maintenance, curtains, reveal_m;
     int diffusing;            /* 0 no, 1 yes, -1 not given */
-    int absorbing;            /* the same */
+    int absorbing;            /* 0 no, 1 yes, -1 not given */
     const char *glazing_file; /* NULL: not given */
     int peak;                 /* 0 ray, 1 patch */
 };

@@ -26,9 +26,9 @@ struct match {
     bool by_number;
     const char *attribute; /* attribute of the last match */
     const struct pp_element_rule *rule;
-    bool *chosen; /* by start tag */
+    bool *chosen; /* by start tag: true if matched */
     int count;
-    bool is_named; /* the last part has a name or a number */
+    bool is_named; /* true if the last part has a name or number */
 
     const struct pp_xml_element *scope; /* deepest element matched; NULL: none */
     const char *left;                   /* rest of the address after `scope` */
@@ -50,7 +50,8 @@ static const char *part_name(const struct pp_xml_element *element, int n)
     return n < 3 ? attribute_text(element, keys[n]) : NULL;
 }
 
-/* The address after `word` and a dot; NULL if it does not begin with them. */
+/* The rest of the address after `word` and a dot; NULL if the address does not begin
+ * with `word` and a dot. */
 static const char *behind_word(const char *address, const char *word)
 {
     size_t length = strlen(word);
@@ -196,8 +197,8 @@ static void add_name(struct name_list *list, const char *name)
     list->count++;
 }
 
-/* Lists the children of the element: those of that kind, by name or number; kind NULL:
- * the kinds that exist. deep: all descendants. */
+/* Lists the children of that kind by name or number; kind NULL: lists the kinds of all
+ * children. deep: includes all descendants. */
 static void list_parts(struct name_list *list, const struct pp_xml_element *element,
                        const char *kind, bool deep)
 {
@@ -224,9 +225,9 @@ static void list_parts(struct name_list *list, const struct pp_xml_element *elem
     }
 }
 
-/* Finds the part of the address that does not exist: the beginning that resembles one
- * of the names, or else the kind and the text up to the next dot. A name may contain
- * dots. */
+/* Writes the part of the address that does not exist, for a message. Names may contain
+ * dots, so this is the beginning of `left` that resembles one of the names in the list,
+ * or else the kind and the text up to the next dot. */
 static void write_wanted(char wanted[NAME_BYTES], const char *left,
                          const struct name_list *list)
 {

@@ -20,7 +20,7 @@
 #include "model/base/error.h"
 
 struct pp_room_change {
-    const char *address; /* "window.W1.width" */
+    const char *address; /* for example "window.W1.width" */
     const char *value;   /* new value, as in a file */
 };
 
@@ -30,10 +30,11 @@ struct pp_room_changes {
     bool lenient; /* addresses that do not exist are ignored */
 };
 
-/* Applies the changes; everything else, including lines, stays byte for byte the same.
- * Text that is not well-formed is copied, since its reader reports the mistakes.
- * PP_BAD_INPUT for an address that does not exist, or an attribute that its part cannot
- * have. The caller frees *changed, which has *changed_length bytes and a NUL. */
+/* Applies the changes; everything else, including line breaks, stays byte for byte the
+ * same. Text that is not well-formed is only copied, since the reader of room files
+ * reports the mistakes. PP_BAD_INPUT for an address that does not exist, or an
+ * attribute that the part cannot have. The caller frees *changed, which has
+ * *changed_length bytes and a NUL. */
 enum pp_status pp_room_change_text(char **changed, size_t *changed_length,
                                    const char *text, size_t length,
                                    const struct pp_room_changes *changes,

@@ -19,13 +19,14 @@ struct pp_room_tag {
  * none. */
 struct pp_room_tag pp_room_tags_next(const char *at, const char *end);
 
-/* Extends a tag to its whole element, which has no children. */
+/* Extends a tag to its whole element, which must not have children. */
 struct pp_room_tag pp_room_tags_element(struct pp_room_tag tag, const char *end);
 
 bool pp_room_tags_is_named(struct pp_room_tag tag, const char *name);
 
 /* Value of the tag's attribute, between its quotes. If the tag has no such attribute,
- * empty at the tag's end; an empty value is empty before it. */
+ * the result is an empty range at the tag's end; the range of an empty value lies
+ * before the end. */
 struct pp_room_tag pp_room_tags_attribute(struct pp_room_tag tag, const char *name);
 
 /* Writes text as an attribute's value, valid in either kind of quotes. */

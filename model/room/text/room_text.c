@@ -50,7 +50,7 @@ static double per_metre_of(const char *text, size_t length)
                                                                           : 1.0;
 }
 
-/* Writes the tag with the values of a place. */
+/* Writes the tag with the position and size of `place`. */
 static void put_tag(FILE *out, struct pp_room_tag tag, struct pp_opening_place place,
                     double per_metre)
 {

@@ -1,4 +1,4 @@
-/* room_text.h - changes windows in the text of a room file, or its paths when it moves
+/* room_text.h - changes windows in the text of a room file, or paths if the file moves
  * to another folder; everything else stays byte for byte the same. */
 #ifndef PP_MODEL_ROOM_TEXT_ROOM_TEXT_H
 #define PP_MODEL_ROOM_TEXT_ROOM_TEXT_H
@@ -22,9 +22,9 @@ struct pp_text_edit {
     struct pp_opening_place place;
 };
 
-/* Makes the edits, which are in order of their openings; pp_building_parse must accept
- * the text without mistakes. The caller frees *changed, which has *changed_length bytes
- * and a NUL. */
+/* Makes the edits, which must be sorted by opening. The text must be valid for
+ * pp_building_parse. The caller frees *changed, which has *changed_length bytes and a
+ * NUL. */
 enum pp_status pp_room_text_edit(char **changed, size_t *changed_length,
                                  const char *text, size_t length,
                                  const struct pp_text_edit *edits, int edit_count,
