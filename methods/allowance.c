@@ -67,8 +67,8 @@ struct correction {
 
 enum { CORRECTIONS_MOST = 8 };
 
-/* Sets *correction to the correction for glass. Returns false if the figure needs
- * none. */
+/* Sets *correction to the correction for glass. Returns false if figures with these
+ * allowances need no such correction. */
 static bool correct_glass(struct correction *correction, unsigned allowances,
                           const struct pp_opening *opening)
 {
@@ -144,7 +144,7 @@ double pp_allowance_of(const struct pp_method *method, const struct pp_world *wo
            * pp_allowance_decorations(method, world);
 }
 
-/* Corrections that formulae contain. */
+/* Value of a correction that a formula contains. */
 static double value_in_formula(enum pp_allowance correction,
                                const struct pp_opening *opening)
 {

@@ -1,9 +1,9 @@
 /* allowance.h - the corrections for glass, frame, dirt, curtains, blinds and
  * decorations.
  *
- * Published figures differ in the corrections that they already contain. A method
- * declares those (pp_method.allowances), and pp_allowance_of is the product of the others,
- * so that none is counted twice:
+ * Published figures differ in the corrections that they already contain. Each method
+ * declares the corrections that its figures contain (pp_method.allowances).
+ * pp_allowance_of is the product of all others, so that no correction is counted twice:
  *
  *     DF = ((SC + ERC) M G B + IRC M G D) K S                                [BRE310]
  *
@@ -19,8 +19,8 @@
  * applies to the room, not to a single opening, and only to the internally reflected
  * component.
  *
- * For the methods, only this file reads an opening's frame factor, maintenance and
- * curtains. Points and the average of a report (methods/method_run.c), the plane of a
+ * Methods obtain an opening's frame factor, maintenance and curtains only through this
+ * file. Points and the average of a report (methods/method_run.c), the plane of a
  * direct method (direct_plane.c) and the sheets of diagrams multiply a method's figures
  * by pp_allowance_of. If a formula contains a correction, pp_allowance_put records it
  * on the worksheet. The simulations take the same corrections of an opening from
@@ -53,7 +53,7 @@ enum pp_allowance {
 
 /* Product of the corrections for this opening that are not contained in figures with
  * `allowances`. The ratio G converts figures for clear glass to the opening's own
- * glass. For an unglazed opening it is 1/0.85, unless the method has figures without
+ * glass. For an unglazed opening G is 1/0.85, unless the method has figures without
  * glass (PP_ALLOWS_NO_GLASS). */
 double pp_allowance_factor(unsigned allowances, const struct pp_opening *opening);
 
@@ -90,14 +90,15 @@ void pp_allowance_words(char *text, size_t room, unsigned allowances);
 void pp_allowance_sentence(char *text, size_t room, const char *source,
                            unsigned allowances);
 
-/* Diffuse transmittance for formulae of the internally reflected component, in which
- * that of clear single glass is 0.85: 0.85 G; 1 for an unglazed opening. */
+/* Diffuse transmittance of the glass for formulae of the internally reflected
+ * component: 0.85 G, where 0.85 is the value of clear single glass; 1 for an unglazed
+ * opening. */
 double pp_allowance_reflected_glass(const struct pp_opening *opening);
 
 /* Net glass area of an opening (m2), without recording steps. */
 double pp_allowance_net_glass_m2(const struct pp_opening *opening);
 
-/* Net glass area as a formula, under its two published symbols, W and Ag. */
+/* Formulae of the net glass area under its two published symbols, W and Ag. */
 extern const struct pp_formula pp_allowance_glass_W, pp_allowance_glass_Ag;
 
 /* Puts the opening's area and frame factor on the worksheet, calculates the net glass

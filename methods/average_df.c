@@ -5,18 +5,18 @@
  * older form from which it was developed, is the average over all surfaces of the room
  * [LYNES79]. theta is the angle of visible sky in section (reflected/sky_angle.h). In
  * the newer form, glass below the working plane is weighted by the floor's reflectance
- * rho_f, since its light reaches the plane by way of the floor. The other practice,
- * `average-df-above`, leaves it out [BS8206]. A rooflight with a well is weighted by
- * the well's efficiency (reflected/well.h).
+ * rho_f, since light through such glass reaches the plane only after reflection by the
+ * floor. The other practice, `average-df-above`, omits glass below the plane [BS8206].
+ * A rooflight with a well is weighted by the well's efficiency (reflected/well.h).
  *
  * The two forms are averages over different surfaces and should not be compared: before
- * dirt and without glass below the working plane, the older one is (1 + R)/2 times the
- * other. Both are for the CIE overcast sky; the newer form is for glass of any slope,
+ * dirt and without glass below the working plane, the older form is (1 + R)/2 times the
+ * newer. Both are for the CIE overcast sky; the newer form is for glass of any slope,
  * the older one for vertical glass. The results of several openings are added, with the
- * same A and R. Both contain the opening's glass and, through W, the frame;
- * `average-df` contains dirt too. Neither is meant for obstructions that one section
- * angle does not describe; reflected/obstruction.h says how blocks become such an
- * angle.
+ * same A and R. Both include the opening's glass and, through W, the frame;
+ * `average-df` also includes dirt. Neither form is meant for obstructions that one
+ * section angle does not describe; reflected/obstruction.h describes the conversion of
+ * blocks to such an angle.
  */
 #include <stddef.h>
 

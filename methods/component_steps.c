@@ -12,8 +12,8 @@ const char *const pp_component_steps_names[PP_COMPONENT_COUNT] = {
     [PP_DF] = "daylight factor",
 };
 
-/* Symbols in formulae: lower case for one opening as the method gives it, upper case
- * with all corrections. */
+/* Symbols in formulae: lower case for one opening before corrections, upper case with
+ * all corrections. */
 static const char *const own_symbols[PP_COMPONENT_COUNT] = {"sc", "erc", "irc", "df"};
 const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT] = {"SC", "ERC", "IRC",
                                                                     "DF"};
@@ -36,8 +36,9 @@ double pp_component_steps_figure(const struct pp_amounts *amounts,
                                  : amounts->value;
 }
 
-/* The components that the steps list, at most two: the externally reflected component
- * is omitted if it is 0 and the method has recorded none. */
+/* Lists the components that have steps and returns their number, at most two. The
+ * externally reflected component is omitted if it is 0 and the method has recorded no
+ * step for it. */
 static int components_of(enum pp_component list[2], const struct pp_method *method,
                          const struct pp_amounts *amounts, const struct pp_steps *steps,
                          int first)

@@ -1,12 +1,12 @@
-/* component_steps.h - the end of every method's sum: an opening's components times their
- * corrections, and the openings added up.
- */
+/* component_steps.h - the last steps of every method: the corrections of each opening's
+ * components, and the sum over openings. */
 #ifndef PP_METHODS_COMPONENT_STEPS_H
 #define PP_METHODS_COMPONENT_STEPS_H
 
 #include "methods/method.h"
 
-/* Names and symbols of the components: "sky component"; "SC", with all corrections. */
+/* Names ("sky component") and symbols ("SC", for corrected values) of the
+ * components. */
 extern const char *const pp_component_steps_names[PP_COMPONENT_COUNT];
 extern const char *const pp_component_steps_symbols[PP_COMPONENT_COUNT];
 

@@ -17,8 +17,8 @@
  * and 0.001 mm wide at 30 m. */
 #define NO_SKY_SR 1e-9
 
-/* Least distance (m) from the plane's edge at which the view of the sky is evaluated;
- * nearer points use the value there, so that contours reach the walls. */
+/* Least distance (m) from the plane's edge at which the view of the sky is evaluated.
+ * Nearer points have the value at this distance, so that contours reach the walls. */
 #define SKY_INSET_M 0.001
 
 /* A direct component, and a constant to add to it everywhere. */
@@ -53,8 +53,8 @@ static enum pp_status sky_seen_at(void *context, double x, double y, double *val
 
 enum { LEVELS_USUAL = 9, LEVELS_MOST = 14 };
 
-/* Largest share of the plane between two contours, unless there is no round level to
- * divide it. */
+/* Largest fraction of the plane's area between two contours. It may be exceeded only if
+ * no round level divides that area. */
 static const double largest_gap = 0.2;
 
 /* Chooses the usual levels within the range, at most the highest LEVELS_USUAL of them;
@@ -140,11 +140,11 @@ static int divide_gaps(double levels[LEVELS_MOST], int count,
 /* A function to contour and the requested curves. */
 struct contours_wanted {
     const struct pp_region *plane;
-    pp_field_function values, errors; /* no errors: NULL */
+    pp_field_function values, errors; /* errors NULL: no bands */
     void *context;
     double tolerance;
     const double *levels;
-    int level_count; /* 0: to be chosen */
+    int level_count; /* 0: chosen by the program */
 };
 
 /* The function plus or minus its standard error: the two edges of a band. */

@@ -8,8 +8,8 @@
  * Curves are accurate to a millimetre, or to 1/5000 of the plane's diagonal if that is
  * more; they begin and end on the plane's edge or are closed. direct_plane.h defines
  * the values close to walls and openings. The direct component of `exact` is evaluated
- * to 1e-6 of the open sky; that of non-uniformly lit diffusing panes by fixed rules, to
- * a relative error of 1e-5, or of about 1e-4 close to the pane.
+ * to 1e-6 of the open sky; for non-uniformly lit diffusing panes it is evaluated by
+ * fixed rules, to a relative error of 1e-5, or of about 1e-4 close to the pane.
  */
 #ifndef PP_METHODS_DAYLIGHT_CURVES_H
 #define PP_METHODS_DAYLIGHT_CURVES_H
@@ -27,7 +27,7 @@ struct pp_method; /* methods/method.h */
  * irc: internally reflected component added everywhere, a fraction, and irc_name the
  * name of its method ("bre"); irc_name NULL: nothing is added, and the name is "exact".
  * levels: daylight factors to contour, fractions, ascending; level_count 0: about seven
- * round ones (0.5, 1, 2, 3, 5, 10 per cent ...) within the room's own range. */
+ * round levels (0.5, 1, 2, 3, 5, 10 per cent ...) within the room's range. */
 enum pp_status pp_daylight_curves(struct pp_daylight_plan *plan,
                                   const struct pp_world *world,
                                   const struct pp_outside_light *light, double irc,

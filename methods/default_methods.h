@@ -14,13 +14,13 @@
 
 struct pp_default_methods {
     const char *name;    /* as in a selection: "exact+bre"; static */
-    const char *instead; /* the first choice, if another pair replaces it, static; NULL:
-                          * the pair is the first choice */
-    char why[256];       /* the reason: "bre: window W1 slopes ..."; empty
-                          * without `instead` */
+    const char *instead; /* the first choice (static) if `name` replaces it; NULL if
+                          * `name` is the first choice */
+    char why[256];       /* reason why the first choice was replaced: "bre: window W1
+                          * slopes ..."; empty if `instead` is NULL */
 };
 
-/* The pair for the room and the receivers (NULL and 0: the room alone). */
+/* The pair for the room and the receivers (NULL and 0: for the room as a whole). */
 struct pp_default_methods pp_default_methods(const struct pp_world *world,
                                              const struct pp_outside_light *light,
                                              const struct pp_receiver *receivers,

@@ -1,5 +1,5 @@
-/* diagram_windows.h - the windows of a room on the diagrams of a graphical method:
- * which windows share a diagram, and how a window is entered on one.
+/* diagram_windows.h - assigns the windows of a room to the diagrams of a graphical
+ * method, and begins the entry of a window on its diagram.
  *
  * Windows share a diagram if they face the same way and are all glazed or all unglazed.
  */
@@ -35,7 +35,7 @@ struct pp_board_face pp_diagram_windows_face(const struct pp_world *world,
 
 /* Draws an opening as seen from the point and begins the sheet's window for it: its
  * line in the room file, corrections, distance, and an array with one piece for each
- * part of the drawing. On success the drawing is the caller's to clear. */
+ * part of the drawing. On success the caller clears the drawing. */
 enum pp_status pp_diagram_windows_begin(struct pp_board_window *window,
                                         struct pp_window_drawing *drawing,
                                         const struct pp_method *method,

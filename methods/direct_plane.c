@@ -9,9 +9,10 @@
 #include "methods/method.h"
 #include "model/geometry/bounds.h"
 
-/* Least distance at which points in front of a vertical opening are evaluated: a share
- * of the plane's diagonal, and its maximum (m). Contours crowd together close to an
- * opening; the distance is less than the thickness of a wall on the drawing. */
+/* Least distance from a vertical opening at which points are evaluated: a fraction of
+ * the plane's diagonal, but at most opening_inset_most_m (m). Contours crowd together
+ * close to an opening; the distance is less than the thickness of a wall on the
+ * drawing. */
 static const double opening_inset = 1.0 / 500.0, opening_inset_most_m = 0.02;
 
 /* Least distance from a wall (m); so small that contours appear to reach the wall. */
@@ -21,12 +22,12 @@ struct pp_direct_plane {
     const struct pp_world *world;
     struct pp_outside_light light;
     const struct pp_method *method;
-    void *tools; /* the method's own */
+    void *tools; /* prepared data of the method */
     double inset_m;
 };
 
-/* Moves a point that is nearer to the region's edge than inset_m inwards, to that
- * distance. The region's interior is on the left of its rings. */
+/* Moves a point that is nearer than inset_m to the region's edge inwards, to a distance
+ * of inset_m. The region's interior is on the left of its rings. */
 struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double z,
                                          double inset_m, double x, double y)
 {
@@ -47,7 +48,8 @@ struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double 
     return moved;
 }
 
-/* Returns the place, moved away from nearby vertical openings to that distance. */
+/* Returns the place, moved away from any vertical opening that is nearer than
+ * inset_m. */
 static struct pp_vec3 off_openings(const struct pp_world *world, double inset_m,
                                    struct pp_vec3 place)
 {

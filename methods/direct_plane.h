@@ -1,9 +1,10 @@
 /* direct_plane.h - the direct component, by one method, anywhere on a room's working
  * plane, for a receiver that faces up.
  *
- * The direct component is not defined in the plane of a vertical opening. Points nearer
- * to one than 20 mm or 1/500 of the plane's diagonal, whichever is less, have the value
- * at that distance; points nearer to a wall than 1 mm have the value at 1 mm.
+ * The direct component is not defined in the plane of a vertical opening. The least
+ * distance from an opening is 20 mm or 1/500 of the plane's diagonal, whichever is
+ * less; nearer points have the value at that distance. Points nearer to a wall than 1
+ * mm have the value at 1 mm.
  */
 #ifndef PP_METHODS_DIRECT_PLANE_H
 #define PP_METHODS_DIRECT_PLANE_H
@@ -16,7 +17,7 @@ struct pp_method; /* methods/method.h */
 struct pp_direct_plane;
 
 /* Prepares a plane for a method that gives values at points and does not count squares
- * or dots. World and light must outlive *plane, which on success is the caller's.
+ * or dots. World and light must outlive *plane. On success the caller destroys *plane.
  * PP_BAD_INPUT, with the reason, if the method does not cover the room. */
 enum pp_status pp_direct_plane_create(struct pp_direct_plane **plane,
                                       const struct pp_world *world,
@@ -31,10 +32,9 @@ enum pp_status pp_direct_plane_at(const struct pp_direct_plane *plane, double x,
                                   double y, double *sky, double *external,
                                   struct pp_error *err);
 
-/* The point at height z over (x, y), moved inside the region so that it is at least
- * inset_m from the walls: along the inward normals of the edges that are nearer. On the
- * edge itself, in a window's plane or under one, the view of the outside is not
- * defined. */
+/* The point (x, y, z), moved along the inward normals of nearby edges until it is at
+ * least inset_m from the walls. The view of the outside is not defined on the edge
+ * itself, where the point may be in the plane of a window. */
 struct pp_vec3 pp_direct_plane_off_walls(const struct pp_region *region, double z,
                                          double inset_m, double x, double y);
 

@@ -15,7 +15,7 @@
 #include "methods/selection.h"
 #include "methods/default_methods.h"
 
-/* Below this, starting threads costs more than it saves. */
+/* Below this number of receivers, starting threads costs more than it saves. */
 enum { SERIAL_MAX = 64 };
 
 /* Converts one component of an answer to a reading; the report stores a copy of
@@ -46,7 +46,7 @@ static enum pp_status to_reading(struct pp_reading *reading, struct pp_report *r
     return why ? PP_OK : pp_fail_memory(err);
 }
 
-/* The answers for the receivers, which the pool's workers share. */
+/* The answers for the receivers, which are divided among the pool's workers. */
 struct answering {
     const struct pp_method_run *run;
     const struct pp_receiver *receivers;
@@ -128,8 +128,8 @@ static enum pp_status answer_all(const struct pp_method_run *run,
     return by_point ? answer_points(run, report, answers, err) : PP_OK;
 }
 
-/* Withdraws a figure for the whole room, and gives the reason, if it needs more light
- * than enters the room. */
+/* Withdraws a figure for the whole room, and gives the reason, if the figure needs more
+ * light than enters the room. */
 static enum pp_status check_light(struct pp_method_answer *answer,
                                   const struct pp_light_bound *bound,
                                   const struct pp_method *method,
@@ -164,8 +164,8 @@ static enum pp_status check_room(struct pp_method_answer *answers,
     return status;
 }
 
-/* Adds the column of one component, unless the report already has it, from the answers
- * of a method. */
+/* Adds the column of one component from the answers of a method, unless the report
+ * already has that column. */
 static enum pp_status add_component_column(struct pp_report *report,
                                            const struct pp_method *method,
                                            const char *name,
@@ -240,8 +240,8 @@ static enum pp_status add_method(struct pp_report *report,
 
 /* ---- pairs: direct component by one method, reflected by another ---- */
 
-/* sc + erc + irc, or the reason why there is no sum; a reason of the direct part comes
- * first. */
+/* Sum sc + erc + irc, or the reason why there is no sum. The reason of the direct
+ * component takes precedence. */
 static struct pp_reading pair_of(struct pp_reading sc, struct pp_reading erc,
                                  struct pp_reading irc)
 {
@@ -259,8 +259,8 @@ static void add_column_step(struct pp_steps *steps, const struct pp_column *colu
                        pp_component_steps_names[column->component], column->name);
 }
 
-/* Adds the column "direct+internal", unless the report already has it, from the columns
- * of the two methods, which must exist. */
+/* Adds the column "direct+internal" from the columns of the two methods, which must
+ * exist. Does nothing if the report already has that column. */
 static enum pp_status add_pair(struct pp_report *report, const char *direct,
                                const char *internal, struct pp_error *err)
 {

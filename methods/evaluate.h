@@ -12,10 +12,10 @@
  * NAN, and `why` names the opening. An internally reflected component that is an
  * average of the room is used for each point of the room.
  *
- * The average over the working plane of a method for points is the mean reading of
- * receivers that face up: an integral over directions where the method has one
- * (pp_method.average), else by adaptive cubature (method_run.h). A method with an
- * average of its own (has_average) gives that one.
+ * For a method that gives values at points, the average over the working plane is the
+ * mean reading of receivers that face up. The mean is an integral over directions if
+ * the method has one (pp_method.average), and otherwise an adaptive cubature
+ * (method_run.h). A method with its own average (has_average) gives its own.
  */
 #ifndef PP_METHODS_EVALUATE_H
 #define PP_METHODS_EVALUATE_H
@@ -26,8 +26,8 @@
 /* Adds the columns of a selection of methods (selection.h) to `report`, whose world,
  * light, receivers and receiver_count the caller has set. A column that the report
  * already has is left unchanged. A wrong selection is PP_BAD_INPUT. On failure some
- * columns may have been added; pp_report_clear frees them. The points are shared among
- * report->threads threads; the numbers do not depend on how many there are.
+ * columns may have been added; pp_report_clear frees them. The points are divided among
+ * report->threads threads; the results do not depend on the number of threads.
  *
  * With report->explain the readings of each point (and, for methods that give room
  * averages, of the average) have the steps of their sum: for each opening the method's

@@ -64,8 +64,8 @@ double pp_interpolate_inverse(const double *values, int count, double low, doubl
     double off_left = values[below] - value, off_right = values[above] - value;
     if (off_left >= 0.0 || off_right <= 0.0)
         return low + (off_left >= 0.0 ? below : above) * step;
-    /* Regula falsi; the value at the end that is kept is halved (Illinois method).
-     * Needs about six evaluations of the cubic. */
+    /* Regula falsi with the Illinois modification: the value at the retained end is
+     * halved. Needs about six evaluations of the cubic. */
     double t = left, last;
     do {
         last = t;

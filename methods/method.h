@@ -33,9 +33,10 @@ enum pp_speaks_for {
                      * average by such a method */
 };
 
-/* The components that a method gives, of one opening or, after the corrections, of all.
- * They are fractions of the open-sky horizontal illuminance: 0.02, never 2. The texts of
- * the method's formulae have the same figures in per cent (results/formula.h). */
+/* The components that a method gives: of one opening or, after the corrections, of all
+ * openings. The components are fractions of the open-sky horizontal illuminance: 0.02,
+ * never 2. The texts of the method's formulae have the same figures in per cent
+ * (results/formula.h). */
 struct pp_amounts {
     double sky;      /* PP_GIVES_DIRECT */
     double external; /* PP_GIVES_DIRECT */
@@ -64,7 +65,7 @@ struct pp_method_options {
     const struct pp_lumen_table *lumen_table; /* not owned; NULL: the program's own */
     const struct pp_variant_list
         *variants; /* not owned; NULL: no formula is replaced */
-    bool plain;    /* without tables, beams and other short cuts (methods/fast/) */
+    bool plain;    /* true: no tables, beams and other short cuts (methods/fast/) */
 };
 
 struct pp_method {
@@ -76,24 +77,24 @@ struct pp_method {
                     * none */
     enum pp_gives gives;
     enum pp_speaks_for speaks_for;
-    bool of_real_room; /* fitted to real rooms: obstructions and ground have the room's
-                        * own values, not those of a standard room */
-    bool of_all_surfaces; /* an average over the room's surfaces: not comparable with
-                           * averages over the working plane */
-    unsigned allowances;  /* corrections already contained in its figures, enum
+    bool of_real_room; /* true: fitted to real rooms. Obstructions and ground have the
+                        * room's own values, not those of a standard room */
+    bool of_all_surfaces; /* true: the average is over the room's surfaces, and not
+                           * comparable with averages over the working plane */
+    unsigned allowances;  /* corrections that the method's figures already contain, enum
                            * pp_allowance */
-    double own_ground;    /* ground reflectance built into its figures, whatever the
-                           * room's; 0: none */
-    bool takes_blinds;    /* multiplies its figures by the mean transmittance of a
-                           * blind; else a window with a blind is refused */
-    bool by_name;         /* left out of "all": made for receivers that few rooms
-                           * have */
-    bool counts;      /* counts squares or dots: readings are multiples of the value of
-                       * one */
+    double own_ground;    /* ground reflectance built into the method's figures, used in
+                           * place of the room's; 0: none */
+    bool takes_blinds;    /* true: figures are multiplied by the mean transmittance of a
+                           * blind; false: a window with a blind is refused */
+    bool by_name;         /* true: not included in "all", since few rooms have receivers
+                           * of the kind required */
+    bool counts;          /* true: squares or dots are counted, so that readings are
+                       * multiples of the value of one square or dot */
     bool any_pane;    /* uses only the diffuse transmittance of glass, so that it also
                        * covers panes that scatter by direction */
     bool has_average; /* PP_FOR_POINT only: evaluate without a receiver gives the
-                       * average over the working plane, in place of an integral over
+                       * average over the working plane, which replaces an integral over
                        * points */
 
     /* Reason why the method does not apply to this room, or to this receiver in the
@@ -107,7 +108,7 @@ struct pp_method {
     /* Reason why the method does not cover this opening for this receiver (NULL for the
      * room), as the static end of a sentence that begins with "window W1" ("is not
      * vertical, but the method covers only vertical windows"), or NULL if the method
-     * covers the opening. NULL function: it covers all. Called by
+     * covers the opening. NULL function: the method covers all openings. Called by
      * pp_method_refuses_opening. */
     const char *(*refuses)(const struct pp_world *world,
                            const struct pp_outside_light *light,
@@ -131,8 +132,9 @@ struct pp_method {
                                            struct pp_error *err);
     void (*destroy_tools)(void *tools); /* NULL tools are allowed */
 
-    /* The components of one opening. Called only if neither function above refuses,
-     * with all of `part` zero except the steps, and from several threads at once. */
+    /* The components of one opening. Called only if neither refuses_room nor refuses
+     * gives a reason, with all of `part` zero except the steps. May be called from
+     * several threads at once. */
     enum pp_status (*evaluate)(const struct pp_world *world,
                                const struct pp_outside_light *light,
                                const struct pp_opening *opening,

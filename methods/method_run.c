@@ -155,7 +155,7 @@ static enum pp_status add_opening_components(const struct pp_method_run *run, in
     return PP_OK;
 }
 
-/* Adds up the components of all openings by the method. */
+/* Adds up the method's components for all openings. */
 static enum pp_status add_openings(const struct pp_method_run *run,
                                    const struct pp_receiver *receiver,
                                    struct pp_method_answer *answer,
@@ -196,7 +196,8 @@ enum pp_status pp_method_run_answer(const struct pp_method_run *run,
 struct plane_sum {
     const struct pp_method_run *run;
     struct pp_method_answer
-        refusal; /* reason from the first opening, and its first column, that has one */
+        refusal; /* reason of the first refused opening; of several reasons for that
+                  * opening, the one in the lowest column */
     bool failed;
 };
 
@@ -231,7 +232,8 @@ static bool plane_sum_at(void *data, int opening, const struct pp_receiver *rece
     return true;
 }
 
-/* Averages of the openings by the method itself; the threads share the openings. */
+/* Averages of the openings, calculated by the method itself. The openings are divided
+ * among the threads. */
 struct opening_averages {
     struct pp_part *parts;
     const struct pp_method *method;
@@ -268,10 +270,10 @@ static bool average_one_opening(void *data, int worker, int i)
 }
 
 /* The averages over the working plane that a method calculates itself
- * (pp_method.average). parts[i], which must be zero on entry, is set to that of opening
- * i of the beams' world, before the corrections for glass, frame and dirt. *known is
- * false if the method has no average for one of the openings; the parts are then not
- * valid. The pool's workers share the openings. */
+ * (pp_method.average). parts[i], which must be zero on entry, is set to the average for
+ * opening i of the beams' world, before the corrections for glass, frame and dirt.
+ * *known is false if the method has no average for one of the openings; the parts are
+ * then not valid. The openings are divided among the pool's workers. */
 static enum pp_status average_openings(struct pp_part *parts, bool *known,
                                        const struct pp_method *method,
                                        struct pp_beams *beams,
@@ -289,8 +291,8 @@ static enum pp_status average_openings(struct pp_part *parts, bool *known,
                : pp_fail(err, averages.status, "%s", averages.err.message);
 }
 
-/* The sum over the openings of their averages by the method itself; *known is false if
- * the method has no average for one of them. */
+/* Sum over the openings of the averages that the method calculates itself. *known is
+ * false if the method has no average for one of the openings. */
 static enum pp_status sum_averages(const struct pp_method_run *run,
                                    struct pp_method_answer *answer, bool *known,
                                    struct pp_error *err)

@@ -23,7 +23,7 @@ struct pp_method_shared {
 struct pp_method_run {
     const struct pp_method *method;
     const char *name; /* name of its columns */
-    bool varied;      /* by a variant */
+    bool varied;      /* true: with a variant of a formula */
     const struct pp_world *world;
     const struct pp_outside_light *light;
     double *factors; /* product of the corrections that the figures lack, for each
@@ -36,8 +36,8 @@ struct pp_method_run {
                                        * method does not cover; NULL: none */
     const char *why_refused;
     struct pp_method_shared shared;
-    bool plain;   /* without tables, beams and other fast methods */
-    bool roughly; /* by evaluate_roughly, for an average */
+    bool plain;   /* true: no tables, beams and other fast methods */
+    bool roughly; /* true: by evaluate_roughly, for an average */
 };
 
 /* A method's corrected components, summed over all openings, or the reason why there
@@ -45,7 +45,8 @@ struct pp_method_run {
 struct pp_method_answer {
     struct pp_amounts amounts;
     const char *why;                  /* not owned; NULL: the amounts are valid */
-    const struct pp_opening *opening; /* the subject of why; NULL: the room */
+    const struct pp_opening *opening; /* opening to which `why` refers; NULL: the
+                                       * room */
     int column;                       /* column of the mistake in a variant's text, from
                                        * 1; 0: none */
     struct pp_steps *steps;           /* where the sum is recorded; may be NULL */
@@ -60,8 +61,9 @@ enum pp_status pp_method_run_init(struct pp_method_run *run,
                                   struct pp_method_shared shared, struct pp_error *err);
 void pp_method_run_clear(struct pp_method_run *run);
 
-/* Finds the sum over the openings for a receiver (NULL: for the room), or why there is
- * none. The caller sets answer->steps, and owns them. Several threads may call it. */
+/* Finds the sum over the openings for a receiver (NULL: for the room), or the reason
+ * why there is none. The caller sets answer->steps, and owns the steps. May be called
+ * from several threads at once. */
 enum pp_status pp_method_run_answer(const struct pp_method_run *run,
                                     const struct pp_receiver *receiver,
                                     struct pp_method_answer *answer,

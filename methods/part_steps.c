@@ -29,7 +29,7 @@ struct symbol {
     char text[16];
 };
 
-/* "n", or "n_2" where the opening has several parts. */
+/* Symbol of a quantity: "n", or "n_2" if the opening has several parts. */
 static struct symbol numbered(const struct pp_part_steps *terms, const char *name)
 {
     struct symbol symbol;

@@ -21,8 +21,8 @@ struct pp_part_steps {
     double sky;                  /* sum of the sky components so far */
 };
 
-/* To be called before the first of `parts` parts: with a worksheet, or to record steps
- * alone. */
+/* Begins the steps of an opening with that number of parts: with a worksheet, or to
+ * record steps alone. */
 struct pp_part_steps pp_part_steps_on(struct pp_worksheet *sheet, int parts);
 struct pp_part_steps pp_part_steps_begin(struct pp_steps *steps, int parts);
 
@@ -46,8 +46,8 @@ void pp_part_steps_figure(struct pp_part_steps *terms, enum pp_step_unit unit,
                           double value, const char *name, const char *formula,
                           const char *what);
 
-/* Records the sky component of the current part or, if it is `hidden`, the externally
- * reflected component; the formula is written as above. */
+/* Records the sky component of the current part or, if `hidden`, the externally
+ * reflected component. The formula is written as above. */
 void pp_part_steps_component(struct pp_part_steps *terms, bool hidden, double share,
                              const char *formula, const char *what);
 

@@ -3,8 +3,8 @@
  *
  *     irc = 0.83 W / (A (1 - R)) (C R_fw + 5 R_cw)     split-flux: irc = ...
  *
- * The left side names the formula to be replaced. If no method is named, it is the
- * formula of the first method, in list order, that has a formula for this symbol with
+ * The left side names the formula to be replaced. If no method is named, the formula of
+ * the first method in list order is replaced that has a formula for this symbol with
  * all the quantities used.
  */
 #ifndef PP_METHODS_VARIANT_H

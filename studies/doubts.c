@@ -7,9 +7,9 @@
 #include "model/light/rough/rough_finishes.h"
 #include "studies/criteria/capitals.h"
 
-/* Distances from a country's capital, as angles. Places in the country are nearer than
- * far_rad. Places whose coordinates were swapped are at most near_rad away once they
- * are swapped back. La Reunion, swapped, is 16 degrees from Paris. */
+/* Angular distances from the capital of a country. Places in the country are nearer
+ * than far_rad. If latitude and longitude were swapped, swapping them back gives a
+ * place at most near_rad away. La Reunion, swapped, is 16 degrees from Paris. */
 static const double far_rad = 40.0 * PP_RAD, near_rad = 12.0 * PP_RAD;
 
 /* Extent of the envelope in x, y and z. */
@@ -111,7 +111,8 @@ static void doubt_site(struct pp_mistakes *doubts, const struct pp_world *world)
                         world->country);
 }
 
-/* True if any corner of these surfaces is in front of the opening's plane, outside. */
+/* True if any corner of these surfaces is outside, in front of the plane of the
+ * opening. */
 static bool is_before(const struct pp_world *world, const struct pp_opening *opening,
                       int first, int count)
 {
@@ -135,7 +136,7 @@ static bool faces_an_opening(const struct pp_world *world, const struct pp_block
     return false;
 }
 
-/* True if the block touches the room, and so may be the room's own building. */
+/* True if the block touches the room and may therefore be the room's own building. */
 static bool touches_room(const struct pp_world *world, const struct pp_block *block)
 {
     for (int i = 0; i < world->face_count; i++) {

@@ -11,9 +11,9 @@
 
 #define SKY_FACTOR 0.002
 #define LEGAL_PLANE_M 0.85
-#define INSET_M 0.001 /* points on the plane's edge are moved this far inside */
+#define INSET_M 0.001 /* inset of points on the plane's edge, m */
 
-/* The uniform sky that the law assumes, without ground. */
+/* The uniform sky that is assumed in law, without light from the ground. */
 static struct pp_outside_light legal_light(void)
 {
     return (struct pp_outside_light){.sky = pp_sky_uniform()};
@@ -40,7 +40,8 @@ static enum pp_status sky_factor_at(void *context, double x, double y, double *v
     return PP_OK;
 }
 
-/* Traces the contour and the area behind it, in a world with the plane at 0.85 m. */
+/* Traces the contour and the area outside it, in a world whose working plane is at 0.85
+ * m. */
 static enum pp_status trace_sky_factor(struct pp_lit_area *area, struct pp_world *legal,
                                        struct pp_error *err)
 {
@@ -70,7 +71,7 @@ static enum pp_status find_adequately_lit(struct pp_lit_area *area,
     if (status != PP_OK || area->plane.count == 0)
         return status;
 
-    /* A shallow copy of the world, with the working plane at the legal height. */
+    /* Shallow copy of the world, with the working plane at the height used in law. */
     struct pp_world legal = *world;
     legal.working_plane_m = area->plane_m;
     legal.plane = area->plane;
@@ -95,8 +96,8 @@ static enum pp_status find_sky_view(struct pp_lit_area *area,
     return PP_OK;
 }
 
-/* Most triangles times openings. 5,000 triangles in front of one opening take 0.9 s
- * (no-sky line) and 2.2 s (sky factor). */
+/* Maximum for the number of triangles times the number of openings. 5,000 triangles in
+ * front of one opening take 0.9 s (no-sky line) and 2.2 s (sky factor). */
 static const double mesh_triangles_most = 10000.0;
 
 static bool is_too_fine(const struct pp_world *world)

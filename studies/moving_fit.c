@@ -1,4 +1,5 @@
-/* moving_fit.c - the normal equations of a quadratic, by Cholesky's method. */
+/* moving_fit.c - solves the normal equations of a quadratic fit by Cholesky's
+ * method. */
 #include "studies/moving_fit.h"
 
 #include <math.h>
@@ -7,8 +8,8 @@
 
 enum { TERMS = 6 };
 
-/* Solves the symmetric positive system by Cholesky's method. Unknowns that are almost
- * determined by those before them are set to 0. */
+/* Solves the symmetric positive system by Cholesky's method. An unknown that is almost
+ * determined by previous unknowns is set to 0. */
 static void solve(double matrix[TERMS][TERMS], double right[TERMS])
 {
     double scale[TERMS];

@@ -1,4 +1,4 @@
-/* plan_study.c - the plan by a hand method, or by simulation at many points. */
+/* plan_study.c - makes plans by a hand method, or by simulation at many points. */
 #include "studies/plan_study.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static const char traced[] = "traced";
 
 /* ---- methods that can be drawn ---- */
 
-/* Reason why a plan cannot show a method, or NULL. */
+/* Reason why a plan cannot show the method; NULL: it can. */
 static const char *has_no_contours(const struct pp_choice *choice)
 {
     const struct pp_method *method = choice->method;
@@ -60,7 +60,7 @@ enum pp_status pp_plan_study_check(const char *methods, bool simulate,
     return status;
 }
 
-/* ---- the figures at the points ---- */
+/* ---- values at the points ---- */
 
 static const struct pp_reading *points_of(const struct pp_report *report,
                                           enum pp_component component, const char *name)
@@ -74,8 +74,8 @@ static struct pp_reading sum_of(struct pp_reading a, struct pp_reading b)
     return a.why ? a : b.why ? b : pp_reading_of(a.value + b.value);
 }
 
-/* Sets the figures: a copy of the daylight factor column or, if direct, the sum of the
- * sky and externally reflected components. */
+/* Sets the values: a copy of the daylight factor column, or, if `direct` is set, the
+ * sum of the sky component and the externally reflected component. */
 static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
                                   bool direct, struct pp_error *err)
 {
@@ -98,8 +98,8 @@ static enum pp_status set_figures(struct pp_plan_study *study, const char *name,
     return PP_OK;
 }
 
-/* Computes the plane's figures from the points of the grid, which follow the room's own
- * points, and removes the grid's points from the report. */
+/* Computes the plane figures from the grid points, which follow the room's own points,
+ * and removes the grid points from the report. */
 static enum pp_status settle_plan_grid(struct pp_plan_study *study,
                                        const struct pp_study_room *room,
                                        struct pp_error *err)
@@ -115,8 +115,8 @@ static enum pp_status settle_plan_grid(struct pp_plan_study *study,
 
 /* ---- contours ---- */
 
-/* Makes a shallow copy of the world, whose plane has holes where objects stand:
- * contours cannot show light there. The caller clears its plane. */
+/* Makes a shallow copy of the world. Its plane has holes where objects stand, since
+ * contours cannot show light there. The caller clears the plane of the copy. */
 static enum pp_status open_world(struct pp_world *open, const struct pp_world *world,
                                  struct pp_error *err)
 {
@@ -127,8 +127,8 @@ static enum pp_status open_world(struct pp_world *open, const struct pp_world *w
 
 /* ---- by hand ---- */
 
-/* Reading that a method of the internally reflected component adds at every point: the
- * room's average, or its minimum if the method gives only that. */
+/* Reading of the internally reflected component, which is added at every point: the
+ * room's average, or its minimum if the method gives only a minimum. */
 static struct pp_reading everywhere(const struct pp_report *report, const char *name)
 {
     const struct pp_column *column = pp_report_find(report, PP_IRC, name);
@@ -159,8 +159,8 @@ static enum pp_status draw_choice(struct pp_plan_study *study,
     return status == PP_OK ? set_figures(study, name, !internal, err) : status;
 }
 
-/* tolerance_m: tolerance of the curves of a sketch, which has no grid over the plane; 0
- * for a plan. */
+/* Makes a plan by a hand method. tolerance_m: for a sketch, the tolerance of its
+ * curves; a sketch has no grid over the plane. 0: a plan, not a sketch. */
 static enum pp_status by_hand(struct pp_plan_study *study,
                               const struct pp_study_room *room,
                               const struct pp_study_options *options,
@@ -185,7 +185,8 @@ static enum pp_status by_hand(struct pp_plan_study *study,
     status = tolerance_m > 0.0
                  ? pp_study_report_methods(&study->report, room, &one, err)
                  : pp_study_report_with_plane(&study->report, room, &one, err);
-    study->report.options = &options->method_options; /* `one` goes out of scope here */
+    study->report.options = &options->method_options; /* because `one` goes out of scope
+                                                       * here */
     if (status == PP_OK)
         status =
             draw_choice(study, &selection.choices[0], one.methods, tolerance_m, err);
@@ -193,14 +194,15 @@ static enum pp_status by_hand(struct pp_plan_study *study,
     return status;
 }
 
-/* ---- traced ---- */
+/* ---- by simulation ---- */
 
-/* The target error is that of the median and of the area shares. They are means over
- * many points, so each point may have this many times the error at first. */
+/* The target error applies to the median and to fractions of the area. Both are means
+ * over many points, so the error of each point may initially be greater by this
+ * factor. */
 static const double coarse = 4.0;
 
-/* *known: true if median and area shares of the grid at these points meet the target
- * error. */
+/* Checks the grid. *known is true if the median and the fractions of the area above the
+ * levels meet the target error. */
 static enum pp_status plane_is_known(bool *known, const struct pp_column *column,
                                      int first, int count, double error,
                                      struct pp_error *err)
@@ -227,9 +229,9 @@ static enum pp_status plane_is_known(bool *known, const struct pp_column *column
     return PP_OK;
 }
 
-/* Simulates the room's points and the grid's, coarsely first, then with half the error
- * each time until the plane is known. With a given number of samples or an end by the
- * clock there is one run. */
+/* Simulates the room's points and the grid points. The first run has a larger error;
+ * further runs halve it until the plane figures are known. If the number of samples or
+ * the time is limited, there is only one run. */
 static enum pp_status trace_points(struct pp_report *report,
                                    const struct pp_study_room *room,
                                    const struct pp_study_options *options,
@@ -252,12 +254,13 @@ static enum pp_status trace_points(struct pp_report *report,
     }
 }
 
-/* Factor by which the target error is multiplied for each point of the contours. A fit
- * uses about twenty points, which have a third of their variance in common, so a place
- * has two or three times the target error; the contours' bands show it. */
+/* Target error of each point for the contours, as a multiple of the target error of the
+ * study. A fit uses about twenty points, which have a third of their variance in
+ * common. A fitted value therefore has two or three times the target error, which the
+ * bands of the contours show. */
 static const double error_of_points = 4.0;
 
-/* Traces the points that the contours are drawn from. */
+/* Simulates the points from which contours are drawn. */
 static enum pp_status trace_plane(struct pp_traced_plane **plane,
                                   struct pp_report *report,
                                   const struct pp_study_options *options,
@@ -279,8 +282,8 @@ static enum pp_status trace_plane(struct pp_traced_plane **plane,
                                 factors->common_near, err);
 }
 
-/* Writes to the note the median and mean by the usual pair of hand methods, if it has
- * them. */
+/* Writes a note with median and mean by the usual pair of hand methods, if that pair
+ * has values. */
 static enum pp_status note_by_hand(struct pp_plan_study *study,
                                    const struct pp_study_room *room,
                                    const struct pp_study_options *options,
@@ -303,8 +306,8 @@ static enum pp_status note_by_hand(struct pp_plan_study *study,
     return status;
 }
 
-/* Simulates twice, with half of the time each: the room's points and the grid, and the
- * points of the contours. */
+/* Runs two simulations, each with half of the time: one for the room's points and the
+ * grid, and one for the points of the contours. */
 static enum pp_status by_trace(struct pp_plan_study *study,
                                const struct pp_study_room *room,
                                const struct pp_study_options *options, bool *by_clock,

@@ -1,6 +1,6 @@
-/* plan_study.h - data of a plan of a room's daylight: contours over the working plane,
- * figures at the room's points, and those of the plane, all by one method or all
- * simulated. */
+/* plan_study.h - data for a plan of the daylight in a room: contours over the working
+ * plane, values at the room's points, and figures of the plane. All are by the same
+ * method or simulated. */
 #ifndef PP_STUDIES_PLAN_STUDY_H
 #define PP_STUDIES_PLAN_STUDY_H
 
@@ -11,30 +11,32 @@
 
 struct pp_plan_study {
     struct pp_daylight_plan plan;
-    struct pp_report report;  /* report of the room's points; with grid_points, of
+    struct pp_report report;  /* report with the room's points; also with grid points if
+                               * they are used for the figures of the plane */
+    struct pp_column figures; /* values at the receivers of the report, and figures of
                                * the plane */
-    struct pp_column figures; /* figures at the report's receivers, and `plane` */
-    char note[320]; /* states that another method replaces the usual one, or the hand
-                     * figures to compare simulated ones with; may be empty */
+    char note[320]; /* states that another method replaces the usual one, or, for
+                     * simulated values, values by hand for comparison; may be empty */
 };
 
-/* Checks that a plan can show this choice: the daylight factor of one direct method or
- * of one pair; or, with simulate and without methods, the simulated one. Methods that
- * count squares or dots, with values in steps, and those that give one value for the
- * room have no contours. methods NULL: the usual pair of the room. PP_BAD_INPUT says
- * what is wrong. */
+/* Checks that a plan can show these methods: one direct method or one pair; methods
+ * NULL: the usual pair for the room, or, if `simulate` is set, the simulation. Some
+ * methods have no contours: those that count squares or dots, whose values change in
+ * steps, and those that give one value for the room. PP_BAD_INPUT: the message gives
+ * the reason. */
 enum pp_status pp_plan_study_check(const char *methods, bool simulate,
                                    struct pp_error *err);
 
-/* Fills study (to be cleared; empty on failure). PP_BAD_INPUT also where the method does not
- * cover the room. *by_clock: as in studies/study_report.h. */
+/* Makes a plan. The caller clears *study, which is empty after a failure. PP_BAD_INPUT
+ * also if the method does not apply to the room. *by_clock: as in
+ * studies/study_report.h. */
 enum pp_status pp_plan_study_make(struct pp_plan_study *study,
                                   const struct pp_study_room *room,
                                   const struct pp_study_options *options,
                                   bool *by_clock, struct pp_error *err);
 
-/* Makes a plan by hand methods for the screen: with contours to the given tolerance (m,
- * above 0), and without the grid over the plane. */
+/* Makes a plan by hand methods for the screen. Contours have the tolerance given (m,
+ * greater than 0). There is no grid over the plane. */
 enum pp_status pp_plan_study_sketch(struct pp_plan_study *study,
                                     const struct pp_study_room *room,
                                     const struct pp_study_options *options,

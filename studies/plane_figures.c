@@ -1,5 +1,5 @@
-/* plane_figures.c - appends a grid to the requested points, and summarises its
- * values. */
+/* plane_figures.c - appends a grid to the requested points, and computes statistics of
+ * its values. */
 #include "studies/plane_figures.h"
 
 #include <math.h>
@@ -48,7 +48,7 @@ enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
     return *all ? PP_OK : pp_fail_memory(err);
 }
 
-/* The daylight factor that a part of the points reaches. */
+/* Finds the daylight factor that is reached at a fraction `part` of the points. */
 static enum pp_status reached_by(struct pp_reading *reading,
                                  const struct pp_reading *points, int count,
                                  double common, double part, struct pp_error *err)

@@ -1,10 +1,10 @@
-/* plane_figures.h - figures of a working plane as a whole: minimum, median, average,
- * uniformity, and the shares of its area above 1, 2 and 5 %.
+/* plane_figures.h - figures of a whole working plane: minimum, median, average,
+ * uniformity, and the fractions of its area above 1, 2 and 5 %.
  *
- * They are computed from points that represent equal parts of the plane: the requested
- * points if they are a grid (model/results/lattice.h), else those of EN 17037's grid,
- * which leaves out 0.5 m along the walls and by which the criteria judge. Both are
- * evaluated together; the grid's points are then removed from the report.
+ * The figures are computed from points that represent equal areas: the requested points
+ * if they form a grid (model/results/lattice.h), otherwise the grid points of EN 17037.
+ * That grid omits 0.5 m along the walls; the criteria also use it. Grid points are
+ * evaluated together with the requested points, and then removed from the report.
  */
 #ifndef PP_STUDIES_PLANE_FIGURES_H
 #define PP_STUDIES_PLANE_FIGURES_H
@@ -12,21 +12,21 @@
 #include "model/results/report.h"
 #include "studies/study_room.h"
 
-/* Receivers for a report: the room's own, followed, if these are not a grid, by those
- * of EN 17037. The caller frees *all. */
+/* Makes the receivers of a report: the room's own points, followed by the grid points
+ * of EN 17037 if the room's points are not a grid. The caller frees *all. */
 enum pp_status pp_plane_figures_receivers(struct pp_receiver **all, int *count,
                                           const struct pp_study_room *room,
                                           struct pp_error *err);
 
-/* Fills `plane` of the report's daylight factor columns, whose receivers begin with the
- * room's own; afterwards the report has only these. A column without a value at some
- * point of the grid has no figures. */
+/* Sets `plane` in the daylight factor columns of the report. The receivers must begin
+ * with the room's own points; afterwards the report has only these. A column that lacks
+ * a value at any grid point has no plane figures. */
 enum pp_status pp_plane_figures_fill(struct pp_report *report,
                                      const struct pp_study_room *room,
                                      struct pp_error *err);
 
-/* Fills `plane` of one column from its readings at the points of a grid; has_plane
- * becomes false if a reading has no value. */
+/* Sets `plane` of one column from the readings at grid points. has_plane is set to
+ * false if any reading has no value. */
 enum pp_status pp_plane_figures_sum_up(struct pp_column *column,
                                        const struct pp_reading *points, int count,
                                        struct pp_error *err);

@@ -35,8 +35,8 @@ void pp_plane_margin_clear(struct pp_plane_margin *margin)
     *margin = (struct pp_plane_margin){.has_plane = false};
 }
 
-/* True for the daylight factor of a method that gives one value for the whole plane:
- * neither a pair nor simulated. */
+/* True for the daylight factor of a method that gives one value for the whole plane, so
+ * that it is neither a pair nor simulated. */
 static bool is_of_the_whole_plane(const struct pp_column *column)
 {
     return column->component == PP_DF && !strchr(column->name, '+')

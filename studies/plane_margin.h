@@ -1,8 +1,9 @@
-/* plane_margin.h - the mean over the working plane inside 0.5 m of its edge, as in
- * grids of standards: without the bright strip along the windows and the dim ones in
- * corners.
+/* plane_margin.h - mean over the working plane without a margin of 0.5 m along its
+ * edge, like the grids of standards. The margin includes the bright strip along the
+ * windows and the dim corners.
  *
- * It is the average by methods and simulation in the same room with a smaller plane:
+ * The mean is calculated by hand methods and simulation for the same room with a
+ * smaller plane:
  *
  *     pp_plane_margin_init(&margin, room, err)
  *     ... a report on margin.room, if that has a plane ...
@@ -15,11 +16,11 @@
 #include "model/results/report.h"
 #include "studies/study_room.h"
 
-/* The room with the smaller plane, without points. */
+/* A copy of the room with the smaller plane and without points. */
 struct pp_plane_margin {
-    struct pp_world world; /* as the room's, except for its plane */
+    struct pp_world world; /* like the room's world, except for its plane */
     struct pp_study_room room;
-    bool has_plane; /* false: the margin leaves nothing of the plane */
+    bool has_plane; /* false: nothing of the plane is left inside the margin */
 };
 
 enum pp_status pp_plane_margin_init(struct pp_plane_margin *margin,
@@ -27,9 +28,9 @@ enum pp_status pp_plane_margin_init(struct pp_plane_margin *margin,
                                     struct pp_error *err);
 void pp_plane_margin_clear(struct pp_plane_margin *margin);
 
-/* Copies the averages of `inside`, a report with the same columns for the margin's room
- * (NULL: there is none), to the report's columns. A column by a formula for the whole
- * plane gets none. */
+/* Copies the averages of `inside` to the columns of `report`. inside: a report on the
+ * room with the smaller plane, with the same columns; NULL: there is none. Columns of
+ * formulae for the whole plane get no value. */
 enum pp_status pp_plane_margin_take(struct pp_report *report,
                                     const struct pp_report *inside,
                                     struct pp_error *err);

@@ -1,4 +1,4 @@
-/* reliability.c - compares the shares of a report's hand figures with the thresholds of
+/* reliability.c - compares properties of a room and its report with the thresholds of
  * reliability.h. */
 #include "studies/reliability.h"
 
@@ -20,10 +20,11 @@ const char *const pp_reliability_names[PP_RELIABILITY_KINDS] = {
     [PP_RELIABILITY_GROUND] = "ground",
 };
 
-/* Thresholds above which hand figures are unreliable. Of 29 example and trial rooms
- * whose verdicts differ by simulation, all but one are above (the exception is an
- * average by average-df, noted in studies/criteria/averages.c). Figures of rooms below
- * were 0.76 to 1.14 times the simulated ones. */
+/* Thresholds above which hand methods are unreliable. In 29 of the example and trial
+ * rooms, simulation changes the verdict. All but one of these rooms exceed a threshold;
+ * the exception is an average by average-df, noted in studies/criteria/averages.c. In
+ * rooms below the thresholds, values by hand were 0.76 to 1.14 times the simulated
+ * values. */
 static const double outside_share = 0.3, inside_share = 0.65;
 static const double deep = 2.0, ground_off = 0.3;
 
@@ -35,12 +36,13 @@ const struct pp_reliability_band *pp_reliability_band(enum pp_reliability_kind k
     return NULL;
 }
 
-/* The columns of a pair A+B, and of its components. */
+/* Columns of a pair A+B and of its components. */
 struct pair {
     const struct pp_column *sc, *erc, *irc, *df;
 };
 
-/* The report's first pair with an average; false: there is none. */
+/* Finds the first pair in the report that has an average. Returns false if there is
+ * none. */
 static bool find_pair(struct pair *pair, const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++) {
@@ -67,8 +69,8 @@ static void set(struct pp_reliability *found, enum pp_reliability_kind kind,
     found->any |= is;
 }
 
-/* Share of internally reflected light at the darkest point with a value above 0; 1 if
- * it sees no sky. NAN: no point has such a value. */
+/* Fraction of internally reflected light at the darkest point with a value above 0; 1
+ * if no sky is visible from that point. NAN: there is no such point. */
 static double share_inside(const struct pair *pair, int count)
 {
     int darkest = -1;
@@ -84,8 +86,8 @@ static double share_inside(const struct pair *pair, int count)
     return pair->irc->points[darkest].value / pair->df->points[darkest].value;
 }
 
-/* Depth over width of the room, depth measured from its largest vertical opening; NAN
- * without one. */
+/* Depth divided by width of the room, with the depth measured from the largest vertical
+ * opening; NAN: there is no such opening. */
 static double depth_over_width(const struct pp_world *world)
 {
     const struct pp_opening *largest = NULL;
@@ -111,7 +113,7 @@ static double depth_over_width(const struct pp_world *world)
     return (high[0] - low[0]) / (high[1] - low[1]);
 }
 
-/* True if the method has a figure for this room, or for a point in it. */
+/* True if the method has a value for the room or for any of its points. */
 static bool has_figure(const struct pp_report *report, const char *name)
 {
     for (int i = 0; i < report->column_count; i++) {
@@ -127,8 +129,8 @@ static bool has_figure(const struct pp_report *report, const char *name)
     return false;
 }
 
-/* Lists the methods whose built-in ground reflectance differs from the room's; returns
- * the largest difference. */
+/* Lists the methods whose built-in ground reflectance differs from that of the room.
+ * Returns the largest difference. */
 static double compare_grounds(struct pp_reliability *found,
                               const struct pp_report *report)
 {

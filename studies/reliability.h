@@ -1,19 +1,19 @@
-/* reliability.h - kinds of rooms in which the figures of hand methods are unreliable,
- * and the errors measured there.
+/* reliability.h - kinds of rooms in which hand methods are unreliable, and the errors
+ * found in such rooms.
  *
- * There are four kinds, each with a threshold and with the ratios of hand to traced
- * figures that were measured in rooms of that kind (tables/reliability.csv):
+ * There are four kinds. Each has a threshold, and the range of the ratio of hand value
+ * to simulated value that was found in rooms of that kind (tables/reliability.csv):
  *
  *     outside      0.3 or more of the average daylight factor is reflected from outside
- *     inside       at the darkest point no sky is seen, or 0.65 or more of the daylight
- *                  factor is the room's average reflected light
+ *     inside       at the darkest point no sky is visible, or 0.65 or more of the
+ *                  daylight factor is the room's average internally reflected component
  *     proportions  the room is more than twice as deep as wide, the limit of the table
  *                  of `bre-min`
- *     ground       its reflectance differs by 0.3 or more from the one built into the
- *                  method
+ *     ground       the ground reflectance differs by 0.3 or more from the value built
+ *                  into the method
  *
- * Methods with a built-in ground reflectance that differs from the room's are always
- * named.
+ * Methods whose built-in ground reflectance differs from that of the room are always
+ * listed.
  */
 #ifndef PP_STUDIES_RELIABILITY_H
 #define PP_STUDIES_RELIABILITY_H
@@ -30,21 +30,21 @@ enum pp_reliability_kind {
     PP_RELIABILITY_KINDS,
 };
 
-/* Names of the kinds, as in the table and in JSON. */
+/* Names of the kinds in the table and in JSON. */
 extern const char *const pp_reliability_names[PP_RELIABILITY_KINDS];
 
 struct pp_reliability {
     bool is[PP_RELIABILITY_KINDS];
-    double share[PP_RELIABILITY_KINDS]; /* value compared with the threshold: a share,
-                                         * depth over width, reflectance of the
-                                         * ground */
+    double share[PP_RELIABILITY_KINDS]; /* value compared with the threshold: a
+                                         * fraction, depth divided by width, or ground
+                                         * reflectance */
     bool any;
-    char grounds[320]; /* methods whose built-in ground differs from the room's, as a
-                        * sentence without a full stop; empty: none */
+    char grounds[320]; /* sentence, without full stop, on methods whose built-in ground
+                        * reflectance differs from that of the room; empty: none */
 };
 
-/* A row of the table: lowest and highest ratio of hand to simulated figures; of: the
- * figures' kind; rooms: their number. */
+/* Row of the table: lowest and highest ratio of hand value to simulated value. of:
+ * quantity of these values; rooms: number of rooms. */
 struct pp_reliability_band {
     const char *kind, *of;
     double low, high;
@@ -53,17 +53,17 @@ struct pp_reliability_band {
 
 const struct pp_reliability_band *pp_reliability_band(enum pp_reliability_kind kind);
 
-/* Assesses the hand figures of the report: the first daylight factor by a pair of
- * methods, at its points and on average, and all other methods in the report. A report
- * without a pair has no room of the first two kinds. */
+/* Assesses the values of hand methods in the report: the first daylight factor by a
+ * pair of methods, at its points and on average, and all other methods. Without a pair,
+ * the first two kinds are not assessed. */
 struct pp_reliability pp_reliability_of(const struct pp_report *report);
 
-/* "Hand figures here are not to be relied on: ...", a sentence without a full stop;
- * empty if the figures are reliable. */
+/* Writes the sentence "Hand figures here are not to be relied on: ...", without full
+ * stop; empty if the hand methods are reliable. */
 void pp_reliability_sentence(const struct pp_reliability *reliability, char *text,
                              size_t size);
 
-/* The same for a report, with its full stop, as a note below a drawing. */
+/* Writes the same sentence with a full stop, as a note below a drawing of a report. */
 void pp_reliability_note(const struct pp_report *report, char *text, size_t size);
 
 #endif

@@ -1,13 +1,14 @@
-/* room_value.c - reads the figure from the report that the hand method fills: the
- * lowest of the points, or the average. */
+/* room_value.c - evaluates the method and reads the value: the lowest value at the
+ * points, or the average. */
 #include "studies/room_value.h"
 
 #include <stdio.h>
 
 #include "methods/evaluate.h"
 
-/* A method's reading at a point, or its average (point -1): the daylight factor, else
- * the internally reflected component, else sky plus externally reflected component. */
+/* Reading of a method at a point, or its average (point -1): the daylight factor, or
+ * else the internally reflected component, or else the sum of sky and externally
+ * reflected component. */
 static struct pp_reading method_reading(const struct pp_report *report,
                                         const char *method, int point)
 {

@@ -1,5 +1,4 @@
-/* section_line.c - finds the line of a section in a room and puts points on it.
- */
+/* section_line.c - finds the line of a section in a room and places points on it. */
 #include "studies/section_line.h"
 
 #include <math.h>
@@ -53,7 +52,7 @@ static bool is_window(const struct pp_opening *opening)
     return fabs(opening->inner.normal.z) < 0.7;
 }
 
-/* The largest window (`window` true) or rooflight; NULL: there is none. */
+/* The largest window (`window` true) or the largest rooflight; NULL: there is none. */
 static const struct pp_opening *largest(const struct pp_world *world, bool window)
 {
     const struct pp_opening *found = NULL;
@@ -74,9 +73,9 @@ static struct pp_vec3 longer_side(const struct pp_world *world)
                                                                : pp_vec(1.0, 0.0, 0.0);
 }
 
-/* The line through the middle of an opening, along the normal of that window; for a
- * rooflight, along that of the largest window or, without a window, along the room's
- * longer side. */
+/* Finds the line through the middle of an opening, along the normal of a window. For a
+ * rooflight, the line has the direction of the normal of the largest window or, without
+ * windows, of the room's longer side. */
 static void start_at_opening(const struct pp_world *world,
                              const struct pp_opening *opening, struct pp_vec3 *start,
                              struct pp_vec3 *way)
@@ -90,8 +89,8 @@ static void start_at_opening(const struct pp_world *world,
             : longer_side(world);
 }
 
-/* The line if no place is specified: through the larger of the largest window and the
- * largest rooflight; without an opening, through the middle of the room. */
+/* Finds the default line: through the largest window or the largest rooflight,
+ * whichever is larger; without openings, through the middle of the room. */
 static void start_of_room(const struct pp_world *world, struct pp_vec3 *start,
                           struct pp_vec3 *way)
 {
@@ -108,7 +107,7 @@ static void start_of_room(const struct pp_world *world, struct pp_vec3 *start,
     *start = pp_vec_scale(pp_vec_add(room.low, room.high), 0.5);
 }
 
-/* Length of the line from its start to the end of the room, to a centimetre. */
+/* Length of the line from its start to the end of the room, in steps of 1 cm. */
 static double free_length(const struct pp_world *world, struct pp_vec3 start,
                           struct pp_vec3 way)
 {
@@ -120,7 +119,7 @@ static double free_length(const struct pp_world *world, struct pp_vec3 start,
     return length;
 }
 
-/* Moves the start back to where the line enters the room. */
+/* Moves the start back to the point where the line enters the room. */
 static void go_back(const struct pp_world *world, struct pp_vec3 *start,
                     struct pp_vec3 way)
 {
@@ -128,8 +127,8 @@ static void go_back(const struct pp_world *world, struct pp_vec3 *start,
     *start = pp_vec_along(*start, -before, way);
 }
 
-/* The longest piece within the room of a line parallel to the x or y axis; false: there
- * is none. */
+/* Finds the longest part within the room of a line parallel to the x or y axis. Returns
+ * false if there is none. */
 static bool start_at(const struct pp_world *world, const struct pp_section_place *place,
                      struct pp_vec3 *start, struct pp_vec3 *way)
 {
@@ -155,8 +154,8 @@ static bool start_at(const struct pp_world *world, const struct pp_section_place
     return longest > 0.0;
 }
 
-/* Start and direction of the line at the place; PP_BAD_INPUT if it is outside the room
- * or names no window. */
+/* Finds start and direction of the line. PP_BAD_INPUT if the position is outside the
+ * room, or no opening has the given name. */
 static enum pp_status find_start(const struct pp_study_room *room,
                                  const struct pp_section_place *place,
                                  struct pp_vec3 *start, struct pp_vec3 *way,

@@ -10,8 +10,8 @@ static bool is_level(const struct pp_polygon *polygon)
     return fabs(polygon->normal.z) > cos(PP_LEVEL_RAD);
 }
 
-/* The window wall of a box-shaped room with windows in one wall; NULL for any other
- * room, with the reason in *why. */
+/* Finds the window wall of a box-shaped room with windows in one wall. Returns NULL for
+ * any other room, with the reason in *why. */
 static const struct pp_surface *window_wall(const struct pp_world *world,
                                             const char **why)
 {
@@ -43,7 +43,7 @@ static const struct pp_surface *window_wall(const struct pp_world *world,
     return *why ? NULL : &world->surfaces[world->openings[0].face];
 }
 
-/* Extent of the room along a direction; *low is its lower end. */
+/* Extent of the room along a direction. *low is set to the lower end. */
 static double room_extent_along(const struct pp_world *world, struct pp_vec3 along,
                                 double *low)
 {

@@ -1,5 +1,4 @@
-/* simulation.c - runs any engine of the list, advanced slice by slice, and adds its
- * columns to the report. */
+/* simulation.c - runs an engine in time slices, and adds its columns to the report. */
 #include "studies/simulation.h"
 
 #include <math.h>
@@ -10,22 +9,23 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/fast/tracer.h"
 
-/* Time (s) between two checks of the clock, and between two calls of the watch. */
+/* Time (s) between checks of the clock and calls of the watch. */
 static const double slice_s = 0.1;
 
 struct pp_simulation {
-    const struct pp_engine *engine; /* engine that gives the columns their name, */
+    const struct pp_engine *engine; /* engine that determines the names of columns */
     const struct pp_engine
-        *solver;                /* and engine whose functions are called: the same, or
-                                 * its plain implementation */
-    struct pp_light_scene *own; /* NULL: the scene is the caller's */
+        *solver;                /* engine whose functions are called: the same engine,
+                                 * or its plain implementation */
+    struct pp_light_scene *own; /* scene made for this run; NULL: the scene belongs to
+                                 * the caller */
     struct pp_environment *environment;
     void *run;
-    double error; /* target; 0: samples or time end the run */
+    double error; /* target error; 0: samples or time end the run */
 };
 
-/* Ratio of standard error to target from which the target counts as missed; planned
- * standard errors are estimates too. */
+/* The target counts as missed if the standard error exceeds it by this factor. Planned
+ * standard errors are only estimates. */
 static const double MISSED = 1.5;
 
 enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
@@ -40,7 +40,7 @@ enum pp_status pp_simulation_create_in(struct pp_simulation **simulation,
     if (!made)
         return pp_fail_memory(err);
     made->engine = engine;
-    /* The fast implementation is for diffuse surfaces only. */
+    /* The fast implementation supports only diffuse surfaces. */
     bool plain = options->plain || !pp_light_scene_is_matt(scene);
     made->solver = plain && engine->plain ? engine->plain : engine;
     made->error = options->error;
@@ -140,7 +140,7 @@ enum pp_status pp_simulation_run(struct pp_simulation *simulation, double second
     return status;
 }
 
-/* Ratio of the standard error to its target. */
+/* Standard error divided by its target. */
 static double times_wanted(const struct pp_simulation *simulation,
                            const struct pp_reading *reading)
 {
@@ -149,8 +149,8 @@ static double times_wanted(const struct pp_simulation *simulation,
     return isfinite(reading->std_error) ? reading->std_error / wanted : 0.0;
 }
 
-/* Notes in the report where the column's standard errors are much larger than the
- * target. */
+/* Adds a note to the report if the standard errors of the column are much larger than
+ * the target. */
 static enum pp_status say_missed(struct pp_report *report,
                                  const struct pp_simulation *simulation,
                                  const struct pp_column *column, struct pp_error *err)

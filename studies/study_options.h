@@ -8,21 +8,23 @@
 #include "methods/method.h"
 #include "model/room/world.h"
 
-/* Reference points used instead of the file's; z is NAN for the working plane. */
+/* Reference points used instead of those in the file. z is NAN for the working
+ * plane. */
 struct pp_point_list {
     struct pp_vec3 *list;
     int count;
 };
 
-/* Callbacks of a caller who watches a simulation: a progress bar, a request to stop.
- * All NULL: no watch. Called from one thread, between two slices of work. */
+/* Callbacks for a caller that watches a simulation, to show progress or to request a
+ * stop. All NULL: no watch. The callbacks are called from one thread, between two
+ * slices of work. */
 struct pp_watch {
-    /* Called when work begins. name: subject shown with the progress, usually the room.
+    /* Called when work begins. name: subject of the progress display, usually the room.
      * Returns true if progress is shown. */
     bool (*begin)(void *data, const char *name);
-    /* Reports progress. done: 0 to 1; error: the largest standard error over daylight
-     * factor so far, NAN if there is none. They take time, and are 0 and NAN if
-     * progress is not shown. Returns false to stop; the results so far are then
+    /* Reports progress. done: 0 to 1; error: largest standard error divided by daylight
+     * factor so far, NAN if there is none. Both take time to compute, and are 0 and NAN
+     * if progress is not shown. Returns false to stop; the results so far are then
      * valid. */
     bool (*look)(void *data, double done, double error);
     void (*end)(void *data);
@@ -30,27 +32,29 @@ struct pp_watch {
 };
 
 struct pp_study_options {
-    const char *methods; /* a selection (methods/selection.h); NULL: the default ones */
+    const char *methods; /* a selection of methods (methods/selection.h); NULL: default
+                          * methods */
     struct pp_point_list points;
-    const char *sky; /* as in a room file; NULL: the file's */
+    const char *sky; /* sky in the form used in a room file; NULL: sky of the file */
 
     bool simulate;
-    double error;   /* target standard error over daylight factor; 0: not given */
+    double error;   /* target standard error divided by daylight factor; 0: not given */
     long samples;   /* paths per point in each randomisation; 0: not given */
-    double seconds; /* 0: not given */
+    double seconds; /* time limit; 0: not given */
     uint64_t seed;
     int threads; /* 0: one for each processor */
-    bool strict; /* doubtful input is an error */
-    bool alone;  /* points are simulated independently: faster for few points */
+    bool strict; /* treat doubtful input as an error */
+    bool alone;  /* simulate points independently, which is faster for few points */
     struct pp_watch watch;
 
-    bool explain; /* methods record the steps of the calculation at the only point */
+    bool explain; /* methods record the steps of the calculation, for the only point */
     struct pp_method_options method_options;
 
-    double external_lux; /* illuminance of the open horizontal plane; 0: not given */
+    double external_lux; /* illuminance of the horizontal plane under the open sky; 0:
+                          * not given */
 };
 
-/* Default options: seed 1, all else empty. */
+/* Default options: seed 1; all other options are empty. */
 #define PP_STUDY_OPTIONS_NONE ((struct pp_study_options){.seed = 1})
 
 #endif

@@ -1,5 +1,5 @@
-/* study_report.c - begins a report with the columns of the methods, and adds those of a
- * simulation, whose progress a watch follows. */
+/* study_report.c - makes a report with the columns of the methods, and adds those of a
+ * simulation, whose progress is reported to a watch. */
 #include "studies/study_report.h"
 
 #include "methods/evaluate.h"

@@ -1,6 +1,6 @@
 /* study_report.h - one room's report: results of the methods and of the simulation.
  *
- * This is the only place that uses both; neither depends on the other. */
+ * Only this file uses both methods and simulation; neither depends on the other. */
 #ifndef PP_STUDIES_STUDY_REPORT_H
 #define PP_STUDIES_STUDY_REPORT_H
 
@@ -9,17 +9,17 @@
 #include "studies/study_options.h"
 #include "studies/study_room.h"
 
-/* Makes a report on the room with the columns of the selected methods; nothing is
- * simulated. The room and the options must outlive the report; pp_report_clear frees
- * it. */
+/* Makes a report on the room with the columns of the selected methods. Nothing is
+ * simulated. Room and options must exist as long as the report, which is freed by
+ * pp_report_clear. */
 enum pp_status pp_study_report_methods(struct pp_report *report,
                                        const struct pp_study_room *room,
                                        const struct pp_study_options *options,
                                        struct pp_error *err);
 
-/* As pp_study_report_methods, with the points of a grid over the working plane appended
- * to the room's own, unless those are a grid (plane_figures.h). A report with
- * explanations has no extra points. */
+/* Like pp_study_report_methods, but appends the points of a grid over the working
+ * plane, unless the room's own points are a grid (plane_figures.h). A report with
+ * explanations has no additional points. */
 enum pp_status pp_study_report_with_plane(struct pp_report *report,
                                           const struct pp_study_room *room,
                                           const struct pp_study_options *options,
@@ -30,10 +30,11 @@ enum pp_status pp_study_report_settle(struct pp_report *report,
                                       const struct pp_study_room *room,
                                       struct pp_error *err);
 
-/* Adds the columns "traced" of all components, by the path engine. If a watch stops it,
- * the results so far are kept, and report->finished is false. *by_clock: the time limit
- * ended the simulation. The second function simulates only direct light, with an error
- * relative to the sum of sky and externally reflected component. */
+/* Add the columns "traced" of all components, simulated by the path engine. If a watch
+ * stops the simulation, the results so far are kept, and report->finished is false.
+ * *by_clock: the time limit ended the simulation. The second function simulates only
+ * direct light, with an error relative to the sum of sky and externally reflected
+ * component. */
 enum pp_status pp_study_report_traced(struct pp_report *report,
                                       const struct pp_study_options *options,
                                       bool *by_clock, struct pp_error *err);
@@ -41,9 +42,9 @@ enum pp_status pp_study_report_traced_direct(struct pp_report *report,
                                              const struct pp_study_options *options,
                                              bool *by_clock, struct pp_error *err);
 
-/* Simulates by any engine. Error, samples, seed and threads are those of the study's
- * options. kept (may be NULL): data with which a later run may begin, not after a stop;
- * freed by the caller. */
+/* Simulates by any engine, with error, samples, seed and threads of the study options.
+ * kept (may be NULL): data with which a later run can begin, freed by the caller. There
+ * are no data after a stop. */
 struct pp_kept_bytes {
     char *bytes;
     size_t length;

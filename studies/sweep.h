@@ -1,8 +1,8 @@
-/* sweep.h - changes of attributes of room files: fixed values, and values that vary
+/* sweep.h - changes to attributes of room files: fixed values, and values that differ
  * from run to run.
  *
- * The runs combine each value of a sweep with each value of the others. The last sweep
- * changes fastest.
+ * There is a run for each combination of values of the swept attributes. The attribute
+ * swept last changes fastest.
  */
 #ifndef PP_STUDIES_SWEEP_H
 #define PP_STUDIES_SWEEP_H
@@ -12,7 +12,7 @@
 
 enum { PP_SWEEP_RUNS_MOST = 1000, PP_SWEEP_AXES_MOST = 8 };
 
-/* One attribute and its values; owned. */
+/* An attribute and its values; owned. */
 struct pp_sweep_axis {
     char *address;
     char **values;
@@ -20,20 +20,21 @@ struct pp_sweep_axis {
 };
 
 struct pp_sweep {
-    struct pp_room_change *set; /* changes by --set; owned, and so are the texts */
+    struct pp_room_change *set; /* changes given by --set; owned, including their
+                                 * texts */
     int set_count;
     struct pp_sweep_axis axes[PP_SWEEP_AXES_MOST];
     int axis_count;             /* 0: no --sweep */
     struct pp_room_changes now; /* changes of the current run; owned */
 };
 
-/* Number of runs: 1 without axes. */
+/* Number of runs; 1 if there are no axes. */
 int pp_sweep_count(const struct pp_sweep *sweep);
 
-/* The value of an axis in that run. */
+/* Value of an axis in the given run. */
 const char *pp_sweep_value(const struct pp_sweep *sweep, int run, int axis);
 
-/* Sets sweep->now to the changes of that run. PP_SYSTEM: out of memory. */
+/* Sets sweep->now to the changes of the given run. PP_SYSTEM: out of memory. */
 enum pp_status pp_sweep_choose(struct pp_sweep *sweep, int run, struct pp_error *err);
 
 void pp_sweep_clear(struct pp_sweep *sweep);

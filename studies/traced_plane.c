@@ -13,21 +13,21 @@
 #include "model/room/position.h"
 #include "studies/moving_fit.h"
 
-/* Approximate number of squares over the plane before those near openings are halved,
- * and their largest side (m). */
+/* Approximate number of squares over the plane, before squares near openings are
+ * halved, and their greatest side (m). */
 static const double squares = 240.0, largest_m = 0.45;
 
-/* A square is halved, at most twice, if an opening is nearer than this number of its
- * sides. */
+/* A square is halved, at most twice, if the distance to an opening is less than this
+ * number of its sides. */
 static const double near_sides = 2.0;
 enum { HALVINGS = 2 };
 
-/* Radius within which points have weight, in sides of the square at that place. */
+/* Radius within which points have weight, in sides of the square at that position. */
 static const double reach_sides = 2.6;
 
-/* Least distance of a point from the plane's edge (m), and the distance by which a
- * place on the edge is moved inside to test visibility, which is undefined on the edge
- * itself. */
+/* Least distance of a point from the edge of the plane (m). looked_from_m: distance by
+ * which a position on the edge is moved inside for the visibility test, which is
+ * undefined on the edge. */
 static const double inset_m = 0.005, looked_from_m = 0.001;
 
 enum { NEIGHBOURS_LEAST = 10, NEIGHBOURS_MOST = 128 };
@@ -38,7 +38,7 @@ struct plane_point {
     bool known;
 };
 
-/* A line on the plane that blocks the view between two points. */
+/* A line segment on the plane that blocks the view between points. */
 struct plane_screen {
     double a[2], b[2];
 };
@@ -48,22 +48,22 @@ struct pp_traced_plane {
     struct pp_direct_plane *direct; /* by `exact`; NULL: it does not cover the room */
     double external; /* ratio of simulated externally reflected light to that of
                       * `exact` */
-    double side_m;   /* side of the squares before any is halved */
-    double common;   /* common share of the variance of neighbouring points */
+    double side_m;   /* side of the squares before halving */
+    double common;   /* common fraction of the variance of neighbouring points */
     struct plane_point *points;
     int count;
     struct plane_screen *screens;
     int screen_count;
-    struct plane_screen *openings; /* openings as lines in the plan */
+    struct plane_screen *openings; /* openings as line segments in plan */
     int opening_count;
-    int *cells; /* index of the first point in each cell of a lattice of side_m; `next`:
-                 * of the following one */
+    int *cells; /* index of the first point in each cell of a lattice of spacing side_m;
+                 * its `next` is the following point */
     int *next;
     int columns, rows;
     double low[2];
 };
 
-/* ---- sight ---- */
+/* ---- visibility ---- */
 
 static double side_of_line(const double a[2], const double b[2], double x, double y)
 {
@@ -101,7 +101,7 @@ static enum pp_status add_screen(struct pp_traced_plane *plane, const double a[2
     return status;
 }
 
-/* Adds the lines in which the plane cuts a surface in the room. */
+/* Adds the line segments in which the plane cuts a surface in the room. */
 static enum pp_status add_cut(struct pp_traced_plane *plane,
                               const struct pp_polygon *outline, struct pp_error *err)
 {
@@ -122,7 +122,7 @@ static enum pp_status add_cut(struct pp_traced_plane *plane,
     return status;
 }
 
-/* Finds the plane's own edges, unless it is a plain quadrangle, and the objects in
+/* Finds the edges of the plane, unless it is a simple quadrilateral, and the objects on
  * it. */
 static enum pp_status find_screens(struct pp_traced_plane *plane, struct pp_error *err)
 {
@@ -153,7 +153,7 @@ static double distance_to(const struct plane_screen *line, double x, double y)
     return hypot(line->a[0] + share * dx - x, line->a[1] + share * dy - y);
 }
 
-/* Finds openings as lines in the plan: the longest between two of their corners. */
+/* Finds the openings as segments in plan: the longest between two of their corners. */
 static enum pp_status find_openings(struct pp_traced_plane *plane, struct pp_error *err)
 {
     const struct pp_world *world = plane->world;
@@ -183,8 +183,8 @@ static enum pp_status find_openings(struct pp_traced_plane *plane, struct pp_err
     return PP_OK;
 }
 
-/* Number of halvings of the square at a place; a real number, so that it changes
- * gradually. */
+/* Number of times by which the square at a position is halved: a real number, so that
+ * it changes gradually. */
 static double halvings_at(const struct pp_traced_plane *plane, double x, double y)
 {
     double nearest = INFINITY;
@@ -333,8 +333,8 @@ void pp_traced_plane_destroy(struct pp_traced_plane *plane)
 
 /* ---- fitting ---- */
 
-/* Direct component that is subtracted from the points: sky and scaled externally
- * reflected light of `exact`. */
+/* Direct component that is subtracted at the points: the sky component and the scaled
+ * externally reflected light of `exact`. */
 static enum pp_status known_at(const struct pp_traced_plane *plane, double x, double y,
                                double *value, struct pp_error *err)
 {
@@ -348,8 +348,8 @@ static enum pp_status known_at(const struct pp_traced_plane *plane, double x, do
     return status;
 }
 
-/* Factor that fits the externally reflected light of `exact` to the simulated one, by
- * least squares of the differences over the daylight factor. */
+/* Factor by which the externally reflected light of `exact` best fits the simulated
+ * light. Minimises the squares of the differences divided by the daylight factor. */
 static enum pp_status match_external(struct pp_traced_plane *plane,
                                      const struct pp_reading *factors,
                                      const struct pp_reading *external,
@@ -396,12 +396,13 @@ enum pp_status pp_traced_plane_fill(struct pp_traced_plane *plane,
 struct neighbours {
     int count;
     const struct plane_point *list[NEIGHBOURS_MOST];
-    double offset[NEIGHBOURS_MOST][2]; /* from the place, over the radius */
+    double offset[NEIGHBOURS_MOST][2]; /* vector from the position to the point, divided
+                                        * by the radius */
     double weight[NEIGHBOURS_MOST];
 };
 
-/* Finds the points with values, visible from the place and within the radius;
- * NEIGHBOURS_MOST at most. */
+/* Finds the points with values that are visible from the position and within the
+ * radius, at most NEIGHBOURS_MOST. */
 static void find_neighbours(struct neighbours *found,
                             const struct pp_traced_plane *plane, const double at[2],
                             double radius)
@@ -428,9 +429,9 @@ static void find_neighbours(struct neighbours *found,
             }
 }
 
-/* Limits a fit to the range of its points, extended by a quarter at either end, and to
- * at least half of the least value if that is above 0. Beside a cupboard, for example,
- * few points are visible, and all on one side. */
+/* Limits a fitted value to the range of the points, extended by a quarter at each end,
+ * and to at least half of the least value if that is above 0. Beside a cupboard, for
+ * example, few points are visible, and all of them are on one side. */
 static double bounded(double rest, const struct neighbours *of)
 {
     double low = INFINITY, high = -INFINITY;
@@ -444,7 +445,7 @@ static double bounded(double rest, const struct neighbours *of)
     return fmin(fmax(rest, least), high + beyond);
 }
 
-/* Fitted value, and its standard error; false: no point has a value. */
+/* Fitted value and its standard error. Returns false if no point has a value. */
 static bool fit(const struct pp_traced_plane *plane, double x, double y, double *rest,
                 double *error)
 {

@@ -1,5 +1,5 @@
-/* traced_plane.h - simulated daylight factor at any place of the working plane,
- * interpolated between a number of simulated points.
+/* traced_plane.h - simulated daylight factor at any position on the working plane,
+ * interpolated between simulated points.
  *
  * The points are the centres of squares that cover the plane. Squares near openings,
  * where daylight factors are steep, are a half or a quarter as large. Daylight factors
@@ -11,11 +11,12 @@
  * is subtracted and added. Nothing is subtracted if `exact` does not cover the room: light
  * that blinds scatter has no kinks.
  *
- * The remainder is smooth. Between the points it is a moving least squares fit of a
- * quadratic (moving_fit.h; weights (1 - d²/R²)², R about two and a half squares wide)
- * to the points that are visible from the place: a wall's corner or a partition at the
- * height of the plane separates its two sides. The fit's standard error follows from
- * those of the points, and from their common part (common_error.h).
+ * The remainder is smooth. It is interpolated by a moving least squares fit of a
+ * quadratic (moving_fit.h) to the points that are visible from the position, with
+ * weights (1 - d²/R²)² and R about 2.5 times the side of a square. Points behind the
+ * corner of a wall, or behind a partition at the height of the plane, are not visible.
+ * The standard error of the fit follows from the errors of the points and from their
+ * correlation (common_error.h).
  */
 #ifndef PP_STUDIES_TRACED_PLANE_H
 #define PP_STUDIES_TRACED_PLANE_H
@@ -28,7 +29,7 @@
 struct pp_traced_plane;
 
 /* Chooses the points (the caller frees *points), and makes the plane for them, without
- * values yet. World and light must outlive it. */
+ * values. World and light must exist as long as the plane. */
 enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
                                       struct pp_receiver **points, int *count,
                                       const struct pp_world *world,
@@ -36,16 +37,16 @@ enum pp_status pp_traced_plane_create(struct pp_traced_plane **plane,
                                       struct pp_error *err);
 void pp_traced_plane_destroy(struct pp_traced_plane *plane); /* NULL is allowed */
 
-/* Sets the daylight factors at the points, in their order, the externally reflected
- * components there, and the common share of the variance of neighbouring points; points
- * without a value are left out. */
+/* Sets the daylight factors at the points in their order, the externally reflected
+ * components at the points, and the common fraction of the variance of neighbouring
+ * points. Points without a value are ignored. */
 enum pp_status pp_traced_plane_fill(struct pp_traced_plane *plane,
                                     const struct pp_reading *factors,
                                     const struct pp_reading *external, double common,
                                     struct pp_error *err);
 
-/* A pp_field_function whose context is the plane: the daylight factor at a place, and
- * its standard error. 0 if no point has a value. */
+/* Functions of type pp_field_function whose context is the plane: the daylight factor
+ * at a position, and its standard error. Both are 0 if no point has a value. */
 enum pp_status pp_traced_plane_value(void *plane, double x, double y, double *value,
                                      struct pp_error *err);
 enum pp_status pp_traced_plane_error(void *plane, double x, double y, double *value,

@@ -1,4 +1,4 @@
-/* view_out.c - adds up the angles and lines of sight of all openings. */
+/* view_out.c - adds the sight angles and lines of sight of all openings. */
 #include "studies/view_out.h"
 
 #include <math.h>
@@ -8,23 +8,24 @@
 #include "model/base/array.h"
 #include "model/geometry/region.h"
 
-/* Lines of sight that end less than this beyond the glass are left out. */
+/* Lines of sight that end closer than this behind the glass are ignored. */
 static const double NEAR_M = 2.0;
-/* Ground less than this angle below the horizon counts as landscape. */
+/* Ground less than this angle below the horizon is treated as landscape. */
 static const double LANDSCAPE_RAD = 5.0 * PP_RAD;
-/* Greatest sine of the altitude of an opening's outward normal. */
+/* Greatest sine of the altitude of an opening's outward normal: openings that slope
+ * more than 45 degrees from the vertical are ignored. */
 static const double RISE_MOST = 0.70710678118654757;
 
 const double pp_view_out_angle_rad[4] = {0.0, 14.0 * PP_RAD, 28.0 * PP_RAD,
                                          54.0 * PP_RAD};
 const double pp_view_out_distance_m[4] = {0.0, 6.0, 20.0, 50.0};
 
-/* Bearings from `from` to `to` (rad), at most pi apart, in [0, 4 pi). */
+/* Range of bearings (rad) in [0, 4 pi), at most pi wide. */
 struct bearing_span {
     double from, to;
 };
 
-/* A line of sight: the distance beyond the glass to its end, and its solid angle. */
+/* A line of sight: distance from the glass to its end, and its solid angle. */
 struct view_line {
     double distance_m, solid_angle;
 };
@@ -49,8 +50,9 @@ static int by_line_distance(const void *a, const void *b)
     return (s->distance_m > t->distance_m) - (s->distance_m < t->distance_m);
 }
 
-/* Total of the spans on the circle, overlaps counted once. Splits spans that extend
- * beyond a full turn; the array has space for twice the count. */
+/* Total width of the ranges on the circle, with overlaps counted once. Ranges that
+ * extend beyond a full turn are split; the array must have space for twice the
+ * count. */
 static double spans_union(struct bearing_span *spans, int count)
 {
     int all = count;
@@ -69,7 +71,8 @@ static double spans_union(struct bearing_span *spans, int count)
     return sum;
 }
 
-/* Distance that half of the lines, by solid angle, reach; 0 without lines. */
+/* Distance reached by half of the lines, weighted by solid angle; 0 if there are no
+ * lines. */
 static double median_distance(struct view_line *lines, int count)
 {
     double whole = 0.0, sum = 0.0;
@@ -97,8 +100,8 @@ static struct pp_vec3 axes_direction(const struct opening_axes *axes, double x,
     return pp_vec_along(pp_vec_along(v, y, axes->up), 1.0, axes->out);
 }
 
-/* Adds the span of bearings of one ring of an opening's visible part. All of them
- * differ by less than 90 degrees from the bearing of the opening's normal. */
+/* Adds the range of bearings of one ring of an opening's visible part. All bearings
+ * differ by less than 90 degrees from that of the opening's normal. */
 static enum pp_status add_bearings(struct view_sum *sum,
                                    const struct opening_axes *axes,
                                    const struct pp_ring *ring, struct pp_error *err)
@@ -120,8 +123,8 @@ static enum pp_status add_bearings(struct view_sum *sum,
     return status;
 }
 
-/* True if a skyline without a distance hides the direction through an opening of
- * `face`. */
+/* True if a skyline without a distance hides the direction `to`, as seen through an
+ * opening in `face`. */
 static bool is_behind_skyline(const struct pp_world *world, int face, struct pp_vec3 to,
                               struct pp_vec3 out)
 {
@@ -132,8 +135,8 @@ static bool is_behind_skyline(const struct pp_world *world, int face, struct pp_
     return false;
 }
 
-/* Layer that ends the line of sight from a point of the glass, and its distance;
- * INFINITY for the sky and for skylines without a distance. */
+/* Layer in which a line of sight from the glass ends, and its distance; INFINITY for
+ * the sky and for skylines without a distance. */
 static enum pp_view_layer layer_seen(double *distance_m, const struct pp_world *world,
                                      const struct pp_light_scene *scene,
                                      const struct pp_light_ray *ray, int face)
@@ -151,8 +154,8 @@ static enum pp_view_layer layer_seen(double *distance_m, const struct pp_world *
     return ray->to.z > -sin(LANDSCAPE_RAD) ? PP_VIEW_LANDSCAPE : PP_VIEW_GROUND;
 }
 
-/* Adds the lines of sight through the visible part; *layers: the layers in which these
- * lines end. */
+/* Adds the lines of sight through the visible part of an opening. *layers is set to the
+ * layers in which these lines end. */
 static enum pp_status add_view_lines(
     struct view_sum *sum, int *layers, const struct pp_world *world,
     const struct pp_light_scene *scene, const struct pp_opening *opening,
@@ -221,8 +224,8 @@ static enum pp_status add_opening_view(struct view_sum *sum, struct pp_view_out 
     return status;
 }
 
-/* True if the pane shows no clear picture of the outside: a blind, or a measured pane
- * that scatters. */
+/* True if there is no clear view through the opening, because of a blind or a measured
+ * pane that scatters. */
 static bool is_blurred(const struct pp_opening *opening)
 {
     return opening->blind
@@ -252,7 +255,7 @@ enum pp_status pp_view_out_from(struct pp_view_out *view, const struct pp_world 
     return status;
 }
 
-/* Highest level whose bound the figure reaches, with a tolerance for rounding. */
+/* Highest level whose limit the figure reaches, with a tolerance for rounding. */
 static enum pp_view_level view_level_of(double figure, const double bounds[4])
 {
     int level = PP_VIEW_HIGH;

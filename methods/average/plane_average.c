@@ -26,7 +26,7 @@ struct integral {
     pp_plane_function *function;
     void *data;
     struct piece_integral *of;
-    int points; /* evaluated so far */
+    int points; /* number of points evaluated so far */
     int known;  /* number of points whose values are known from the first estimate; 0 if
                  * none */
     bool stopped;
@@ -58,12 +58,12 @@ static int integrand_at(unsigned dim, const double *square, void *data, unsigned
     return 0;
 }
 
-/* The integrals over all pieces, which the pool's workers share. */
+/* The integrals over all pieces, which are divided among the pool's workers. */
 struct piece_integrals {
     const struct pp_plane_wedges *pieces;
     const struct integral *like;
     double absolute; /* error bound for one piece, for all its values together */
-    int points;      /* most evaluations in a piece */
+    int points;      /* most evaluations in one piece */
     struct piece_integral *of;
 };
 
@@ -94,8 +94,8 @@ static bool integrate_piece(void *data, int worker, int i)
     return true;
 }
 
-/* Integrates all pieces and adds up their integrals in order. Returns false if the
- * function stopped. */
+/* Integrates all pieces, and adds up the integrals in the order of the pieces. Returns
+ * false if the function stopped. */
 static bool integrate_pieces(double sum[PP_PLANE_VALUES],
                              struct piece_integrals *integrals,
                              struct pp_thread_pool *pool)
@@ -135,10 +135,10 @@ enum pp_status pp_plane_average(double mean[PP_PLANE_VALUES], bool *stopped,
         return status == PP_OK ? pp_fail_memory(err) : status;
     }
 
-    /* A first estimate, with one evaluation of the rule for each piece, gives the error
-     * allowed to each; errors of the pieces are assumed independent. Only an eighth of
-     * the requested error is allowed, since the two sums of a rule may agree although
-     * both are wrong. */
+    /* A first estimate, one evaluation of the rule for each piece, sets the error
+     * allowed to each piece. Errors of different pieces are assumed independent. Only
+     * an eighth of the requested error is allowed, since the two sums of a rule may
+     * agree although both are wrong. */
     for (int i = 0; i < pieces.count; i++)
         of[i].error = INFINITY;
     struct integral integral = {

@@ -1,7 +1,7 @@
 /* plane_light.h - the mean over the working plane of the light through an opening.
  *
  * The plain implementation is an integral over points of the plane. The fast one
- * (beam_average.h) is an integral over directions. pp_beams_create chooses.
+ * (beam_average.h) is an integral over directions. pp_beams_create selects one of them.
  */
 #ifndef PP_METHODS_AVERAGE_PLANE_LIGHT_H
 #define PP_METHODS_AVERAGE_PLANE_LIGHT_H
@@ -22,15 +22,15 @@ struct pp_plane_light {
     bool with_outside;     /* false: obstructions outside are left out */
 };
 
-/* The means over the beams' working plane, for receivers that face up, of sky component and
- * externally reflected component of one opening. The plane must not be empty. */
+/* Means over the beams' working plane of the sky component and the externally reflected
+ * component of one opening, for receivers that face up. The plane must not be empty. */
 enum pp_status pp_plane_light_average(double mean[2], struct pp_beams *beams,
                                       const struct pp_opening *opening,
                                       const struct pp_plane_light *light,
                                       struct pp_error *err);
 
 /* Means of the sky component and the externally reflected component through `glass`
- * (clear, or none), which are defined as for pp_direct_through at a point. All users of
+ * (clear, or none). Both components are defined as in pp_direct_through. All users of
  * one `beams` must have the same light. */
 enum pp_status pp_plane_light_direct(double mean[2], struct pp_beams *beams,
                                      const struct pp_outside_light *light,

@@ -17,8 +17,8 @@ enum { CUTS = 2 };
 /* Corners and angles nearer than this count as equal (m, radians). */
 static const double same = 1e-9;
 
-/* Sine of the slope (0.06 degrees) above which an opening counts as sloping: in plan,
- * it lights both sides of its own line. */
+/* Sine of the slope (0.06 degrees) above which an opening counts as sloping. In plan, a
+ * sloping opening lights both sides of its own line. */
 static const double upright = 1e-3;
 
 /* ---- where light spreads from ---- */

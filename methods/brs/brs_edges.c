@@ -12,9 +12,9 @@ static double interpolation_share(double x, double low, double high)
     return isinf(high) ? 1.0 - low / x : (x - low) / (high - low);
 }
 
-/* Finds the table column at or above `aside` (counted from 1; the last column if none).
- * *t is the interpolation fraction, 0 at the column before it (w/d = 0 before the
- * first) and 1 at that column. */
+/* Finds the first column with w/d not below `aside` (counted from 1; the last column if
+ * there is none). *t is the interpolation fraction: 1 at that column, and 0 at the
+ * preceding column (at w/d = 0 for the first). */
 static int brs_column(const struct pp_brs_cells *table, double aside, double *t)
 {
     const double *head = table->cells;
@@ -30,8 +30,9 @@ static double up_of(const struct pp_brs_cells *table, int row)
     return table->cells[row * table->columns];
 }
 
-/* Finds the table row at or above `up` (counted from 1; row 1 if none). *t is the
- * interpolation fraction, 0 at the row of the next lower height and 1 at that row. */
+/* Finds the row with the lowest height that is not below `up` (counted from 1; row 1 if
+ * there is none). *t is the interpolation fraction: 1 at that row, and 0 at the row of
+ * the next lower height. */
 static int row_of(const struct pp_brs_cells *table, double up, double *t)
 {
     int i = table->rows - 1;
@@ -156,11 +157,12 @@ const struct pp_formula pp_brs_edges_less = BRS(
 
 /* ---- the sum ---- */
 
-/* An edge of a rectangle: its symbols and name, and the formulae of its sum, which
- * depends on the sides of the normal on which the jambs lie. */
+/* An edge of a rectangle: its symbols and name, and the formulae of its sum. The
+ * formula depends on the sides of the normal on which the jambs lie. */
 static const struct edge {
     const char *height, *left, *right, *what;
-    const struct pp_formula *sums; /* added, left less, right less */
+    const struct pp_formula *sums; /* formulae of the sum for jambs on both sides, both
+                                    * to the left, both to the right */
 } upper = {"h", "T_hl", "T_hr", "upper edge", pp_brs_edges_upper},
   lower = {"s", "T_sl", "T_sr", "lower edge", pp_brs_edges_lower};
 
@@ -187,8 +189,8 @@ static void work_edge(struct pp_worksheet *sheet, const struct edge *edge,
                            : "value of the wider part minus that of the narrower part");
 }
 
-/* Formula that combines the sums of both edges. It depends on whether the lower edge is
- * above, at or below the origin of the table. */
+/* Formula that combines the sums of both edges. The formula depends on whether the
+ * lower edge is above, at or below the origin of the table. */
 static const struct pp_formula *sum_of(const struct pp_brs_rectangle *at)
 {
     if (at->low < 0.0)

@@ -1,11 +1,11 @@
 /* brs_edges.h - simplified daylight tables read at the edges of rectangles [HLG58].
  *
  * A table T(up, aside) gives the sky component of a rectangle with one corner at the
- * origin of the table. `up` and `aside` are the distances from there to its far edge
- * and to its far jamb, divided by the distance d of its plane. Interpolation is linear
- * between neighbours in both directions, linear in the reciprocal between the last
- * printed column or row and infinity, and linear to zero below the first one. As
- * published:
+ * origin of the table. `up` and `aside` are the distances from the origin to the
+ * rectangle's far edge and to its far jamb, divided by the distance d of the
+ * rectangle's plane. Interpolation is linear between neighbours in both directions,
+ * linear in the reciprocal between the last printed column or row and infinity, and
+ * linear to zero below the first one. As published:
  *
  *   - readings of jambs on both sides of the origin are added; for jambs on one side the
  *     narrower reading is subtracted from the wider one
@@ -20,8 +20,9 @@
 #include "methods/method.h"
 #include "methods/part_steps.h"
 
-/* A table as csv2c.awk writes it: the first row holds `aside`; each other row holds
- * `up` (from infinity down), then the values in per cent. */
+/* A table in the layout written by csv2c.awk. The first row holds the values of
+ * `aside`. Each other row holds `up` (descending from infinity), then the readings in
+ * per cent. */
 struct pp_brs_cells {
     int rows, columns;
     const double *cells;
@@ -42,8 +43,8 @@ struct pp_brs_rectangle {
     double left, right, low, high;
     bool hidden;   /* true: an obstruction; false: sky */
     double factor; /* luminance factor of the obstruction */
-    bool off_sky;  /* the sky's rectangle includes this obstruction, which is
-                    * subtracted */
+    bool off_sky;  /* true: the rectangle of sky includes this obstruction, whose
+                    * readings are subtracted */
 };
 
 /* Calculates the next part and adds it to *sum. `measure` is the name of `up` in the

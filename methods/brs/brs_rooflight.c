@@ -5,8 +5,9 @@
  * [HLG58] also contains tables for rooflights, but they were not available. The tables
  * here were calculated by quadrature under the same conditions: CIE overcast sky, clear
  * single glass, a point that faces up (bench/make_rooflight_tables.c). There is one
- * table for horizontal glass and one each for glass at 30 and 60 degrees. With d the
- * perpendicular distance of the plane of the glass from the point:
+ * table for horizontal glass and one each for glass at 30 and 60 degrees. The
+ * arguments, with d the perpendicular distance from the point to the plane of the
+ * glass:
  *
  *     horizontal  T(l/d, w/d)  l and w from the point above the receiver, symmetrical
  *     sloping     T(s/d, w/d)  s up the slope, from the line where the plane of the glass

@@ -6,24 +6,24 @@
  * with the point and its head h above the point; one jamb is on the normal through the
  * point, the other w to the side; d is the distance. As published:
  *
- *   - a window on both sides of the normal: the two halves added
- *   - a window to one side: the wider part less the narrower
+ *   - a window on both sides of the normal: the readings of both parts are added
+ *   - a window to one side: reading of the far jamb less that of the near jamb
  *   - a sill above the point: reading of the head less that of the sill
- *   - an obstruction: as if its head were the sill; the difference is the equivalent
- *     sky component of the obstruction, and the externally reflected component is 0.2
- *     (the obstruction's reflectance) times that difference
+ *   - an obstruction: the window is read as if its sill were the obstruction's head.
+ *     The reduction of the reading is the equivalent sky component of the obstruction;
+ *     the externally reflected component is 0.2 (the reflectance) times this reduction
  *
  * Interpolation is linear between neighbours in both directions, linear in the
  * reciprocal between the last printed column or row and infinity, and linear to zero
- * below the first. elevation.h says how openings and obstructions become rectangles; a
- * negative sum counts as 0.
+ * below the first. elevation.h describes the rectangles for openings and obstructions;
+ * a negative sum counts as 0.
  *
- * For vertical openings with clear glass, or none, and points that face up under the
- * CIE overcast sky. The figures contain clear single glass; no frame, no dirt. At 1 to
- * 7 m from the window, readings of 1 % and more are 1.4 % low on average against the
- * exact direct component with that glass, 3.4 % rms. Readings for a window far to one
- * side, a small difference of two cells, can be 20 % off; at points nearer than h/d =
- * 5, the last row before infinity, twice that.
+ * The method is for vertical openings with clear glass, or none, and for points that
+ * face up under the CIE overcast sky. The figures contain clear single glass; no frame,
+ * no dirt. At 1 to 7 m from the window, readings of 1 % and more are 1.4 % low on
+ * average against the exact direct component with that glass, 3.4 % rms. A window far
+ * to one side is a small difference of two cells, which can be 20 % wrong. The error
+ * can be twice that where h/d is above 5, the last row before infinity.
  */
 #include "methods/brs/brs_table.h"
 

@@ -2,10 +2,10 @@
 #ifndef PP_METHODS_BRS_BRS_TABLE_H
 #define PP_METHODS_BRS_BRS_TABLE_H
 
-/* Sky component (a fraction, 0 to 0.15) of a window whose sill is at the height of the
- * point and one of whose jambs is on the normal through the point, from h/d and w/d,
- * each up to infinity; 0 if one is negative. Equal to the printed value where one is
- * printed; the rules of interpolation are in brs_table.c. */
+/* Sky component (a fraction, 0 to 0.15) of a window with its sill level with the point
+ * and one jamb on the normal through the point. h/d and w/d may be infinite; the
+ * component is 0 if either is negative. Printed values are reproduced; brs_table.c
+ * describes the interpolation between them. */
 double pp_brs_table_read(double h_over_d, double w_over_d);
 
 /* Position of a reading in the table; h/d and w/d are above 0. Rows run from 0

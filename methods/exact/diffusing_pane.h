@@ -34,8 +34,8 @@ enum pp_status pp_diffusing_pane_init(struct pp_diffusing_pane *pane,
                                       struct pp_error *err);
 void pp_diffusing_pane_clear(struct pp_diffusing_pane *pane);
 
-/* Adds to *sum the integrals of the outside's illuminance (over Eh) times (n.u) over
- * the visible part of the pane; sum->rough as in direct.h. */
+/* Adds to *sum the integrals over the visible part of the pane of its outside
+ * illuminance (divided by Eh) times (n.u). sum->rough as in direct.h. */
 enum pp_status pp_diffusing_pane_add(struct pp_direct *sum,
                                      const struct pp_diffusing_pane *pane,
                                      const struct pp_visible *visible,

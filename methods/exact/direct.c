@@ -71,10 +71,12 @@ struct patch_figures {
     bool closed_form; /* the sky component without glass follows from the moments in
                        * closed form */
     bool glazed;
-    double above;  /* light from visible or hidden sky, through the glass */
+    double above;  /* light through the glass from the sky; for an obstruction, from
+                    * the sky that it hides, before `factor` is applied */
     double below;  /* light from the ground for a reflectance of 1; for an obstruction,
-                    * from its part below the horizon at the luminance of the horizon */
-    double own;    /* from the obstruction's own exitance */
+                    * light from its part below the horizon, for the luminance of the
+                    * horizon */
+    double own;    /* light from the obstruction's exitance */
     double factor; /* luminance factor of the obstruction, or reflectance of the
                     * ground */
 };
@@ -190,7 +192,7 @@ static void add_patch_steps(struct pp_part_steps *terms,
 
 /* ---- a patch ---- */
 
-/* One patch, the receiver's normal, and the sum that the patch is added to. */
+/* One patch, the receiver's normal, and the sum to which the patch is added. */
 struct task {
     struct pp_direct *sum;
     const struct pp_visible *visible;

@@ -1,7 +1,7 @@
 /* direct.h - sky and externally reflected component of a view, patch by patch.
  *
  * With tau the transmittance of the glass at the angle of incidence (1 without glass),
- * luminances over Eh and integrals over solid angle, a patch contributes
+ * luminances divided by Eh, and integrals over solid angle, a patch contributes
  *
  *     to the sky component, where it shows
  *       sky               integral L tau (n.u)
@@ -12,8 +12,8 @@
  *       an exitance M     M / pi integral tau (n.u)
  *       ground            rho_ground / pi integral tau (n.u)
  *
- * Evaluated in closed form where sky and glass allow it, else by the opening's tables
- * if there are any, else by quadrature.
+ * The integrals are evaluated in closed form if sky and glass allow it, otherwise by
+ * the opening's tables if there are any, otherwise by quadrature.
  */
 #ifndef PP_METHODS_EXACT_DIRECT_H
 #define PP_METHODS_EXACT_DIRECT_H
@@ -28,10 +28,10 @@
 #include "model/room/world.h"
 
 struct pp_direct {
-    double sky, external; /* over Eh */
+    double sky, external; /* components divided by Eh */
     /* Set by the caller: */
-    bool rough; /* fast, to 1e-6 of the open sky by tables, to about PP_QUADRATURE_ROUGH
-                 * by quadrature */
+    bool rough; /* true: faster, with errors up to 1e-6 of the open sky by tables, about
+                 * PP_QUADRATURE_ROUGH by quadrature */
     double unglazed_error; /* error bound without glass; 0: PP_QUADRATURE_UNGLAZED */
     const struct pp_pane_light *tables; /* tables of the opening; not owned; NULL:
                                          * none */

@@ -4,23 +4,23 @@
  *
  *   - by closed form [ARVO95] for the overcast and uniform skies without glass, to
  *     1e-9 or 1e-15 of the open sky
- *   - by sums over edges (pane_light.h), to 1e-9 of the open sky, for these skies with
- *     glass and for skies of ISO 15469 that have no sun without glass; if the method
- *     was not prepared, by quadrature
+ *   - by sums over edges (pane_light.h), to 1e-9 of the open sky: with glass, for the
+ *     overcast and uniform skies; without glass, for skies of ISO 15469 that do not
+ *     depend on the sun; if the method was not prepared, by quadrature
  *   - by quadrature for other skies of ISO 15469, to 1e-9 without glass and 1e-6 with
  *     it; if the method was prepared for the points of a plane, by sums over edges, to
  *     1e-6 of the open sky
  *
  * The externally reflected component follows the conventions in direct.h. The method is
  * for any number of windows, rooflights and sloping openings, any receiver and any
- * shape of room; reveals, skylines, blocks and free-standing surfaces count.
+ * shape of room; reveals, skylines, blocks and free-standing surfaces are included.
  *
  * A diffusing pane is a Lambertian emitter of the light that falls on its outside:
- * exact where that light is the same all over the pane (nothing in front of the pane
- * but sky, ground and skylines without a distance), else to 1e-6 by polynomials over
- * parts of the pane (diffusing_pane.h, which says where the error is larger). The
- * illuminance of such panes is calculated once for a room if the method is prepared,
- * else again for each receiver; the numbers are the same.
+ * exact if that illuminance is uniform (nothing in front of the pane but sky, ground
+ * and skylines without a distance), otherwise to 1e-6 by polynomials over parts of the
+ * pane (diffusing_pane.h lists cases with larger errors). The illuminance of such panes
+ * is calculated once for a room if the method is prepared, else again for each
+ * receiver; the numbers are the same.
  */
 #include "methods/method.h"
 #include "methods/refusals.h"
@@ -38,8 +38,8 @@
 
 struct exact_tools {
     struct pp_pane_tables *tables;
-    /* The illuminance of non-uniformly lit diffusing panes: one item for each opening,
-     * which is empty for all other openings. */
+    /* Illuminance of non-uniformly lit diffusing panes: one item for each opening,
+     * empty if the opening has no such pane. */
     int count;
     struct pp_diffusing_pane panes[];
 };

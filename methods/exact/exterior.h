@@ -9,16 +9,16 @@
 #include "model/light/outside_light.h"
 #include "model/room/world.h"
 
-/* The middle of an opening's outside: the centroid of its outer outline or, if the pane
- * is set back from the facade, of the hole in the facade: a wall does not obstruct its
- * own windows, however thick it is. */
+/* Centre of an opening's outside: the centroid of its outer outline or, if the pane is
+ * set back from the facade, of the hole in the facade. A wall, however thick, therefore
+ * does not obstruct its own windows. */
 struct pp_vec3 pp_exterior_opening_centroid(const struct pp_opening *opening);
 
 /* Illuminance over Eh, from the visible sky alone and without glass, of a plane through
- * the middle of the opening's outside with the outward unit normal `normal`; for a
- * vertical normal the vertical sky component. Light from the ground is not included.
- * Obstructions are the skylines of the opening's own face, blocks, free-standing
- * surfaces outside and the building's own outer faces. */
+ * the centre of the opening's outside with the outward unit normal `normal`. For a
+ * horizontal normal it is the vertical sky component. Light from the ground is not
+ * included. Obstructions are the skylines of the opening's own face, blocks,
+ * free-standing surfaces outside and the building's own outer faces. */
 enum pp_status pp_exterior_sky_on_plane(double *share, const struct pp_world *world,
                                         const struct pp_opening *opening,
                                         struct pp_vec3 normal, const struct pp_sky *sky,
@@ -32,9 +32,9 @@ struct pp_exterior_light {
 };
 
 /* Illuminances of a plane through any position outside, with unit normal `normal`.
- * `face` is the index of the surface in that plane, which hides nothing and whose
- * skylines alone count; -1: no such surface and no skylines. Closed form for the
- * overcast and uniform skies (errors of 1e-13), else quadrature to 1e-9. */
+ * `face` is the index of the surface in that plane. This surface hides nothing, and
+ * only its skylines are included. -1: no such surface and no skylines. Closed form for
+ * the overcast and uniform skies (errors of 1e-13), else quadrature to 1e-9. */
 enum pp_status pp_exterior_light_on_plane(struct pp_exterior_light *outside,
                                           const struct pp_world *world,
                                           const struct pp_outside_light *light,

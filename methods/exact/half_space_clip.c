@@ -35,8 +35,8 @@ static double depth_in(struct pp_vec3 half_space, struct pp_vec3 v)
 }
 
 /* The point where the edge between an inner and an outer point meets the stage's plane.
- * It is always calculated from the inner point, so that two polygons agree on a shared
- * edge. */
+ * The calculation always starts from the inner point, so that two polygons agree on a
+ * shared edge. */
 static struct pp_vec3 stage_crossing(struct pp_vec3 inner, double inner_depth,
                                      struct pp_vec3 outer, double outer_depth)
 {

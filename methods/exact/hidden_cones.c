@@ -38,7 +38,8 @@ static enum pp_status end_cone(struct pp_hidden_cones *cones, struct pp_error *e
     return status;
 }
 
-/* Corner i of a convex piece; of: the indices of its vertices (NULL: all in order). */
+/* Corner i of a convex piece. of: indices of the piece's vertices (NULL: all, in
+ * order). */
 static struct pp_vec3 corner(const struct pp_polygon *polygon, const int *of, int i)
 {
     return polygon->vertices[of ? of[i] : i];
@@ -76,9 +77,9 @@ static enum pp_status add_convex(struct pp_hidden_cones *cones, struct pp_vec3 e
                                  const struct pp_polygon *polygon, const int *of,
                                  int count, struct pp_error *err)
 {
-    /* Seen from the side of the normal, the corners run counter-clockwise and the
-     * normals of the planes through the eye and the edges point out of the cone: they
-     * are reversed. */
+    /* From the side of the polygon's normal, the corners run counter-clockwise. The
+     * normals of the planes through the eye and the edges then point out of the cone,
+     * and are reversed. */
     double facing = pp_vec_dot(polygon->normal, pp_vec_sub(eye, polygon->vertices[0]));
     double side = facing > 0.0 ? -1.0 : 1.0;
     enum pp_status status = PP_OK;

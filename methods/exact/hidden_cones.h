@@ -5,13 +5,14 @@
  *
  *     n_i = (v_i - e) x (v_i+1 - e)
  *
- * or of -n_i, depending on the side from which it is seen. A non-convex surface hides
- * the cones of its triangles, a skyline the directions between its foot and its head.
+ * or of -n_i, depending on the side from which the polygon is seen. A non-convex
+ * surface hides the cones of its triangles, a skyline the directions between its foot
+ * and its head.
  *
- * Each cone of a polygon lies in a circular cap about the mean direction to its
- * corners, which reaches the farthest corner: a cap of less than a hemisphere is
- * convex. The caps alone show which cones are far from a path of the sun, so that their
- * half-spaces need no test.
+ * Each cone of a polygon has a circular cap about the mean direction to the polygon's
+ * corners, as wide as the farthest corner. A cap of less than a hemisphere is convex
+ * and therefore contains the cone. If a cap is clear of a path of the sun, the
+ * half-spaces of its cone need no test.
  */
 #ifndef PP_METHODS_EXACT_HIDDEN_CONES_H
 #define PP_METHODS_EXACT_HIDDEN_CONES_H
@@ -22,7 +23,7 @@
 #define PP_HIDDEN_CONE_COS_WIDEST 0.5
 
 struct pp_hidden_cone {
-    int end;             /* the index past its last half-space */
+    int end;             /* index past the cone's last half-space, in half_spaces */
     struct pp_vec3 axis; /* unit axis of the cap; zero vector: no cap */
     double cos_radius, sin_radius;
 };
@@ -34,18 +35,18 @@ struct pp_hidden_cones {
     int count, capacity;
 };
 
-/* Viewpoint of the open air: a point in the outer plane of a wall. If `opening` is not
- * NULL it is in the inner plane, where the sides of that opening hide the sky as
- * well. */
+/* Viewpoint from which the sky is seen: a point in the outer plane of a wall or, if
+ * `opening` is not NULL, in the inner plane, where the sides of that opening also hide
+ * sky. */
 struct pp_hidden_view {
     struct pp_vec3 eye;
     struct pp_vec3 out; /* unit normal of the plane; directions behind it are hidden */
-    int face;           /* index of the face in whose plane the viewpoint lies: it hides
-                         * nothing */
+    int face;           /* index of the face in whose plane the viewpoint lies; this
+                         * face hides nothing */
     const struct pp_opening *opening;
 };
 
-/* The viewpoint at the middle of an opening's outside, as for the vertical sky
+/* The viewpoint at the centre of an opening's outside, as for the vertical sky
  * component. */
 struct pp_hidden_view pp_hidden_cones_outside(const struct pp_opening *opening);
 

@@ -9,7 +9,7 @@
 
 #include "model/base/array.h"
 
-/* Coordinates that differ by less than this share of the whole extent count as
+/* Coordinates that differ by less than this fraction of the whole extent count as
  * equal. */
 #define GRAIN 1e-13
 
@@ -23,8 +23,8 @@ void pp_integration_cells_clear(struct integration_cells *cells)
 /* ---- from rings to edges ---- */
 
 /* Clips a ring to a x + b y + c > 0. A ring that is not convex keeps bridges along the
- * cut, which run both ways and cancel. Returns the number of points that remain; out
- * has room for 2 count points. */
+ * cut, which are traversed in both directions and cancel. Returns the number of points
+ * that remain; out has room for 2 count points. */
 static int cut_ring(double (*out)[2], const double (*in)[2], int count, double a,
                     double b, double c)
 {

@@ -21,7 +21,7 @@ struct cell_bound {
 struct integration_cell {
     double x[2];
     struct cell_bound lower, upper;
-    int lower_edge, upper_edge; /* -1: not an edge */
+    int lower_edge, upper_edge; /* indices in `edges`; -1: the line is not an edge */
 };
 
 /* The edges of the region and the cells between them. */

@@ -18,10 +18,11 @@ enum { COLUMN_MOST = 3000, COLUMNS_MOST = 3000 };
 struct cell_integral {
     const struct pp_projection *view;
     const struct pp_integrand *integrand;
-    struct pp_vec3 normal;          /* the receiver's, room's axes */
-    struct cell_bound lower, upper; /* divided by the distance of the plane */
+    struct pp_vec3 normal;          /* normal of the receiver, in the room's axes */
+    struct cell_bound lower, upper; /* bounds of the cell, divided by the distance of
+                                     * the plane */
     double alpha[2];
-    double cos_alpha, sin_alpha; /* angles of the current column */
+    double cos_alpha, sin_alpha; /* cosine and sine of the current column's angle */
     double column_abs,
         column_error; /* absolute and relative error bounds of a column */
     long evaluations;
@@ -76,7 +77,7 @@ enum { NODES = 4 };
 static const double gauss[NODES / 2][2] = {{0.33998104358485626, 0.65214515486254614},
                                            {0.86113631159405258, 0.34785484513745386}};
 
-/* Nodes and weights of a composite rule from one angle to another. */
+/* Nodes and weights of a composite rule over a range of angles. */
 enum { STRETCHES_MOST = 16 };
 struct rule {
     int count;
@@ -105,9 +106,9 @@ static struct rule rule_over(double low, double high)
     return rule;
 }
 
-/* The integral over a cell by fixed rules, with the altitude itself as the variable:
- * towards 90 degrees, the angle of incidence is smooth in the altitude, not in its
- * sine. */
+/* Integrates over a cell by fixed rules. The variable is the altitude, not its sine:
+ * near 90 degrees the angle of incidence is a smooth function of the altitude but not
+ * of its sine. */
 static double integrate_fixed(struct cell_integral *integral)
 {
     double sum = 0.0;
@@ -255,10 +256,10 @@ static double integrate_short(struct cell_integral *integral, int nodes)
     return sum;
 }
 
-/* Removes from the list the cells that are small enough for two short rules to agree,
- * with 52 values instead of 240 or more, and adds their integrals. The difference is
- * about the error of the rule with fewer nodes; the error of the other is far
- * smaller. */
+/* Adds the integrals over small cells for which two short rules agree, and removes
+ * these cells from the list. The short rules need 52 values instead of 240 or more. The
+ * difference between the rules is about the error of the rule with fewer nodes; the
+ * error of the other rule, which gives the value, is far smaller. */
 static void add_small_cells(struct pp_quadrature *result,
                             struct integration_cells *cells,
                             const struct pp_projection *view, struct pp_vec3 normal,

@@ -2,11 +2,12 @@
  *
  *     integral over the part of L(u) (n.u) domega
  *
- * The part is divided into cells, each between two of its edges and two lines across;
- * over a cell the integral runs in the azimuth alpha and the sine s of the altitude
- * about the view's `up`, in which solid angle is uniform (domega = dalpha ds) however
- * close the eye is to the plane. Both are adaptive Gauss-Kronrod rules (hcubature in
- * one dimension), the one in s within the one in alpha.
+ * The part is divided into cells, each bounded by two edges of the part and two lines
+ * across. The variables over a cell are the azimuth alpha and the sine s of the
+ * altitude about the view's `up`. Solid angle is uniform in these variables (domega =
+ * dalpha ds), however close the eye is to the plane. Both integrals use adaptive
+ * Gauss-Kronrod rules (hcubature in one dimension); the integral over s is nested in
+ * the integral over alpha.
  */
 #ifndef PP_METHODS_EXACT_QUADRATURE_H
 #define PP_METHODS_EXACT_QUADRATURE_H
@@ -21,18 +22,18 @@
 #define PP_QUADRATURE_GLAZED 1e-5
 #define PP_QUADRATURE_UNGLAZED 1e-9
 
-/* Error bound for the light that falls on a diffusing pane from a sky without a closed
- * form: at many points, each to about 1e-7. */
+/* Relative error bound for the light on a diffusing pane from a sky without a closed
+ * form, which is evaluated at many points. The actual errors are about 1e-7. */
 #define PP_QUADRATURE_PANE 5e-4
 
-/* Error bound from which fixed Gauss-Legendre rules replace the adaptive ones. They are
- * four to twenty times as fast and give no error estimate. Over 1,200 random windows
- * with clear glass the rms error is 2e-5 at 2 to 5 cm from the pane, 3e-6 from there to
- * 0.1 m and 1e-6 at larger distances; the worst is 2e-4. */
+/* Error bound at or above which fixed Gauss-Legendre rules replace the adaptive ones.
+ * Fixed rules are four to twenty times as fast and give no error estimate. Over 1,200
+ * random windows with clear glass the rms error is 2e-5 at 2 to 5 cm from the pane,
+ * 3e-6 from there to 0.1 m and 1e-6 at larger distances; the worst is 2e-4. */
 #define PP_QUADRATURE_ROUGH 1e-3
 
 /* A luminance with grain is summed in steps of its grain, or in steps this many times
- * larger if PP_QUADRATURE_ROUGH is enough. */
+ * larger if the error bound is PP_QUADRATURE_ROUGH or more. */
 #define PP_QUADRATURE_GRAINS_ROUGH 3.0
 
 /* Luminance towards the eye from direction u (unit, room's axes). */

@@ -1,13 +1,14 @@
 /* sky_view.h - the sky and the sun that a point sees through clear openings, for any hour.
  *
- * The view of each opening is the same all year, and is found once
- * (methods/view/visible.h). It is then tested for the sun of every hour, and cut into pieces
- * with one direction each, for the light of any sky:
+ * The view through each opening is the same all year and is found once
+ * (methods/view/visible.h). The sun of every hour is tested against this view. For the
+ * light of any sky, the view is cut into pieces, each with one direction:
  *
  *     E = sum of coefficient x L(u),   coefficient = integral tau (n.u) over the piece
  *
- * with the integral of n.u in closed form and tau (glass, frame, dirt, curtains) at u. Of
- * panes that scatter only unscattered light is counted; diffusing panes are left out.
+ * with the integral of n.u in closed form and tau (glass, frame, dirt, curtains) at u.
+ * For panes that scatter, only unscattered light is included; diffusing panes are left
+ * out.
  */
 #ifndef PP_METHODS_EXACT_SKY_VIEW_H
 #define PP_METHODS_EXACT_SKY_VIEW_H
@@ -28,8 +29,8 @@ enum pp_status pp_sky_view_init(struct pp_sky_view *view, const struct pp_world 
                                 const struct pp_receiver *receiver,
                                 struct pp_error *err);
 
-/* The same for pp_sky_view_sun alone: the views are in convex parts, which are found much
- * faster behind many obstructions. */
+/* As pp_sky_view_init, but for pp_sky_view_sun only: the views are stored as convex
+ * parts, which are found much faster behind many obstructions. */
 enum pp_status pp_sky_view_init_for_sun(struct pp_sky_view *view,
                                         const struct pp_world *world,
                                         const struct pp_receiver *receiver,
@@ -38,9 +39,11 @@ void pp_sky_view_clear(struct pp_sky_view *view);
 
 struct pp_sky_piece {
     int opening;
-    struct pp_vec3 u;   /* unit: the mean of its corners */
-    double coefficient; /* sr */
-    bool ground;        /* below the horizon: ground without limit */
+    struct pp_vec3 u;   /* direction (unit vector): mean of the directions of the
+                         * corners */
+    double coefficient; /* integral of tau (n.u) over the piece, sr */
+    bool ground;        /* true: below the horizon, where the ground extends without
+                         * limit */
 };
 
 typedef void pp_sky_view_sink(void *data, const struct pp_sky_piece *piece);
@@ -51,10 +54,10 @@ enum pp_status pp_sky_view_pieces(const struct pp_sky_view *view, double size_ra
                                   pp_sky_view_sink *sink, void *data,
                                   struct pp_error *err);
 
-/* Illuminance from the sun, its centre in direction u (unit), over that of a plane
- * outside normal to u. It is 0 if the sun is hidden, behind the receiver or below the
- * horizon; *opening is then unchanged. Otherwise *opening (may be NULL) is the index of
- * the opening that the sun shines through. */
+/* Illuminance from the sun (centre in direction u, a unit vector), divided by that of a
+ * plane outside normal to u. It is 0 if the sun is hidden, behind the receiver or below
+ * the horizon; *opening is then unchanged. Otherwise *opening (may be NULL) is the
+ * index of the opening that the sun shines through. */
 double pp_sky_view_sun(const struct pp_sky_view *view, struct pp_vec3 u, int *opening);
 
 #endif

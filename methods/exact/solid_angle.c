@@ -17,10 +17,10 @@
 /* The sums over the arcs of the boundary so far. */
 struct boundary_sums {
     struct pp_vec3 normal;
-    int count; /* vertices so far */
+    int count; /* number of vertices so far */
     struct pp_vec3 first, last;
     double first_length, last_length;
-    double real, imaginary; /* product of the fan's triangles */
+    double real, imaginary; /* product of the complex numbers of all triangles */
     double twice_cosine, thrice_cosine_sine;
 };
 
@@ -51,8 +51,8 @@ static void add_arc(struct boundary_sums *sums, struct pp_vec3 v, double length,
     sums->thrice_cosine_sine += across.z * scale * facing_both * half;
 }
 
-/* Multiplies the product by the number of the triangle of the first vertex, the last
- * one and v. */
+/* Multiplies the product by the complex number of the triangle between the first
+ * vertex, the last vertex and v. */
 static void add_boundary_triangle(struct boundary_sums *sums, struct pp_vec3 v,
                                   double length)
 {

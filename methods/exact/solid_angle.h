@@ -24,18 +24,18 @@
 
 struct pp_moments {
     double omega;       /* solid angle, sr */
-    double cosine;      /* E0 */
-    double cosine_sine; /* E1 */
+    double cosine;      /* E0: integral of n.u */
+    double cosine_sine; /* E1: integral of (n.u)(z.u) */
 };
 
 /* Adds to *sum the moments of the part of a ring within all the half-spaces h.u > 0.
  *
- * vertices are relative to the eye, counter-clockwise as it sees them (a clockwise
- * ring, a hole, counts negative); they lie in one plane that does not pass through the
- * eye. normal need not be among the half-spaces: without it, the part behind the
- * receiver counts negative. Errors are some units in the last place of the largest
- * term; a polygon of angular size s comes out to about 1e-16/s relative. Allocates
- * nothing. */
+ * vertices are relative to the eye and counter-clockwise as seen from the eye (the
+ * moments of a clockwise ring, a hole, are negative). They lie in one plane that does
+ * not pass through the eye. normal need not be among the half-spaces: otherwise the
+ * contribution of the part behind the receiver is negative. Errors are some units in
+ * the last place of the largest term; for a polygon of angular size s the relative
+ * error is about 1e-16/s. Allocates nothing. */
 void pp_solid_angle_add_moments(struct pp_moments *sum, const struct pp_vec3 *vertices,
                                 int count, struct pp_vec3 normal,
                                 const struct pp_vec3 *half_spaces,

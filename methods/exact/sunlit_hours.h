@@ -7,8 +7,8 @@
  * so that it crosses the plane of an edge where n.u = n.p + n.q cos h + n.r sin h = 0:
  * each half-space of a hidden cone is an arc of hour angles, and a cone is the
  * intersection of its arcs. The hours of sun are the time between sunrise and sunset
- * when the sun is outside all cones. These are possible hours, for a cloudless sky, a
- * flat horizon and a point sun; refraction is neglected.
+ * when the sun is outside all cones. The result is the possible hours, for a cloudless
+ * sky, a flat horizon and a point sun; refraction is neglected.
  */
 #ifndef PP_METHODS_EXACT_SUNLIT_HOURS_H
 #define PP_METHODS_EXACT_SUNLIT_HOURS_H
@@ -35,7 +35,7 @@ struct pp_sunlit_sun {
     double from_rad, to_rad;
 };
 
-/* Adds the times within that interval at which the sun is above the horizon and not
+/* Adds the times in the interval of `sun` at which the sun is above the horizon and not
  * hidden. If the day already contains times, call pp_sunlit_hours_unite afterwards. The
  * caller clears the day, even after a failure. */
 enum pp_status pp_sunlit_hours_add(struct pp_sunlit_day *day,
@@ -65,10 +65,10 @@ void pp_sunlit_hours_unite(struct pp_sunlit_day *day);
 double pp_sunlit_hours_sum(const struct pp_sunlit_day *day);
 void pp_sunlit_hours_clear(struct pp_sunlit_day *day);
 
-/* Hours over the days of 2025, each with the declination of its local noon, and over
- * those from 21 September to 21 March, both included. During a day the declination
- * differs by up to 0.2 degrees from that of noon, in either direction over the year.
- * The effect on the year's hours was 0.04 h in the test. */
+/* Hours of sun over all days of 2025, and over the days from 21 September to 21 March
+ * (both included). Each day has the declination of its local noon. During a day the
+ * declination differs by up to 0.2 degrees from the value at noon, in either direction
+ * over the year. The effect on the year's hours was 0.04 h in the test. */
 struct pp_sunlit_year {
     double all, winter;
 };

@@ -27,8 +27,8 @@ static const struct arc_rule rules[] = {
 };
 
 struct arc_end {
-    struct pp_vec3 v; /* as in the ring */
-    struct pp_vec3 u; /* unit */
+    struct pp_vec3 v; /* vertex, as in the ring */
+    struct pp_vec3 u; /* unit vector in the direction of v */
     double length;
 };
 
@@ -67,9 +67,9 @@ static void add_nodes(struct arc_walk *walk, const struct arc_end *a,
 }
 
 /* Length of an arc divided by the greatest length for which eight nodes are sufficient.
- * The bounds were chosen by trial over random windows. Along one arc, |axis.u| of a
- * bend may change by twice the sum of its width and its least value. An arc near the
- * cusp may be as long as its distance from it plus 0.1. */
+ * The bounds were chosen by trial over random windows. For a bend, |axis.u| may change
+ * along one arc by twice the sum of the bend's width and the least |axis.u|. An arc
+ * near the cusp may be as long as the distance between arc and cusp, plus 0.1. */
 static double stretch_of(const struct pp_arc_spacing *spacing, const struct arc_end *a,
                          const struct arc_end *b, double chord)
 {

@@ -10,7 +10,7 @@
  *                                  = sum over its edges of (a.G) integral B ds      (1)
  *
  * G is the unit normal of an edge's plane through the eye, and s the arc length along
- * the edge. B is the potential. It is as smooth as f, also on the axis. It is singular
+ * the edge. B is the potential. B is as smooth as f, also on the axis, and singular
  * only opposite to the axis, where no polygon may be. Only B is evaluated, not f.
  *
  * An arc from r to r' is r + t (r' - r) over its length, with t from 0 to 1, and (a.G)
@@ -38,8 +38,8 @@ struct pp_arc_nodes {
 /* The sum over the nodes of weight times a.across times B. */
 typedef double pp_arc_potential(const void *context, const struct pp_arc_nodes *nodes);
 
-/* A plane through the eye, axis.u = 0. Near it, for |axis.u| up to about `width`, the
- * slope of the potential changes rapidly. */
+/* A plane through the eye, axis.u = 0. Near this plane, for |axis.u| up to about
+ * `width`, the slope of the potential changes rapidly. */
 struct pp_arc_bend {
     struct pp_vec3 axis;
     double width;
@@ -55,8 +55,8 @@ struct pp_arc_spacing {
 };
 
 /* Sum (1) over the part of a ring within the half-spaces. Vertices are relative to the
- * eye, counter-clockwise about the axis where it passes through the ring; a clockwise
- * ring counts negative. Allocates nothing. */
+ * eye, counter-clockwise about the axis if the axis passes through the ring; the sum of
+ * a clockwise ring is negative. Allocates nothing. */
 double pp_arc_sum(pp_arc_potential *potential, const void *context,
                   const struct pp_arc_spacing *spacing, const struct pp_vec3 *vertices,
                   int count, const struct pp_vec3 *half_spaces, int half_space_count);

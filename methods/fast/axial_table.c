@@ -16,8 +16,8 @@ static const double chebyshev[PP_AXIAL_POWERS] = {
     -0.96592582628906829, -0.70710678118654752, -0.25881904510252076,
     0.25881904510252076,  0.70710678118654752,  0.96592582628906829};
 
-/* The six functions in (2). If the axis is perpendicular to q, n and g, like that of a
- * vertical pane over a horizontal plane, only the last two are needed. */
+/* The six functions in (2). If the axis is perpendicular to q, n and g, as for a
+ * vertical pane and a horizontal plane, only the last two are needed. */
 enum { K_1, K_C, K_CC, K_CS, K_S, K_SS };
 
 /* ---- the moments ---- */
@@ -133,7 +133,7 @@ void pp_axial_table_init_balanced(struct pp_axial_table *table,
 
 /* ---- the potential ---- */
 
-/* Values of the functions from number `first` on, at c. */
+/* Values at c of the functions with index `first` and above. */
 static inline __attribute__((always_inline)) void moments_at(
     double k[PP_AXIAL_MOMENTS], const struct pp_axial_table *table, double c, int first)
 {
@@ -155,9 +155,9 @@ static inline __attribute__((always_inline)) void moments_at(
             k[m] = k[m] * t + powers[p][m];
 }
 
-/* is_square: p is 0 and the axis is perpendicular to q, n and g, so that their scalar
- * products with it are 0. The function is inlined twice, and each copy evaluates only
- * the functions that it needs. */
+/* is_square: p is 0, and the axis is perpendicular to q, n and g, so that q.a, n.a and
+ * g.a are 0. The function is inlined twice, and each copy evaluates only the functions
+ * that it needs. */
 static inline __attribute__((always_inline)) double potential_of(
     const struct pp_axial_light *axial, const struct pp_arc_nodes *nodes, double along,
     double n, double g, bool is_square)

@@ -73,8 +73,9 @@ struct face_extent {
 };
 
 /* True if a box in the beam's axes, projected along the direction (a, b, 1), is
- * entirely outside the extent. It uses the operations of project(), which are monotonic
- * in rounding, so it is never true for a piece whose projection meets the extent. */
+ * entirely outside the extent. The operations are those of project(), and their
+ * rounding is monotonic. The function is therefore never true for a piece whose
+ * projection meets the extent. */
 static bool lies_beside(const struct face_extent *extent, const struct pp_vec3 *low,
                         const struct pp_vec3 *high, double a, double b)
 {
@@ -192,11 +193,11 @@ static enum pp_status make_room_for_rings(struct pp_beam_space *space,
     return space->rings && space->lights && space->xy ? PP_OK : pp_fail_memory(err);
 }
 
-/* State of one direction, with the extent of the part of the opening that is still
- * open. */
+/* State of the calculation for one direction, with the extent of the part of the
+ * opening that is not yet hidden. */
 struct beam_look {
     const struct pp_beam *beam;
-    int at;                /* the next node to visit */
+    int at;                /* index of the next node to visit */
     struct pp_vec3 u, own; /* the direction in the room's axes and the beam's */
     double a, b;           /* the direction is along (a, b, 1) */
     struct face_extent open;

@@ -1,17 +1,17 @@
 /* beam.h - parallel light through an opening on to the working plane.
  *
- * Light from a direction u that reaches the plane comes through a part of the opening.
- * That part is found by plane geometry: the opening's outlines, the plane and all
- * obstructions inside and outside are projected along u on to the opening's face. For a
- * luminance that depends only on direction, the mean over the plane is an integral over
+ * Light from a direction u reaches the plane through a part of the opening, which is
+ * found by plane geometry: the opening's outlines, the plane and all obstructions
+ * inside and outside are projected along u on to the opening's face. For a luminance
+ * that depends only on direction, the mean over the plane is an integral over
  * directions
  *
  *     1/A integral over A of integral L(u) (n.u) domega dA
  *         = 1/A integral L(u) (w.u) a(u) domega
  *
- * where a(u) is the area of that part and w the opening's normal. Polygons in space are
- * clipped once for each opening and plane. Each direction then needs only clipping in
- * the face's plane.
+ * where a(u) is the area of the part that transmits and w the opening's normal.
+ * Polygons in space are clipped once for each opening and plane. Each direction then
+ * needs only clipping in the face's plane.
  *
  * The conventions are those of visible.h: obstructions inside remove light,
  * obstructions outside add light by their reflectance and exitance, and the nearest
@@ -32,9 +32,9 @@ struct pp_beam_space {
     double (*xy)[2];
     struct pp_fragment_ring *rings;
     double (*lights)[2]; /* reflectance and exitance of the rings */
-    /* Number of ring-fragment comparisons so far, in all directions; they take nearly
-     * all of the computing time. Once the number exceeds work_budget (0: unlimited), no
-     * more areas are calculated. */
+    /* Number of ring-fragment comparisons so far, in all directions. The comparisons
+     * take nearly all of the computing time. Once the number exceeds work_budget (0:
+     * unlimited), no more areas are calculated. */
     long long work, work_budget;
 };
 
@@ -45,8 +45,8 @@ struct pp_beam_areas {
     double emitting;   /* sum over obstructions of area times exitance */
 };
 
-/* Makes a beam, owned by the caller; it refers to world. with_outside = false: without
- * obstructions and skylines. */
+/* Creates a beam, which refers to world. On success the caller destroys *beam.
+ * with_outside false: without obstructions and skylines. */
 enum pp_status pp_beam_create(struct pp_beam **beam, const struct pp_world *world,
                               const struct pp_opening *opening, bool with_outside,
                               struct pp_error *err);

@@ -12,12 +12,13 @@ struct bearing_range {
 struct beam_integral {
     struct pp_kept_beam *beam;
     const struct pp_plane_light *light;
-    struct pp_vec3 out, across; /* horizontal: the opening's bearing, and the
-                                 * direction perpendicular to it */
+    struct pp_vec3 out, across; /* horizontal unit vectors: in the opening's bearing,
+                                 * and perpendicular to it */
     double level,
         tilt;          /* u.w = level cos(altitude) cos(bearing) + tilt sin(altitude) */
-    double bearing[2]; /* limits of the part */
-    double share[2];   /* limits, as a share of the altitudes that the opening faces */
+    double bearing[2]; /* limits of the part's bearings (rad) */
+    double share[2];   /* limits of the part's altitudes, as fractions of the altitudes
+                        * that the opening faces */
     bool failed;
 };
 

@@ -6,7 +6,8 @@
 #include "methods/average/plane_light.h"
 
 /* The error of the mean, relative to the sum of both components. In the rooms of
- * tests/methods/fast/test_beam_average.c the actual errors are below a tenth of it. */
+ * tests/methods/fast/test_beam_average.c the actual errors are below a tenth of this
+ * value. */
 #define PP_BEAM_AVERAGE_ERROR 1e-3
 
 /* The means over the world's plane of the sky component and the externally reflected

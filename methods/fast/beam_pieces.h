@@ -13,8 +13,8 @@ struct beam_piece {
     struct pp_vec3 normal;
     double offset; /* normal.v of the corners */
     double front, back, exitance;
-    bool side_of_box; /* side of a block that is entirely outside; only its front
-                       * hides */
+    bool side_of_box; /* true: side of a block that is entirely outside; a side hides
+                       * only what is behind its front */
 };
 
 struct beam_pieces {

@@ -1,6 +1,6 @@
-/* beam_tree.h - a bounding box hierarchy of the pieces outside. It limits the test of
- * one direction to pieces that may hide the opening along it. For beam.c and
- * beam_pieces.c only. */
+/* beam_tree.h - a bounding box hierarchy of the pieces outside. The tree limits the
+ * test of a direction to pieces that may hide the opening in that direction. For beam.c
+ * and beam_pieces.c only. */
 #ifndef PP_METHODS_FAST_BEAM_TREE_H
 #define PP_METHODS_FAST_BEAM_TREE_H
 

@@ -9,7 +9,8 @@
 
 /* Areas along one direction, which points upwards, so that x and y identify it. */
 struct known_areas {
-    double x, y; /* x is INFINITY if the slot is free */
+    double x, y; /* horizontal components of the direction; x is INFINITY if the slot is
+                  * free */
     struct pp_beam_areas areas;
 };
 

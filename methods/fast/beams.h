@@ -1,10 +1,11 @@
 /* beams.h - the beams of a world's openings, with the areas of all directions evaluated
  * so far.
  *
- * Methods that average over the working plane weight the same areas by different
- * lights. The methods exact, waldram and pepper-pot, in all variants, mostly use the
- * same directions, since their adaptive subdivisions begin in the same way. Each area
- * is calculated once, and so is a mean that two methods share.
+ * Methods that average over the working plane multiply the same areas by different
+ * luminances. The methods exact, waldram and pepper-pot, in all variants, mostly use
+ * the same directions, since their adaptive subdivisions begin in the same way. The
+ * area of each direction is calculated once. A mean that two methods have in common is
+ * also calculated once.
  */
 #ifndef PP_METHODS_FAST_BEAMS_H
 #define PP_METHODS_FAST_BEAMS_H
@@ -13,9 +14,9 @@
 
 struct pp_beams;
 
-/* Makes the store; a beam is made when it is first used. The caller owns *beams, which
- * refers to world. plain: averages are integrated over points instead
- * (plane_light.h). */
+/* Creates the store; each beam is created when it is first used. *beams refers to
+ * world. On success the caller destroys *beams. plain: averages are integrated over
+ * points instead (plane_light.h). */
 enum pp_status pp_beams_create(struct pp_beams **beams, const struct pp_world *world,
                                bool plain, struct pp_error *err);
 void pp_beams_destroy(struct pp_beams *beams); /* NULL is allowed */
@@ -40,8 +41,8 @@ enum pp_status pp_kept_beam_areas(struct pp_beam_areas *areas,
  * pieces. No mean is valid then. */
 bool pp_beams_gave_up(const struct pp_beams *beams);
 
-/* Reads the stored means of the beam's light through that glass, under the sky that all
- * users share; false if none are stored. */
+/* Reads the stored means of the beam's light through that glass. All users must have
+ * the same sky. Returns false if no means are stored. */
 bool pp_kept_beam_means(double means[2], const struct pp_kept_beam *kept,
                         const struct pp_glass *glass);
 void pp_kept_beam_keep_means(struct pp_kept_beam *kept, const struct pp_glass *glass,

@@ -4,16 +4,16 @@
 
 #include <stdlib.h>
 
-/* For glass: longest arc (its chord) for one quadrature rule, and width about grazing
- * incidence within which arcs are shorter. Chosen by trial: over 1,800 random windows
- * at 1 mm to 8 m the worst error was 9e-10 of the open sky, with the rough values
- * 4e-8. */
+/* For glass: greatest chord of an arc for one quadrature rule, and width about grazing
+ * incidence within which arcs must be shorter. Chosen by trial: over 1,800 random
+ * windows at 1 mm to 8 m the worst error was 9e-10 of the open sky, with the rough
+ * values 4e-8. */
 #define LONGEST_FINE 0.8
 #define LONGEST_ROUGH 1.2
 #define BEND_FINE 0.02
 #define BEND_ROUGH 0.05
 
-/* Width about the horizon within which arcs are shorter: the gradation is constant
+/* Width about the horizon within which arcs must be shorter: the gradation is constant
  * below the horizon and changes above it. */
 #define BEND_GRADATION 0.1
 
@@ -23,7 +23,7 @@ enum { CORNERS_ON_STACK = 64 };
 
 /* Integrand over a ring: an axial table, or a table of a sky. */
 struct ring_light {
-    const struct pp_axial_light *axial; /* NULL: sky */
+    const struct pp_axial_light *axial; /* NULL: the table of the sky is used */
     const struct pp_sky_table *sky;
     double longest, bend;
 };

@@ -1,5 +1,5 @@
 /* pane_light.h - the light from a patch through a pane, by tables that serve many
- * points. It is a sum over the patch's edges (arc_sum.h) instead of a quadrature over
+ * points. The light is a sum over the patch's edges (arc_sum.h), not a quadrature over
  * its area. */
 #ifndef PP_METHODS_FAST_PANE_LIGHT_H
 #define PP_METHODS_FAST_PANE_LIGHT_H
@@ -13,9 +13,10 @@
 struct pp_pane_light {
     const struct pp_axial_table *glass; /* table of clear glass; NULL: other glass */
     const struct pp_axial_table
-        *gradation;                 /* table of a sky of ISO 15469 without a sun,
-                                     * about the zenith; NULL: another sky */
-    const struct pp_sky_table *sky; /* NULL: not made, or not needed */
+        *gradation;                 /* table about the zenith for a sky of ISO 15469
+                                     * that does not depend on the sun; NULL: another
+                                     * sky */
+    const struct pp_sky_table *sky; /* NULL: not created, or not needed */
 };
 
 /* Part of a view: a patch within half-spaces (room's axes), for a receiver whose normal
@@ -27,12 +28,12 @@ struct pp_pane_part {
     const struct pp_vec3 *half_spaces; /* at most PP_HALF_SPACES_MOST */
     int half_space_count;
     bool glazed;
-    bool rough; /* accurate to 1e-6 of the open sky; else to 1e-9 */
+    bool rough; /* true: accurate to 1e-6 of the open sky; false: to 1e-9 */
 };
 
-/* True if the tables contain the light of that sky for this part. pp_pane_light_sky
- * then sets *value to the integral of L tau (n.u) over Eh; one of the half-spaces is
- * the horizon. */
+/* True if the tables can give the light of that sky for this part. pp_pane_light_sky
+ * then sets *value to the integral of L tau (n.u), divided by Eh. One of the part's
+ * half-spaces must be that above the horizon. */
 bool pp_pane_light_has_sky(const struct pp_pane_light *light, const struct pp_sky *sky,
                            const struct pp_pane_part *part);
 enum pp_status pp_pane_light_sky(double *value, const struct pp_pane_light *light,

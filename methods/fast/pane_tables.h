@@ -1,5 +1,6 @@
-/* pane_tables.h - the tables of pane_light.h for all openings of a world under one light,
- * shared by openings of one glazing and, for a sky with azimuth, one orientation. */
+/* pane_tables.h - the tables of pane_light.h for all openings of a world under one sky.
+ * Openings with the same glazing share tables; for a sky that varies with azimuth they
+ * must also have the same orientation. */
 #ifndef PP_METHODS_FAST_PANE_TABLES_H
 #define PP_METHODS_FAST_PANE_TABLES_H
 
@@ -11,9 +12,9 @@ struct pp_pane_tables;
 
 /* Makes tables of clear glass and of gradations, which take about 70 us each and are
  * valid for any receiver. `plane` is the common normal of many receivers: skies without
- * a gradation table are tabulated for it to 1e-6, in about 3 ms for each orientation;
- * NULL: not tabulated. *tables is the caller's, may outlive the world, and may be read
- * by any number of threads. */
+ * a gradation table are tabulated for this normal to 1e-6, in about 3 ms for each
+ * orientation; NULL: not tabulated. On success the caller destroys *tables, which may
+ * outlive the world and may be read by any number of threads. */
 enum pp_status pp_pane_tables_create(struct pp_pane_tables **tables,
                                      const struct pp_world *world,
                                      const struct pp_outside_light *light,

@@ -16,8 +16,8 @@ enum {
 };
 
 /* Bounds on arcs, found by trial: the longest chord; the width about grazing incidence
- * within which the transmittance of glass changes fast; the same for a gradation,
- * divided by -b, where b is its parameter. */
+ * within which the transmittance of glass changes fast; the corresponding width of a
+ * gradation, divided by -b, where b is the gradation's parameter. */
 #define ARC_LONGEST 1.2
 #define PANE_BEND 0.05
 #define GRADATION_BEND 0.35
@@ -55,7 +55,7 @@ static double circumsolar_at(const void *context, double cos_chi)
     return exp(sky->d * 2.0 * asin(half));
 }
 
-/* f less the circumsolar part, for the transmittance tau at u. */
+/* f minus the circumsolar part, for the transmittance tau at u. */
 static double remainder_at(const struct sky_integrand *integrand, struct pp_vec3 u,
                            double tau)
 {
@@ -141,8 +141,8 @@ static struct pane_steps steps_of(const struct pp_glass *glass)
     return steps;
 }
 
-/* Fills half of column k: the meridian towards (a, b), rows from the middle on in steps
- * of `way`. */
+/* Fills half of column k along the meridian towards (a, b), from the middle row on.
+ * way: step from row to row, 1 or -1. */
 static void fill_meridian(double (*chart)[COLUMNS], int k, int way,
                           const struct sky_integrand *integrand,
                           const struct pane_steps *steps, double a, double b)
@@ -181,7 +181,7 @@ static void fill_charts(struct pp_sky_table *table,
 
 /* Converts values along a line, a stride apart, to coefficients of the interpolating
  * cubic B-splines. Approximates the inverse of (4 + 2 cos w) / 6 up to the fourth
- * difference. The first two and the last two values stay as they are. */
+ * difference. The first two and the last two values are unchanged. */
 static void to_splines(double *at, int count, int stride)
 {
     double before2 = at[0], before = at[stride], *v = at + 2 * stride;

@@ -7,24 +7,24 @@
  *
  * where w is the outward normal of the pane, and L is continued smoothly below the
  * horizon. All directions through the pane lie about w, so that w is the axis of
- * arc_sum.h, and the potential B is tabulated over the half space before the pane. A
- * sun causes a cusp of f; its circumsolar part, times the plane that touches the rest
- * of f at the sun,
+ * arc_sum.h, and the potential B is tabulated over the half space before the pane. f
+ * has a cusp at the sun. Its circumsolar part, times the tangent plane at the sun of
+ * the other factors of f,
  *
  *     c exp(d chi) [ G(s) + (u - s).grad G(s) ],   G = Lz phi(Z) T(w.u) (n.u)
  *
- * with chi the angle from the sun s, is not in the table but summed about the sun as
- * axis (axial_table.h). The remainder has bounded second derivatives and more.
+ * with chi the angle from the sun s, is not in the table; it is summed separately, with
+ * the sun as axis (axial_table.h). The remainder has bounded second derivatives.
  *
  * The table has equal steps in t, w.u = (1 - t^2)^2, and in the tangent of the angle
- * round w, between -1 and 1, in two charts; t is negative on the other side of w. Steps
- * of w.u shrink towards grazing incidence, where the transmittance of glass falls off.
- * f is summed along t with two Gauss points per step, and B is interpolated by cubic
- * B-splines.
+ * round w, between -1 and 1, in two charts (t is negative on the other side of w).
+ * Steps of w.u shrink towards grazing incidence, where the transmittance of glass falls
+ * off. f is summed along t with two Gauss points per step, and B is interpolated by
+ * cubic B-splines.
  *
- * For 24,000 random windows of any slope and glazing, planes that face up, and all sky
- * types, the worst error was 7e-7 of the open sky and the rms error 5e-8. On planes
- * tilted towards a low sun under types 14 and 15 the error is up to 1e-5.
+ * In a test of 24,000 random windows of any slope and glazing, with planes that face up
+ * and all sky types, the worst error was 7e-7 of the open sky and the rms error 5e-8.
+ * On planes tilted towards a low sun under types 14 and 15 the error is up to 1e-5.
  */
 #ifndef PP_METHODS_FAST_SKY_TABLE_H
 #define PP_METHODS_FAST_SKY_TABLE_H
@@ -41,9 +41,10 @@ struct pp_sky_table;
  * derivatives are 0. */
 double pp_sky_table_gradation(const struct pp_sky *sky, double z);
 
-/* sky: of ISO 15469. view: the pane's axes; eye and distance do not matter. glass is
- * perpendicular to view->toward. normal: of the plane, in the room's axes. *table is
- * the caller's; several threads may read one table. */
+/* sky: a sky of ISO 15469. glass: perpendicular to view->toward. view: the axes of the
+ * pane; eye and distance are not used. normal: that of the receiving plane, in the
+ * room's axes. On success the caller destroys *table. Several threads may read one
+ * table. */
 enum pp_status pp_sky_table_create(struct pp_sky_table **table,
                                    const struct pp_sky *sky,
                                    const struct pp_glass *glass,

@@ -8,12 +8,12 @@
  * (fitted_light.h): 2 E is 90 % under an open sky with a ground of reflectance 0.1,
  * just as theta is 90 degrees in the printed formula. The depth of the reveal enters as
  * an exponential, the floor's share of the room's surfaces as a power. Light from the
- * ground counts less, since it falls on the ceiling first: E_u is its share C_g / (V +
- * C_b + C_g). The fraction n of the opening below the working plane is weighted by the
- * floor's reflectance.
+ * ground has less effect, since it falls on the ceiling first. E_u is the fraction of
+ * the light that comes from the ground, C_g / (V + C_b + C_g). The fraction n of the
+ * opening below the working plane is weighted by the floor's reflectance.
  *
- * For vertical openings of clear glass under the CIE overcast sky. The formula contains
- * the opening's glass, the frame and dirt.
+ * The method is for vertical openings of clear glass under the CIE overcast sky. The
+ * formula contains the opening's glass, the frame and dirt.
  */
 #include <stdlib.h>
 

@@ -2,19 +2,19 @@
  * fitted to simulated rooms [ATLAS]: for the actual ground and obstructions, and for
  * position.
  *
- *   L      effective light on the opening, divided by that of the formula: the sky, the
- *          obstructions and the visible ground, in place of C and of a ground
- *          that reflects 0.1
+ *   L      effective light on the opening (from the sky, the obstructions and the
+ *          visible ground), divided by the light that the formula assumes (C, and a
+ *          ground of reflectance 0.1)
  *   irc_m  mean over the working plane
  *
  * The printed formula is a mean over all surfaces. The working plane faces the upper
  * part of the room. Light from the ground arrives there directly, light from the sky
- * after one reflection. A power of rho_u represents the reflection from there to the
- * plane. A high window, with more of the room below it, gives more light; so does a
- * room that is shallow compared with its height. In the limit R to 1 (a furnace) the
- * formula is the energy balance 0.85 W (V + C_g)/(A (1 - R)) under an open sky, for any
- * fitted constants. f_d and f_s: fitted_position.h. Scope and allowances are those of
- * `bre`, except for diffusing panes.
+ * after one reflection. A power of rho_u represents reflection by the upper part
+ * towards the plane. A high window, with more of the room below it, gives more light;
+ * so does a room that is shallow compared with its height. In the limit R to 1 (a
+ * furnace) the formula is the energy balance 0.85 W (V + C_g)/(A (1 - R)) under an open
+ * sky, for any fitted constants. f_d and f_s are defined in fitted_position.h. Scope
+ * and allowances are the same as for `bre`, except for diffusing panes.
  */
 #include <stdlib.h>
 
@@ -83,8 +83,8 @@ static const struct pp_formula *const formulae[] = {&pp_allowance_glass_W,
                                                     &at_point,
                                                     NULL};
 
-/* Refuses rooms without any reflectance, like the printed formula: the divisor of L
- * would be 0. */
+/* Refuses rooms in which every surface has a reflectance of 0: the divisor of L would
+ * be 0. */
 static const char *bre_atlas_refuses(const struct pp_world *world,
                                      const struct pp_outside_light *light,
                                      const struct pp_opening *opening,

@@ -7,18 +7,18 @@
  *
  *   E_b, E_g   effective values of C_b and C_g. The convention of `exact` gives an
  *              obstruction the luminance of the sky behind it, times its reflectance.
- *              But obstructions and ground are shaded, as the opening is: their light
- *              is reduced by a power of V / 39.6 % (39.6 %: V of the open sky). The
- *              ground faces more of the sky than the opening does, so its exponent is
- *              half as large
+ *              In fact obstructions and ground are shaded, as the opening is: their
+ *              light is reduced by a power of V / 39.6 %, where 39.6 % is V under an
+ *              open sky. The ground faces more of the sky than the opening does, so
+ *              its exponent is half as large
  *
  *     E_b = C_b (V / 39.6)^b,   E_g = C_g (V / 39.6)^(b/2),   V / 39.6 at least 0.003
  *
  * with b fitted [ATLAS].
  *
- * All are divided by Eh, and are valid at the middle of the opening's outside, without
- * glass, under the CIE overcast sky. They do not depend on the receiver and are
- * calculated once for a world.
+ * All five quantities are divided by Eh. They are valid at the centre of the opening's
+ * outside, without glass, under the CIE overcast sky. They do not depend on the
+ * receiver and are calculated once for a world.
  */
 #ifndef PP_METHODS_FITTED_FITTED_LIGHT_H
 #define PP_METHODS_FITTED_FITTED_LIGHT_H

@@ -18,7 +18,7 @@
         "n", PP_UNIT_NUMBER, "fraction of the opening below the working plane"         \
     }
 
-/* Record on the worksheet: d, w and h; w alone; n. */
+/* Each function records quantities on the worksheet: d, w and h; w alone; n. */
 void pp_fitted_opening_put_reveal(struct pp_worksheet *sheet,
                                   const struct pp_opening *opening);
 void pp_fitted_opening_put_breadth(struct pp_worksheet *sheet,

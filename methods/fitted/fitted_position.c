@@ -148,7 +148,7 @@ void pp_fitted_position_put_room(struct pp_worksheet *sheet,
     pp_worksheet_put(sheet, PP_UNIT_METRE, room.h_r, "h_r", "height");
 }
 
-/* f_d and f_s. */
+/* Records f_d and f_s with their quantities. */
 static void put_factors(struct pp_worksheet *sheet, const struct pp_world *world,
                         const struct pp_opening *opening,
                         const struct pp_receiver *receiver)

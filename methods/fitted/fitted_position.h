@@ -2,11 +2,11 @@
  * plane: with the distance from the window's wall, and sideways.
  *
  * A room that is deep relative to its height and width acts as a light pipe. Reflected
- * light spreads along it by diffusion and loses the share 1 - R at each reflection. It
- * falls off exponentially over a range l / sqrt(1 - R), with l twice the area of the
- * section over half its perimeter. This begins where the light from outside first
- * falls, c l / k behind the window's wall; a room no deeper than that is as bright at
- * its back as near the window:
+ * light spreads along the room by diffusion and loses the fraction 1 - R at each
+ * reflection. This light falls off exponentially over a range l / sqrt(1 - R), where l
+ * is twice the area of the room's section divided by half the section's perimeter. The
+ * fall begins c l / k behind the window's wall, where the light from outside first
+ * lands. A room no deeper than that is as bright at its back as near the window:
  *
  *     l = 2 w_r h_r / (w_r + h_r)
  *     f_d = q_d exp(-q_d x / d_r) / (1 - exp(-q_d)),   q_d = sqrt(1 - R) (k d_r / l - c) (1)
@@ -16,14 +16,14 @@
  * Sideways, the width of wall beside the opening matters: an opening as wide as its
  * wall lights the room evenly from side to side.
  *
- * The mean of (1) over the depth is 1, and that of (2) over the breadth for an opening
- * in the middle of its wall. As R approaches 1, both approach 1 (the light in a furnace
- * is the same everywhere). In an infinitely deep room (1) falls to 0. k, c and s are
- * fitted [ATLAS].
+ * The mean of (1) over the depth is 1. For an opening in the middle of its wall, the
+ * mean of (2) over the breadth is 1. As R approaches 1, both approach 1 (the light in a
+ * furnace is the same everywhere). In an infinitely deep room (1) falls to 0. k, c and
+ * s are fitted [ATLAS].
  *
- *   x, y      from the opening's wall, and from its middle along the wall
+ *   x, y      distances from the opening's wall, and from its middle along the wall
  *   d_r, w_r  the room's depth and breadth, perpendicular to that wall and along it
- *   h_r       its height
+ *   h_r       the room's height
  *   w         breadth of the opening
  *
  * A point behind the plane of the opening's wall is treated as if in that plane.
@@ -68,9 +68,9 @@ void pp_fitted_position_put_room(struct pp_worksheet *sheet,
 
 /* Adds the last steps of a component that varies with position. Calculates the mean
  * over the working plane. Records f_d, f_s and their quantities, except those already
- * on the sheet: R and, at a point, the room's extents and w. Calculates and returns the
- * value at the point. Without a receiver f_d and f_s are 1, their mean over the working
- * plane. */
+ * on the sheet (R and, at a point, the room's extents and w). Calculates and returns
+ * the value at the point. Without a receiver, f_d and f_s are 1, which is their mean
+ * over the working plane. */
 double pp_fitted_position_work(struct pp_worksheet *sheet,
                                const struct pp_formula *mean,
                                const struct pp_formula *at_point,

@@ -5,22 +5,22 @@
  *     irc = tau Ag L / (A (1 - R)) f_d f_s
  *
  *   E_b, E_g           light from obstructions and from the ground (fitted_light.h)
- *   (A_l / A_u)^c      a low opening lights less of the surfaces above the plane
+ *   (A_l / A_u)^c      a low opening lights less of the room above the working plane
  *   exp(-e d ...)      light lost in the reveal
- *   f_d, f_s           by the point's depth, and sideways (fitted_position.h)
+ *   f_d, f_s           for the point's depth and sideways position (fitted_position.h)
  *
  * Light from the sky falls on the lower part of the room and is reflected by it and by
  * the upper part before it reaches the working plane; light from the ground is
  * reflected by the upper part only. The second line is the formula of `sphere` with the
  * light outside separated by source (fitted_light.h) and the square root of rho_u
  * (fitted exponent 0.51). The six fitted terms have one constant each. In the limit R
- * to 1 under an open sky (a furnace) it is the energy balance tau Ag (V + C_g)/(A (1 -
- * R)) everywhere, for any fitted constants. Without openings, with a black upper part
- * or in an infinitely deep room it is 0.
+ * to 1 under an open sky (a furnace) the formula is the energy balance tau Ag (V +
+ * C_g)/(A (1 - R)) everywhere, for any fitted constants. Without openings, with a black
+ * upper part or in an infinitely deep room the component is 0.
  *
- * For vertical openings of clear glass under the CIE overcast sky, and points that face
- * up. The formula contains the opening's glass and, through Ag, the frame; no dirt, no
- * deterioration of decorations.
+ * The method is for vertical openings of clear glass under the CIE overcast sky, and
+ * for points that face up. The formula contains the opening's glass and, through Ag,
+ * the frame; no dirt, no deterioration of decorations.
  */
 #include "methods/fitted/irc_atlas.h"
 

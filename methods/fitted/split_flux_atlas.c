@@ -3,15 +3,15 @@
  * obstructions and the visible ground, for light lost in openings, for glass below the
  * working plane, and for position.
  *
- *   1 - R^2   in place of 1 - rho_u rho_l: interreflected light is lost in openings,
- *             too, and R includes them; A/2 in place of A_u and A_l
- *   n         share of the opening below the working plane; its light falls on
+ *   1 - R^2   in place of 1 - rho_u rho_l: interreflected light is also lost in
+ *             openings, which R includes; A/2 in place of A_u and A_l
+ *   n         fraction of the opening below the working plane; its light falls on
  *             surfaces that points on the plane do not see
  *
- * In the limit R to 1 (a furnace) it is the energy balance tau Ag (V + C_g)/(A (1 - R))
- * under an open sky, for any fitted constants. f_d and f_s: fitted_position.h. For
- * vertical openings of clear glass under the CIE overcast sky and points that face up;
- * allowances are those of `split-flux`.
+ * In the limit R to 1 (a furnace) the formula is the energy balance tau Ag (V + C_g)/(A
+ * (1 - R)) under an open sky, for any fitted constants. f_d and f_s are defined in
+ * fitted_position.h. The method is for vertical openings of clear glass under the CIE
+ * overcast sky, and for points that face up. Allowances are those of `split-flux`.
  */
 #include <stdlib.h>
 

@@ -1,17 +1,18 @@
 /* lumen.c - `lumen` and `lumen-one`: the lumen method, which gives a daylight factor in
  * one step [IES84].
  *
- * Light from the side, at five points and on average: `lumen` calculates sky and ground
- * separately, `lumen-one` with one coefficient, for a ground of reflectance 0.2. Light
- * from above on average only. The coefficients come from tables (lumen_table.h); they
- * depend on the room's reflectances and on its depth and width in window heights, or on
- * its room cavity ratio.
+ * For light from the side, the method gives values at five points and an average.
+ * `lumen` calculates the light from sky and ground separately; `lumen-one` uses a
+ * single coefficient, for a ground reflectance of 0.2. For light from above, the method
+ * gives only the average. The coefficients come from tables (lumen_table.h). For light
+ * from the side they depend on the room's reflectances and on its depth and width in
+ * window heights; for light from above, on the reflectances and the room cavity ratio.
  *
- * The table's window fills a wall; windows spread along a wall count as that window
- * times their share of its area. A point's value depends only on its distance from the
- * window, from 10 to 90 % of the room's depth. The results of windows in two opposite
- * walls are added. lumen_scope.h defines the rooms and openings that the method covers;
- * there is no extrapolation. tau contains glass, frame and dirt.
+ * The table's window fills a wall; windows spread along a wall are calculated as that
+ * window times their fraction of its area. A point's value depends only on its distance
+ * from the window, from 10 to 90 % of the room's depth. The results of windows in two
+ * opposite walls are added. lumen_scope.h defines the rooms and openings that the
+ * method covers; there is no extrapolation. tau contains glass, frame and dirt.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -111,7 +112,8 @@ static const struct pp_formula width_in_heights =
 static const struct pp_formula side =
     IES("df", "tau (E_s CU_s + E_g CU_g)", "daylight factor from a window",
         PP_UNIT_DAYLIGHT_FACTOR, of_two);
-/* A ground of reflectance 0.2 adds 10 per cent of Eh on the window. */
+/* The ground with a reflectance of 0.2 adds 10 per cent of Eh to the illuminance of the
+ * window. */
 static const struct pp_formula one_coefficient =
     IES("CU", "(E_s CU_s + 10 CU_g) / (E_s + 10)",
         "single coefficient of utilization, for a ground reflectance of 0.2",
@@ -148,7 +150,8 @@ static const struct pp_formula *const formulae_of_one[] = {&share_of_band,
 /* ---- independent of the point ---- */
 
 struct reading {
-    const char *why; /* static, or `text`; NULL: the opening is covered */
+    const char *why; /* reason why the opening is not covered (static, or `text`); NULL:
+                      * the opening is covered */
     char text[160];
     double height_m;         /* height of the window; for a rooflight, height of the
                               * room above the plane */
@@ -294,7 +297,7 @@ static void put_glass(struct pp_worksheet *sheet, const struct pp_opening *openi
     pp_allowance_put(sheet, PP_ALLOWS_DIRT, opening, "M", "maintenance factor (dirt)");
 }
 
-/* The coefficient at a fraction of the depth; NAN: the average. */
+/* The coefficient at a fraction of the depth from the window; NAN: the average. */
 static double coefficient(const double cu[PP_LUMEN_POSITIONS], double share)
 {
     return isnan(share) ? cu[PP_LUMEN_AVERAGE] : pp_lumen_table_at_depth(cu, share);

@@ -27,7 +27,7 @@ double pp_lumen_cavity(double rcr, double ceiling, double walls, double plane)
      *     C = 1 + ceiling (f P + (1 - f) W),  P = plane (f C + (1 - f) W)
      *     W = walls (from_walls (C + P) + among_walls W)
      *
-     * The first two give C = c0 + c1 W and P = p0 + p1 W. */
+     * From the first two equations, C = c0 + c1 W and P = p0 + p1 W. */
     double c0 = 1.0 / (1.0 - ceiling * plane * f * f);
     double c1 = ceiling * (1.0 - f) * (1.0 + plane * f) * c0;
     double p0 = plane * f * c0;

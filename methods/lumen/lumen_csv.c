@@ -30,7 +30,7 @@ enum column {
     POSITION,
     RCR,
     CU,
-    WIDTH, /* repeated any number of times */
+    WIDTH, /* a width; may occur any number of times */
 };
 
 static const char *const column_names[] = {
@@ -54,13 +54,13 @@ struct reader {
     struct pp_mistakes *mistakes;
     int number;  /* number of the current line */
     int columns; /* 0: before the line with their names */
-    bool sound;  /* the columns are those of one of the two tables */
+    bool sound;  /* true: the columns are those of one of the two tables */
     enum column kinds[FIELDS_MOST];
     struct pp_lumen_axis widths;
-    bool top; /* the table is for light from above */
+    bool top; /* true: the table is for light from above */
     int count, side_capacity, top_capacity, cu_capacity;
-    struct pp_lumen_line *side_lines; /* member cu of each is set at the end, to point
-                                       * into `cu` */
+    struct pp_lumen_line *side_lines; /* member cu of each line points into `cu`; set at
+                                       * the end */
     struct pp_lumen_top_line *top_lines;
     double (*cu)[PP_LUMEN_AXIS_MOST];
 };
@@ -70,8 +70,8 @@ static bool is_white(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Splits one line into fields. Returns false, with a mistake noted, if it has too many
- * fields or a field is too long for either table. */
+/* Splits one line into fields. Notes a mistake and returns false if the line has too
+ * many fields for either table, or a field is too long. */
 static bool cut_csv_line(struct reader *reader, struct csv_fields *fields,
                          const char *line, size_t length)
 {
@@ -149,7 +149,8 @@ static void add_width(struct reader *reader, double width, const char *text)
         widths->at[widths->count++] = width;
 }
 
-/* Notes columns that are missing or superfluous in a table of that kind. */
+/* Notes columns that are missing from, or superfluous in, the kind of table being
+ * read. */
 static void check_columns(struct reader *reader)
 {
     static const enum column side_needs[] = {RATIO, DEPTH, POSITION};
@@ -205,7 +206,7 @@ static void read_header(struct reader *reader, const struct csv_fields *fields)
     check_columns(reader);
 }
 
-/* A number in a range; NAN, with a mistake noted, for any other text. */
+/* Reads a number in a range; notes a mistake and returns NAN for any other text. */
 static double number(struct reader *reader, const char *text, const char *name,
                      double low, bool low_too, double high)
 {

@@ -24,7 +24,8 @@ struct patch {
     struct pp_aligned_rectangle outline;
     enum part part;
     double area;
-    double direct; /* mean direct illuminance divided by that of the window */
+    double direct; /* mean direct illuminance, divided by the illuminance of the
+                    * window */
     double exitance, illuminance;
 };
 
@@ -112,7 +113,7 @@ enum pp_status pp_lumen_room_create(struct pp_lumen_room **result, double width,
     int n_y = fineness * (int)(12.0 + ceil(fmin(2.0 * depth, 20.0)));
     int n_z = fineness * 7;
     /* A mesh twice as fine changes the coefficients by at most 0.7 % (sky) and 1.3 %
-     * (ground); the powers were chosen by trial. */
+     * (ground). The powers were chosen by trial. */
     const struct cuts x = {w / 2.0, -1.3, n_x}, y = {depth, 1.4, n_y},
                       z = {1.0, 1.0, n_z};
     int count = 2 * n_x * n_y + n_y * n_z + n_x * n_z;
@@ -186,8 +187,8 @@ static double direct_at(const struct pp_lumen_room *room, const struct source *s
 }
 
 /* The mean direct illuminance of a patch, by a Gauss rule with two points in each
- * direction. In a room of infinite width, patches other than SIDE are evaluated at the
- * middle of the width. */
+ * direction. In a room of infinite width, all patches except those of SIDE are
+ * evaluated at the middle of the width. */
 static double direct_on(const struct pp_lumen_room *room, const struct source *source,
                         const struct patch *patch)
 {

@@ -81,8 +81,8 @@ static void polygon_range(double range[2], const struct pp_polygon *polygon,
     }
 }
 
-/* Returns the reason if a window in the same wall is not at the height of the opening,
- * or if a window in another wall is not opposite; else NULL. */
+/* Returns the reason if another window in the same wall is at another height, or a
+ * window in another wall is not opposite; else NULL. */
 static const char *refuses_neighbours(const struct pp_world *world,
                                       const struct pp_opening *opening)
 {
@@ -108,8 +108,8 @@ static const char *refuses_neighbours(const struct pp_world *world,
     return NULL;
 }
 
-/* True if the stretch of wall beside the opening is too long for windows spread along
- * the wall. way: side, 1 or -1 along the opening. */
+/* True if the stretch of wall beside the opening is longer than is allowed for windows
+ * spread along the wall. way: side, 1 or -1 along the opening. */
 static bool leaves_wall_bare(const struct pp_world *world,
                              const struct pp_opening *opening, double way)
 {

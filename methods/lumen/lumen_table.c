@@ -1,4 +1,4 @@
-/* lumen_table.c - the program's own tables of coefficients of utilization, and
+/* lumen_table.c - the program's tables of coefficients of utilization, and
  * interpolation in any table. */
 #include "methods/lumen/lumen_table.h"
 
@@ -9,8 +9,8 @@
 
 #include "methods/lumen/lumen_table_build.h"
 
-/* Ev/Eh (NAN: ground), ceiling, walls, depth, per cent of the depth (NAN: average),
- * then the coefficients for own_widths. */
+/* Columns: Ev/Eh (NAN: ground), ceiling and wall reflectance, depth, position in per
+ * cent of the depth (NAN: average), then the coefficients for own_widths. */
 enum { OWN_COLUMNS = 13 };
 static const double own_side[][OWN_COLUMNS] = {
 #include "tables/lumen_sidelight.inc"
@@ -46,7 +46,8 @@ static struct pp_lumen_axis own_axis(int column, int step)
     return axis;
 }
 
-/* The rows are in grid order, position fastest, so that the table is read in place. */
+/* Side table of the program. Its rows are in grid order, position varying fastest, so
+ * that the table is used in place. */
 static struct pp_lumen_side_table own_side_table(void)
 {
     static const int columns[] = {
@@ -103,7 +104,8 @@ void pp_lumen_table_destroy(struct pp_lumen_table *table)
     free(table);
 }
 
-/* Two neighbours on an axis, and the position between them: 0 at low, 1 at high. */
+/* Two neighbouring values on an axis, and the position between them: 0 at low, 1 at
+ * high. */
 struct between {
     int low, high;
     double share;
@@ -133,8 +135,8 @@ static bool find_between(struct between *between, const struct pp_lumen_axis *ax
 }
 
 /* The coefficient at one position for one sky or the ground, from the 16 neighbours:
- * along the width first, then depth, walls and ceiling. A neighbour without weight may
- * be missing from the table. */
+ * along the width first, then depth, walls and ceiling. A neighbour whose weight is 0
+ * may be missing from the table. */
 static double interpolate(const struct pp_lumen_side_table *table, int light,
                           const struct between between[PP_LUMEN_SIDE_AXES],
                           int position)

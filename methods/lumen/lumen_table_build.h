@@ -27,7 +27,7 @@ struct pp_lumen_side_table {
     struct pp_lumen_axis sky, axes[PP_LUMEN_SIDE_AXES];
     const double
         *cu;      /* [light][ceiling][walls][depth][position][width]; NAN: not given */
-    int pitch;    /* number of entries from one position's widths to the next */
+    int pitch;    /* number of entries in cu from one position to the next */
     double *made; /* values of cu if allocated from lines (to be freed), else NULL */
 };
 
@@ -43,8 +43,8 @@ struct pp_lumen_table {
     struct pp_lumen_top_table top;
 };
 
-/* A table from lines in any order. A reflectance that is NAN in all lines does not
- * become an axis. Two lines for one cell, and axes of more than PP_LUMEN_AXIS_MOST
+/* Builds a table from lines in any order. A reflectance that is NAN in all lines does
+ * not become an axis. Two lines for one cell, and axes of more than PP_LUMEN_AXIS_MOST
  * values, are noted as mistakes. */
 enum pp_status pp_lumen_table_build_side(struct pp_lumen_side_table *table,
                                          const struct pp_lumen_axis *widths,

@@ -14,9 +14,10 @@ struct pp_aligned_rectangle {
 /* Area (m2). */
 double pp_rectangle_factor_area(const struct pp_aligned_rectangle *rectangle);
 
-/* A F: area of a times the form factor from a to b (m2), the same both ways; 0 within
- * one plane. The whole of each must lie in front of the other, which is not checked.
- * With G the integral of the kernel over both rectangles' edges [HSM16]:
+/* Exchange area A F (m2): the area of a times the form factor from a to b, or the
+ * reverse; 0 within one plane. Each rectangle must lie entirely in front of the other;
+ * this is not checked. With G the integral of the kernel over both rectangles' edges
+ * [HSM16]:
  *
  *     A F = sum over the four corners of each, (-1)^(i + j + k + l) G
  *     parallel, z apart, u and v between the corners:
@@ -27,7 +28,7 @@ double pp_rectangle_factor_area(const struct pp_aligned_rectangle *rectangle);
  *       G = 1/(2 pi) [ t sqrt(x^2 + s^2) atan(t / sqrt(x^2 + s^2))
  *                    - (x^2 + s^2 - t^2)/4 ln(x^2 + s^2 + t^2) ]
  *
- * Errors are 1e-15 times the square of the largest distance between them.
+ * Errors are 1e-15 times the square of the largest distance between the rectangles.
  */
 double pp_rectangle_factor_exchange_area(const struct pp_aligned_rectangle *a,
                                          const struct pp_aligned_rectangle *b);

@@ -4,19 +4,19 @@
  *     A to B, read C;  C to D, read E                                 [GEEBELEN]
  *
  *   A  net glass area divided by the area of all inside surfaces
- *   B  mean reflectance of all inside surfaces, openings with 0.1
+ *   B  mean reflectance of all inside surfaces (0.1 for openings)
  *   C  internally reflected component without an obstruction
  *   D  altitude of the obstruction from the middle of the opening
  *   E  internally reflected component with the obstruction
  *
- * The chart is the formula of `bre` with the rule R_cw = 1.5 R_fw, R_fw = 0.8 R in
- * place of the room's own R_fw and R_cw (nomogram_scale.c). Every value is set and read
- * to a fifth of a division of the chart on A4. Several openings are read one by one,
- * and the results are added.
+ * The chart represents the formula of `bre`. The room's R_fw and R_cw are replaced by
+ * the rule R_cw = 1.5 R_fw, R_fw = 0.8 R (nomogram_scale.c). Every value is set and
+ * read to a fifth of a division of the chart on A4. Several openings are read one by
+ * one, and the results are added.
  *
- * For vertical openings under the CIE overcast sky in rooms with a mean reflectance of
- * 0.1 to 0.9. The chart contains clear single glass and, through A, the frame; no dirt,
- * no deterioration of decorations.
+ * The method is for vertical openings under the CIE overcast sky, in rooms with a mean
+ * reflectance of 0.1 to 0.9. The chart contains clear single glass and, through A, the
+ * frame; no dirt, no deterioration of decorations.
  */
 #include <math.h>
 #include <stddef.h>

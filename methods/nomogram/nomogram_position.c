@@ -37,7 +37,8 @@ double pp_nomogram_position_division(const struct pp_nomogram *nomogram, double 
     return 1.0;
 }
 
-/* Factor read where the straight-edge from the place through q crosses F. */
+/* Reads the factor at the point where the straight-edge, laid from the place through q,
+ * crosses F. */
 static struct pp_nomogram_place read_place(const struct pp_nomogram *nomogram, double q,
                                            double share)
 {

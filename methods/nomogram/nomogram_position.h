@@ -12,9 +12,10 @@ extern const struct pp_formula *const pp_nomogram_position_formulae[];
 
 /* Lays the straight-edge for an opening on A and B, and on C and D; then on H and the
  * curve, to read the factors for the depth and the sideways position of the receiver;
- * and with their product on E and F. Each value is rounded as a user sets or reads it.
- * tools: of pp_method_irc_atlas for that world and light. *why: the value that is off
- * its scale, as the end of a sentence that begins with "window W1"; NULL: none. */
+ * and finally, with the product of these factors, on E and F. Each value is rounded as
+ * a user sets or reads it. tools: those of pp_method_irc_atlas for that world and
+ * light. *why names a value that is off its scale, as the end of a sentence that begins
+ * with "window W1"; NULL if all values are on their scales. */
 enum pp_status pp_nomogram_position_read(
     struct pp_nomogram_reading *reading, const char **why,
     const struct pp_nomogram *nomogram, const struct pp_world *world,

@@ -26,8 +26,8 @@ const struct pp_formula pp_nomogram_reading_ratio = {
     .fixed = true,
 };
 
-/* Reads a stem where the straight-edge, laid through the values on two others, crosses
- * it. */
+/* Reads a stem at the point where the straight-edge, laid through the values on two
+ * other stems, crosses that stem. */
 void pp_nomogram_reading_lay(struct pp_nomogram_reading *reading,
                              const struct pp_nomogram *nomogram, int index)
 {
@@ -100,7 +100,7 @@ enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *readin
     value[PP_STEM_D] = pp_nomogram_scale_read(nomogram, PP_STEM_D, angle_rad);
     if (value[PP_STEM_D] > 0.0)
         pp_nomogram_reading_lay(reading, nomogram, 1);
-    else /* without an obstruction E is C */
+    else /* E equals C without an obstruction */
         value[PP_STEM_E] = value[PP_STEM_C];
 
     double back = pow(10.0, -reading->tens);

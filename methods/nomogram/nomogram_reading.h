@@ -10,12 +10,13 @@
 /* a = W / S, the ratio to set on scale A. */
 extern const struct pp_formula pp_nomogram_reading_ratio;
 
-/* Reason why the room cannot be read with a nomogram, a static sentence, or NULL. */
+/* Reason why the room cannot be read with a nomogram, as a static sentence; NULL if it
+ * can be read. */
 const char *pp_nomogram_reading_refuses_room(const struct pp_world *world);
 
 /* Lays the straight-edge for an opening on A and B, on C and D and, on nomogram II, on
  * E and F. Each value is rounded by pp_nomogram_scale_read. A ratio outside scale A is
- * multiplied by a power of ten, and the component, which is proportional to it, is
+ * multiplied by a power of ten; the component, which is proportional to the ratio, is
  * divided by the same power. The mean reflectance must be on scale B. */
 enum pp_status pp_nomogram_reading_of_opening(struct pp_nomogram_reading *reading,
                                               const struct pp_nomogram *nomogram,

@@ -6,9 +6,9 @@
  *     IRC = q W / (A (1 - R)) (C R_fw + g R_cw)                               (1)
  *
  * with its constants q for clear glass and g for the ground; for top light, C is
- * replaced by the sky's share C(beta) on glass of slope beta, and g by g (1 - cos
- * beta): 100 and 0 for horizontal glass. The formula has three reflectances, but a
- * scale can have only one. So a rule has to relate R_fw and R_cw to R:
+ * replaced by C(beta), the light of the sky on glass of slope beta, and g by g (1 - cos
+ * beta). For horizontal glass these are 100 and 0. The formula has three reflectances,
+ * but a scale can have only one. A rule must therefore relate R_fw and R_cw to R:
  *
  *     R_cw = k R_fw,   R = (R_fw + R_cw)/2  =>  R_fw = 2 R/(1 + k)            (2)
  *
@@ -22,9 +22,10 @@
  *     top-lit   C0 = 100   F = (C(beta) + g k (1 - cos beta))/100
  *               (without "+ g k" in K; F is then 1 for horizontal glass)
  *
- *     minimum = IRC / f, with the published f by the walls' reflectance [BRE310]
+ *     minimum = IRC / f, with the published f for the walls' reflectance [BRE310]
  *
- * so its logarithm is a sum, which a straight-edge adds on parallel scales.
+ * The logarithm of IRC is therefore a sum, which a straight-edge adds on parallel
+ * scales.
  *
  * THE RULE. k is 1.5: to a tenth, the k for which (3) is right on average (geometric
  * mean of (3)/(1) nearest to 1, no obstruction) over rooms of floor 0.2, walls 0.5,
@@ -44,8 +45,9 @@
  *
  *     t = m_1/(m_1 + m_2),   m_3 = m_1 m_2/(m_1 + m_2)                        (4)
  *
- * with u, v logarithms to base ten and m the length of a decade. A foot that is not 0,
- * y_1 = y_01 + m_1 u, adds (1 - t) y_01 to y_3, likewise t y_02.
+ * with u, v logarithms to base ten and m the length of a decade. If the first stem does
+ * not begin at 0 but y_1 = y_01 + m_1 u, y_3 increases by (1 - t) y_01; an offset y_02
+ * of the second stem increases y_3 by t y_02.
  *
  *   A, B fill the whole height; m_A, m_B follow from their ranges. C lies at (4).
  *   E is to be at x_E between C and D: by (4) m_D = m_C (1 - t)/t.
@@ -62,20 +64,19 @@
  *
  *     f = q exp(-q u)/(1 - exp(-q)),   log f = h(q) - q u log e
  *
- * of the place u: x/d_r by the depth, with q_d, and 2 y/w_r sideways, with q_s. Let the
- * stem H of the places stand at x_H, y = y_0 + m_H u, and F at x_F, y = y_1 + m_F log
- * f. All lines that join a u and its f for one q meet in a point: at the share t of the
- * way from H to F
+ * of the position u: u = x/d_r with q_d for the depth, and u = 2 y/w_r with q_s
+ * sideways. Let the stem H, the scale of u, stand at x_H with y = y_0 + m_H u, and the
+ * stem F at x_F with y = y_1 + m_F log f. For one q, all lines that join a u to its f
+ * meet in one point: at the fraction t of the way from H to F,
  *
  *     y = (1 - t)(y_0 + m_H u) + t (y_1 + m_F (h - q u log e))
  *
  * does not depend on u if t = m_H/(m_H + m_F q log e). The points of all q form a curve
- * between H and F; it crosses F at q = 0, f = 1; rooms that are brighter at their back
- * have a q below 0, beyond F.
+ * between H and F. The curve crosses F at q = 0, where f = 1. Rooms that are brighter
+ * at their back have a negative q, on the part of the curve beyond F.
  *
- * Since A and B are the ends of the first line, D and F of the others, the scale that
- * is read always lies between the scales that are set, so that their errors are
- * averaged and not magnified.
+ * On the lines A-B, C-D and E-F, the scale that is read lies between the two scales
+ * that are set. Errors of setting are therefore averaged and not magnified.
  */
 #include "methods/nomogram/nomogram_scale.h"
 
@@ -123,7 +124,7 @@ static double obstruction_factor(double alpha)
            / by_formula(pp_obstruction_factor(0.0), 1.0, PP_NOMOGRAM_K);
 }
 
-/* The factor of (3) that depends on this quantity, at a value of it. */
+/* Value of the factor of (3) that depends on the quantity. */
 static double function_of(enum pp_nomogram_quantity quantity, double value)
 {
     switch (quantity) {
@@ -187,7 +188,7 @@ static double end_y(const struct pp_nomogram_stem *stem, bool upper)
 }
 
 /* The stem read between two others, at the x of (4). constant: factor of the product
- * that is in neither of them. */
+ * that neither of the two stems contains. */
 static struct pp_nomogram_stem stem_between(const struct pp_nomogram_stem *from,
                                             const struct pp_nomogram_stem *to,
                                             double constant)
@@ -204,8 +205,8 @@ static struct pp_nomogram_stem stem_between(const struct pp_nomogram_stem *from,
     return stem;
 }
 
-/* Length of a decade of the stem at x_to for which the stem read between `from` and
- * that stem lies at x_read. */
+/* Length of a decade on the stem at x_to. With this length, the stem read between
+ * `from` and the stem at x_to lies at x_read. */
 static double decade_for(const struct pp_nomogram_stem *from, double x_read,
                          double x_to)
 {
@@ -363,9 +364,9 @@ double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity)
     }
 }
 
-/* The stretch between bold figures that contains a value: 1, 2, 5, 10 ... on a
- * logarithmic scale, tenths of a reflectance (fifths for the walls, as published), tens
- * of degrees. */
+/* Finds the interval between bold figures that contains a value. Bold figures are 1, 2,
+ * 5, 10 ... on a logarithmic scale, tenths of a reflectance (fifths for the walls, as
+ * published), and tens of degrees. */
 static void find_stretch(enum pp_nomogram_quantity quantity, double printed,
                          double stretch[2])
 {

@@ -44,7 +44,7 @@ double pp_nomogram_scale_position(const struct pp_nomogram *nomogram, int stem,
 double pp_nomogram_scale_value(const struct pp_nomogram *nomogram, int stem, double y);
 
 /* The y at which straight-edge `edge`, laid on y_from and y_to of its two stems,
- * crosses the stem at x. */
+ * crosses a stem at x. */
 double pp_nomogram_scale_crossing(const struct pp_nomogram *nomogram, int edge,
                                   double y_from, double y_to, double x);
 
@@ -61,14 +61,14 @@ void pp_nomogram_scale_curve(const struct pp_nomogram *nomogram, double q, doubl
 bool pp_nomogram_scale_contains(const struct pp_nomogram *nomogram, int stem,
                                 double value);
 
-/* The unit in which a scale is numbered: per cent and degrees per fraction and radian;
- * else 1. */
+/* Factor by which a quantity is multiplied for the numbers on its scale: 100 for per
+ * cent, 180/pi for degrees, else 1. */
 double pp_nomogram_scale_printed_unit(enum pp_nomogram_quantity quantity);
 
-/* The division of a scale about `printed`, a value in the printed unit: the smallest of
- * 1, 2 and 5 times a power of ten whose marks are all at least least_mm apart in the
- * stretch between two bold figures, on scales height_mm high. stretch: the ends of that
- * stretch. */
+/* The division of a scale near `printed`, a value as numbered on the scale: the
+ * smallest of 1, 2 and 5 times a power of ten whose marks are all at least least_mm
+ * apart between the two nearest bold figures, on scales height_mm high. stretch: set to
+ * these two bold figures. */
 double pp_nomogram_scale_division(const struct pp_nomogram *nomogram, int stem,
                                   double printed, double height_mm, double least_mm,
                                   double stretch[2]);

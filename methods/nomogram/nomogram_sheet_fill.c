@@ -1,5 +1,5 @@
 /* nomogram_sheet_fill.c - adds the marks of the scales, stretch by stretch, and the
- * readings for the openings of a room, equal ones only once. */
+ * readings for the openings of a room. Equal readings are added only once. */
 #include "methods/nomogram/nomogram_sheet_fill.h"
 
 #include <math.h>

@@ -14,18 +14,19 @@ struct pp_nomogram_spacing {
     double height_mm, width_mm, fine_mm, number_mm;
 };
 
-/* Makes a sheet without readings. It can be cleared even after a failure. */
+/* Makes a sheet without readings. The sheet can be cleared even after a failure. */
 enum pp_status pp_nomogram_sheet_fill_blank(struct pp_nomogram_sheet *sheet,
                                             enum pp_nomogram_kind kind,
                                             struct pp_nomogram_spacing spacing,
                                             struct pp_error *err);
 
 /* Fills the sheet with readings for the room's openings: vertical ones on I, II and IV,
- * all others on III. receiver: the point of IV; unused otherwise. The world must
- * outlive the sheet. PP_BAD_INPUT if the sky is not overcast, the mean reflectance is
- * outside scale B, the room has no opening for that nomogram, or an opening has a value
- * off its scales. The sum of I is the component by the method `nomogram`; those of IV
- * are the results of `irc-atlas` for the room and the point. */
+ * all others on III. receiver: the point for nomogram IV; unused for the others. The
+ * world must outlive the sheet. PP_BAD_INPUT if the sky is not overcast, the mean
+ * reflectance is outside scale B, the room has no opening for that nomogram, or an
+ * opening has a value off its scales. The sum on I is the component by the method
+ * `nomogram`. The sums on IV are the results of `irc-atlas` for the room and for the
+ * point. */
 enum pp_status pp_nomogram_sheet_fill_room(struct pp_nomogram_sheet *sheet,
                                            enum pp_nomogram_kind kind,
                                            const struct pp_world *world,

@@ -7,9 +7,9 @@
  *     SC  = dots on the sky x 0.1 %
  *     ERC = luminance factor x dots on obstructions x 0.1 %
  *
- * For vertical openings, clear glass or none, the overcast or the uniform sky, and
- * receivers that face up or are vertical. Each direction of vertical receivers has its
- * own diagram.
+ * The method is for vertical openings, clear glass or none, the overcast or the uniform
+ * sky, and receivers that face up or are vertical. Vertical receivers need one diagram
+ * for each direction that they face.
  */
 #include <stdlib.h>
 

@@ -54,9 +54,9 @@ struct cell_side {
     double out;
 };
 
-/* Accumulates the light of a ring's cells: up_to[k] is that of the first k cells. Rings
- * are equally wide in angle; sine times cosine is integrated over each ring, which is
- * exact for a uniform sky. */
+/* Accumulates the light of a ring's cells: up_to[k] is the light of the first k cells.
+ * Rings are equally wide in angle; sine times cosine is integrated over each ring,
+ * which is exact for a uniform sky. */
 static void fill_ring(double up_to[CELLS + 1], int ring,
                       const struct cell_side sides[CELLS], const struct pp_sky *sky,
                       const struct pp_glass_curve *losses, struct pp_vec3 out,

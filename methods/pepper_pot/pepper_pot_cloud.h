@@ -12,8 +12,8 @@
  * rings about its normal, each ring into cells, beginning on the side away from the
  * glass. t is the share of the light up to a ring, s the share of the ring's light up
  * to a cell. The dots are a Fibonacci lattice of the square of s and t [SP06]; for
- * horizontal glass and a uniform sky it is a sunflower pattern. Within a cell the light
- * is assumed uniform, with the value at its middle.
+ * horizontal glass and a uniform sky the dots form a sunflower pattern. Within a cell
+ * the light is assumed uniform, with the value at its middle.
  */
 #ifndef PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
 #define PP_METHODS_PEPPER_POT_PEPPER_POT_CLOUD_H
@@ -27,7 +27,7 @@
 struct pp_pepper_pot_cloud {
     double whole; /* light of an infinite opening, over Eh */
     int count;
-    double (*dots)[2]; /* a and b */
+    double (*dots)[2]; /* coordinates a and b of the dots */
 };
 
 /* worth must be above 1e-5. The caller clears the cloud; empty on failure. */

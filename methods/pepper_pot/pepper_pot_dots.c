@@ -46,7 +46,8 @@ static void place_azimuths(struct pp_pepper_pot *pot)
         }
 }
 
-/* Fills in one altitude: left[i] is its light from azimuths left of step i. */
+/* Fills in one altitude: left[i] is the light at that altitude from azimuths to the
+ * left of step i. */
 static void fill_ring(double left[AZIMUTHS + 1], const struct pp_pepper_pot *pot,
                       double gamma)
 {

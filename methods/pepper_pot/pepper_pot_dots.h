@@ -28,13 +28,13 @@
 
 enum {
     PP_PEPPER_POT_PANELS = 64,
-    PP_PEPPER_POT_AZIMUTHS = 20, /* steps */
-    PP_PEPPER_POT_NODES = 4,     /* nodes of Gauss's rule in each */
+    PP_PEPPER_POT_AZIMUTHS = 20, /* steps of azimuth */
+    PP_PEPPER_POT_NODES = 4,     /* nodes of Gauss's rule in each step */
 };
 
 struct pp_pepper_pot {
     struct pp_sky sky;     /* overcast or uniform */
-    bool glazed;           /* with the losses of clear single vertical glass */
+    bool glazed;           /* true: with the losses of clear single vertical glass */
     struct pp_glass glass; /* clear single, or none */
     bool
         upright; /* true: the receiver is a vertical plane; false: horizontal, face up */
@@ -43,14 +43,14 @@ struct pp_pepper_pot {
     double worth;      /* worth of a dot */
     double whole;      /* worth of all dots together: the light of an infinite window */
     struct pp_glass_curve losses;           /* losses of the glass */
-    double below[PP_PEPPER_POT_PANELS + 1]; /* light from below equally spaced
+    double below[PP_PEPPER_POT_PANELS + 1]; /* light from the sky below equally spaced
                                              * altitudes */
     double low_rad, high_rad; /* azimuths from which light reaches the receiver */
     /* Cosine and weight at the quadrature nodes between the azimuths. */
     double ahead[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
     double weight[PP_PEPPER_POT_AZIMUTHS][PP_PEPPER_POT_NODES];
     int count;
-    double (*dots)[2]; /* (a, b), b > 0 */
+    double (*dots)[2]; /* coordinates (a, b) of the dots, b > 0 */
 };
 
 /* Makes the dots. A sky other than overcast or uniform, and a worth outside 1e-5 ...

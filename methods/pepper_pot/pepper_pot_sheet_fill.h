@@ -19,9 +19,10 @@ enum pp_status pp_pepper_pot_sheet_fill_blank(struct pp_pepper_pot_sheet *sheet,
 
 /* Fills the sheet with the room's windows as seen from the receiver: a panel for each
  * direction that windows face, with glass and without. A room without openings has one
- * blank panel. If `pepper-pot` refuses the room the dots are those of `pepper-pot-sky`;
- * if that also refuses it, the result is PP_BAD_INPUT with the reason of `pepper-pot`.
- * With a worth of 0.1 % the sums are the components by that method. */
+ * blank panel. If `pepper-pot` refuses the room, the dots are those of
+ * `pepper-pot-sky`. If both methods refuse the room, the result is PP_BAD_INPUT with
+ * the reason of `pepper-pot`. With a worth of 0.1 % the sums are the components by the
+ * method used. */
 enum pp_status pp_pepper_pot_sheet_fill_room(struct pp_pepper_pot_sheet *sheet,
                                              const struct pp_world *world,
                                              const struct pp_outside_light *light,

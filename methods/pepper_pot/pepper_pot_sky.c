@@ -1,14 +1,14 @@
 /* pepper_pot_sky.c - `pepper-pot-sky`: direct component by counting dots, for openings
  * of any slope, receivers of any kind and any sky [PLE54].
  *
- * Like `pepper-pot`, but on diagrams made for the sky of the room file (with the
- * azimuth of its sun), the slope and direction of the opening, and the receiver
- * (pepper_pot_cloud.h): each dot within the outline is worth 0.1 %:
+ * The method is that of `pepper-pot`, but a diagram is made for the sky of the room
+ * file (with the azimuth of its sun), the slope and direction of the opening, and the
+ * receiver (pepper_pot_cloud.h). Each dot within the outline is worth 0.1 %:
  *
  *     SC  = dots on the sky x 0.1 %
  *     ERC = luminance factor x dots on obstructions x 0.1 %
  *
- * For clear glass or none. The figures contain clear single glass.
+ * The method is for clear glass or none. The figures contain clear single glass.
  */
 #include <stdlib.h>
 

@@ -5,11 +5,12 @@
  * (protractor_read.c). For each rectangle a user reads, in this order:
  *
  *   1. on the section, the primary scale at the upper and at the lower sight line;
- *      their difference is the component of an infinitely long opening
+ *      their difference is the initial component, that of an infinitely long opening
  *   2. the average altitude of both sight lines
  *   3. on the plan, the auxiliary scale at both jambs, between the semicircles for that
- *      altitude: added for jambs on both sides of the normal, else subtracted
- *   4. SC  = initial component x that correction factor
+ *      altitude. The sum for jambs on both sides of the normal, else the difference, is
+ *      the correction factor
+ *   4. SC  = initial component x correction factor
  *      ERC = the obstruction's initial component x its correction factor x luminance
  *            factor (0.2 under the overcast sky for a reflectance of 0.2)
  *

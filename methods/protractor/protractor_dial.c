@@ -145,7 +145,9 @@ void pp_protractor_dial_init(struct pp_protractor_dial *dial,
     for (int k = 0; k < PP_DIAL_SEMICIRCLES; k++) {
         double average = k * between_semicircles_rad;
         if (k > 0 && dial->semicircles[k - 1].average_rad > dial->range_rad) {
-            dial->semicircles[k] = dial->semicircles[k - 1]; /* also beyond the end */
+            dial->semicircles[k] = dial->semicircles[k - 1]; /* semicircles past the end
+                                                              * of the scale are
+                                                              * copies */
             dial->semicircles[k].average_rad = average;
             dial->semicircles[k].cos_average = cos(average);
         } else {

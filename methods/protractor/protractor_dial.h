@@ -22,7 +22,7 @@
 enum {
     PP_DIAL_STEPS = 180,      /* steps of the primary scale, and of 90 degrees of a
                           * semicircle */
-    PP_DIAL_SEMICIRCLES = 19, /* at 0 to 180 degrees */
+    PP_DIAL_SEMICIRCLES = 19, /* average altitudes of 0, 10 ... 180 degrees */
 };
 
 /* The auxiliary scale at one average altitude: CF and dCF/dtheta at equal steps of
@@ -34,7 +34,7 @@ struct pp_protractor_semicircle {
 
 struct pp_protractor_dial {
     struct pp_protractor protractor;
-    double range_rad; /* the end of the primary scale */
+    double range_rad; /* end of the primary scale */
 
     /* F and dF/dgamma at equal steps of gamma from 0 to the range. */
     double primary[PP_DIAL_STEPS + 1], slope[PP_DIAL_STEPS + 1];
@@ -60,8 +60,9 @@ double pp_protractor_dial_slope(const struct pp_protractor_dial *dial,
 double pp_protractor_dial_angle(const struct pp_protractor_dial *dial, double share,
                                 double start_rad);
 
-/* Auxiliary scale (odd in jamb_rad) for an average altitude of 0 to pi and a jamb at
- * jamb_rad, -pi/2 to pi/2: its azimuth or, if `turned_down`, theta. */
+/* Auxiliary scale for an average altitude of 0 to pi and a jamb at jamb_rad, -pi/2 to
+ * pi/2; an odd function of jamb_rad. jamb_rad is the jamb's azimuth or, if
+ * `turned_down`, theta. */
 double pp_protractor_dial_factor(const struct pp_protractor_dial *dial,
                                  double average_rad, double jamb_rad, bool turned_down);
 

@@ -128,7 +128,8 @@ const struct pp_formula pp_protractor_read_less = {
     .quantities = of_reflected,
     .fixed = true};
 
-/* section: of the sloping plane. */
+/* Reads one rectangle of an opening. section: slope of the opening's plane in
+ * section. */
 static void read_rectangle(struct pp_protractor_reading *reading,
                            const struct pp_protractor_dial *dial, double slope,
                            struct pp_angle section, const struct pp_slope_rectangle *at)

@@ -28,13 +28,13 @@ enum pp_status pp_protractor_read(struct pp_protractor_readings *readings,
                                   struct pp_vec3 point, struct pp_error *err);
 
 /* Calculates the components of readings, and their sums, by the published formulae. The
- * method evaluates them on its worksheet instead, where a user may have replaced a
- * formula. */
+ * method itself evaluates these formulae on its worksheet instead, where a user may
+ * have replaced a formula. */
 void pp_protractor_read_work(struct pp_protractor_readings *readings);
 
 /* Formulae for the readings of a rectangle [BRE309]. */
-extern const struct pp_formula pp_protractor_read_initial; /* i */
-extern const struct pp_formula pp_protractor_read_width;   /* K */
+extern const struct pp_formula pp_protractor_read_initial; /* i, initial component */
+extern const struct pp_formula pp_protractor_read_width;   /* K, correction factor */
 extern const struct pp_formula
     pp_protractor_read_no_width; /* K, if the right jamb is to the left of the left
                                   * one */

@@ -25,11 +25,12 @@
  *
  * For a vertical receiver the weight sin gamma cos theta of a direction is replaced by
  * cos gamma cos theta for a receiver that faces straight ahead, or by sin theta for a
- * receiver that faces perpendicular to the section. The scales of the latter count one
- * side only, since both sides cancel. A receiver at the azimuth psi reads cos psi times
- * the first plus sin psi times the second. Straight ahead and without glass F is the
- * illuminance of a vertical plane from below an infinitely long skyline of the angle
- * gamma, VSC(0) - VSC(gamma).
+ * receiver that faces perpendicular to the section. The scales of the second receiver
+ * include one side only, since both sides cancel. For a receiver at the azimuth psi,
+ * the reading is cos psi times that of the first receiver plus sin psi times that of
+ * the second. For a receiver that faces straight ahead, without glass, F is the
+ * illuminance of a vertical plane from the sky below an infinitely long skyline of the
+ * angle gamma, VSC(0) - VSC(gamma).
  */
 #ifndef PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
 #define PP_METHODS_PROTRACTOR_PROTRACTOR_SCALE_H
@@ -94,8 +95,8 @@ double pp_protractor_scale_primary_slope(const struct pp_protractor *protractor,
 double pp_protractor_scale_angle(const struct pp_protractor *protractor, double share,
                                  double low_rad, double high_rad);
 
-/* Auxiliary scale at theta_rad (-pi/2 to pi/2; odd in it), for the average altitude
- * gamma_rad. Relative error 1e-9. */
+/* Auxiliary scale at theta_rad (-pi/2 to pi/2; an odd function), for the average
+ * altitude gamma_rad. Relative error 1e-9. */
 double pp_protractor_scale_auxiliary(const struct pp_protractor *protractor,
                                      double gamma_rad, double theta_rad);
 

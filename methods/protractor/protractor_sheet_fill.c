@@ -58,7 +58,7 @@ static enum pp_status make_marks(struct pp_protractor_scale *scale,
 
 /* ---- the auxiliary ---- */
 
-enum { LINES = 24 }; /* 0.02 to 0.48 */
+enum { LINES = 24 }; /* correction factors 0.02 to 0.48 */
 
 static enum pp_status make_lines(struct pp_protractor_scale *scale,
                                  const struct pp_protractor_dial *dial,

@@ -7,15 +7,16 @@
  * from the window's normal the reading is cos psi times the first plus sin psi times
  * the second:
  *
- *   1. the window is cut in a vertical line where the receiver's own plane meets it
+ *   1. the window is cut along the vertical line where the receiver's plane meets it
  *   2. both primary scales are read at the upper and the lower sight line: i and j
  *   3. both auxiliary scales are read at the jambs, for the average altitude: K, as on
  *      the published ones, and J, the reading at the right jamb less that at the left
  *   4. SC = i K cos psi + j J sin psi; ERC is the same for the obstruction, times its
  *      luminance factor
  *
- * For vertical openings with clear glass or none, the overcast and the uniform sky.
- * Light from below the horizon is not counted. The figures contain clear single glass.
+ * The method is for vertical openings with clear glass or none, under the overcast or
+ * the uniform sky. Light from below the horizon is not counted. The figures contain
+ * clear single glass.
  */
 #include <math.h>
 #include <stdlib.h>

@@ -5,9 +5,9 @@
  * original text was not available. All entering light is first reflected with the mean
  * reflectance R, wherever it falls; further reflections are as in an integrating
  * sphere. `sphere` and `bre` refine this formula: their first reflection depends on the
- * part of the room on which the light falls. For any sky, any slope and any number of
- * openings, whose results are added. Diffusing panes need no special treatment, since
- * the place where light falls does not matter.
+ * part of the room on which the light falls. The method is for any sky, any slope and
+ * any number of openings, whose results are added. Diffusing panes need no special
+ * treatment, since the place where light falls does not matter.
  *
  * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
  * deterioration of decorations.

@@ -1,8 +1,9 @@
 /* bre.c - `bre`: average internally reflected component, by the BRE inter-reflection
  * formula [HLP54], [BRE310], which is in bre_terms.h.
  *
- * For vertical openings under the CIE overcast sky. The formula contains clear single
- * glass and, through W, the frame; no dirt, no deterioration of decorations.
+ * The method is for vertical openings under the CIE overcast sky. The formula contains
+ * clear single glass and, through W, the frame; no dirt, no deterioration of
+ * decorations.
  */
 #include <stddef.h>
 

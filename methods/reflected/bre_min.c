@@ -2,14 +2,15 @@
  * average by `bre`, divided by a factor k for the walls [BRE310].
  *
  * k is published for walls with a mean reflectance of 0.2, 0.4, 0.6 and 0.8. Between
- * these values it is interpolated linearly; outside them k is that of the nearer end.
- * This gives too high a minimum for walls darker than 0.2 and too low a one for walls
- * lighter than 0.8: the more evenly light is spread, the nearer the minimum is to the
- * average. The mean is over all walls, without their openings.
+ * these values k is interpolated linearly; outside them k is the value at the nearer
+ * end. The minimum is therefore too high for walls darker than 0.2 and too low for
+ * walls lighter than 0.8: the more evenly light is spread, the nearer the minimum is to
+ * the average. The mean is over all walls, without their openings.
  *
- * The minimum is that of the point farthest from the windows, and is published for
- * rooms with windows in one wall, at most twice as long as wide. For each point it is a
- * lower bound; it is not an average. Scope and allowances are those of `bre`.
+ * The minimum is at the point farthest from the windows. The method is published for
+ * rooms with windows in one wall that are at most twice as long as wide. The minimum is
+ * a lower bound for each point, not an average. Scope and allowances are those of
+ * `bre`.
  */
 #include <stddef.h>
 

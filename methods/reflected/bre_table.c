@@ -3,18 +3,19 @@
  *
  * The printed minimum T is for an obstruction of 20 degrees, a ceiling of 0.7 and a
  * floor of 40 m2; the factors k_F and k_c [BRE310] convert it to another floor and
- * ceiling, k_o to another obstruction. k_o is not from the source, which has only that
- * angle; it is the ratio of two figures by the formula of `bre` (bre_terms.h).
+ * ceiling, k_o to another obstruction. k_o is not from the source, which contains only
+ * the angle of 20 degrees; k_o is the ratio of two results of the formula of `bre`
+ * (bre_terms.h).
  *
  * The table is entered with the glass of all openings; each opening contributes in
  * proportion to its glass area, with its own k_o. The table contains clear single glass
  * and, since it uses net glass area, the frame; no dirt, no deterioration of
  * decorations.
  *
- * For vertical openings, the CIE overcast sky and rooms within the printed ranges.
- * Published for windows in one wall, from a sill of 0.9 m to the ceiling, in rooms at
- * most twice as long as wide. For each point the minimum is a lower bound; it is not an
- * average.
+ * The method is for vertical openings, the CIE overcast sky and rooms within the
+ * printed ranges. The table was published for windows in one wall, from a sill of 0.9 m
+ * to the ceiling, in rooms at most twice as long as wide. The minimum is a lower bound
+ * for each point, not an average.
  */
 #include <stddef.h>
 

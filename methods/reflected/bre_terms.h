@@ -3,9 +3,9 @@
  *
  * The formula is defined only here: `bre` evaluates it, `bre-min` divides it,
  * `bre-table` uses its last factor, and the nomograms represent it by scales. The
- * notation is that of [GEEBELEN]. The results for several openings are added; each has
- * its own W, C, R_fw and R_cw, while A and R are common. In R_fw and R_cw, openings in
- * the other walls have a reflectance of 0.1.
+ * notation is that of [GEEBELEN]. The results for several openings are added. Each
+ * opening has its own W, C, R_fw and R_cw; A and R are common to all. In R_fw and R_cw,
+ * openings in the other walls have a reflectance of 0.1.
  */
 #ifndef PP_METHODS_REFLECTED_BRE_TERMS_H
 #define PP_METHODS_REFLECTED_BRE_TERMS_H
@@ -46,11 +46,11 @@ extern const struct pp_formula pp_bre_terms_IRC_av; /* the same formula, as a qu
 #define PP_BRE_GROUND_REFLECTANCE 0.1
 
 struct pp_bre_terms {
-    double W;               /* m2 */
+    double W;               /* net glass area (m2) */
     struct pp_interior all; /* A and R */
     double R_fw, R_cw;      /* reflectances */
     double alpha_rad;       /* angle of the obstruction */
-    double C;               /* a fraction */
+    double C;               /* fraction, not per cent */
 };
 
 /* The terms of one vertical opening. */

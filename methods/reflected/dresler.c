@@ -7,18 +7,18 @@
  * light from the ground on the upper part; each part is diffuse, has one mean
  * reflectance (openings: 0.1) and is uniformly lit; the two exchange light through the
  * horizontal plane of area S between them. A part of area A_u sends the share S/A_u of
- * its light to the plane and the rest to itself. So, seen through the plane, its
- * reflectance is
+ * its light to the plane and the rest to itself. The reflectance of the upper part,
+ * seen through the plane, is therefore
  *
  *     k_u = rho_u S/A_u / (1 - rho_u (1 - S/A_u))
  *
  * and likewise for the lower part. The result is the illuminance on that plane from
- * above, by reflected light. It equals that of `split-flux`, except that there all
- * light reflected by one part falls on the other.
+ * above, by reflected light. This illuminance equals the result of `split-flux` except
+ * in one respect: in `split-flux` all light reflected by one part falls on the other.
  *
- * For vertical openings and any sky; the results of several openings, each with its own
- * plane, are added. The formula contains the opening's glass and, through Ag, the
- * frame; no dirt, no deterioration of decorations.
+ * The method is for vertical openings and any sky. The results of several openings,
+ * each with its own plane, are added. The formula contains the opening's glass and,
+ * through Ag, the frame; no dirt, no deterioration of decorations.
  */
 #include <stddef.h>
 

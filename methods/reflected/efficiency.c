@@ -7,15 +7,16 @@
  *     DF = sum over the openings, T Ag E_o eta M / S
  *
  * E_o is the light on the glass. For vertical windows the published form depends on the
- * angle of an infinitely long skyline (quoted from memory). It equals the light of the
- * overcast sky above the skyline plus 0.15 of the skylight that the skyline hides:
+ * angle of an infinitely long skyline (quoted from memory). This form is the light of
+ * the overcast sky above the skyline plus 0.15 of the skylight that the skyline hides:
  *
  *     VSC(alpha) + 0.15 (VSC(0) - VSC(alpha)) = 31.888 - 18.214 sin alpha + 7.730 cos 2 alpha
  *
- * For other slopes the same rule applies to the exact light from the sky on the glass.
- * The published tables of eta were not available, nor a rule for the ground's light.
- * Both are derived here, from the position and the slope of the opening, for a room of
- * three uniformly lit zones, the plane, the ceiling and the walls between them.
+ * For other slopes the same rule is applied to the calculated light from the sky on the
+ * glass. The published tables of eta, and a rule for light from the ground, were not
+ * available. Both are derived here, from the position and the slope of the opening, for
+ * a room of three uniformly lit zones, the plane, the ceiling and the walls between
+ * them.
  *
  *   - The fraction d of the light from the sky falls directly on the plane, the rest
  *     on walls. d is calculated for the open sky at the opening's middle. Light

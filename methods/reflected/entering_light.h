@@ -1,25 +1,25 @@
 /* entering_light.h - the light that enters through an opening, and its division between
  * the upper and the lower part of the room, for `split-flux` and `sphere`.
  *
- * The transmittance tau is that of the pane for diffuse light, 0.827 for clear single
- * glass and the stated value for a diffusing pane. The published 0.85 is used in `bre`
- * only, whose factors are based on it.
+ * tau is the transmittance of the pane for diffuse light: 0.827 for clear single glass,
+ * and the stated value for a diffusing pane. The published 0.85 is used only in `bre`,
+ * because the factors of `bre` are based on that value.
  *
- * C is the illuminance of the glass from above the horizon, over Eh, C_g that from the
- * ground. C of a vertical opening under the overcast sky is that of the BRE table
- * (obstruction.h). For other slopes and skies [GEEBELEN] prints C with the factor 0.39;
- * here C_hv, the illuminance of glass of that slope from the open sky over Eh (sky.h),
- * replaces 0.39.
+ * C and C_g are the illuminances of the glass from above the horizon and from the
+ * ground, divided by Eh. For a vertical opening under the overcast sky, C is read from
+ * the BRE table (obstruction.h). For other slopes and skies [GEEBELEN] prints C with
+ * the factor 0.39; here C_hv, the illuminance of glass of that slope from the open sky
+ * over Eh (sky.h), replaces 0.39.
  *
- * For glass with a well (well.h) C and C_g are the light through the foot of the well,
- * by its efficiency N. Light that has met the sides of the well leaves the foot as from
- * a diffuse pane. Its direct illuminance of the working plane, E_w, is internally
- * reflected light that the formulae of the room omit: pp_entering_light_of_well adds
- * it.
+ * For glass with a well (well.h), C and C_g are the light through the foot of the well,
+ * reduced by the well's efficiency N. Light that has met the sides of the well leaves
+ * the foot as from a diffuse pane. The direct illuminance of the working plane by this
+ * light, E_w, is internally reflected light that the formulae of the room omit;
+ * pp_entering_light_of_well adds E_w.
  *
  * Through clear glass, light from above the horizon falls on the lower part of the room
- * and light from the ground on the upper one. A diffusing pane sends the share u of all
- * its light up and the rest down, one half for vertical panes.
+ * and light from the ground on the upper one. A diffusing pane sends the fraction u of
+ * all its light up and the rest down; u is one half for vertical panes.
  */
 #ifndef PP_METHODS_REFLECTED_ENTERING_LIGHT_H
 #define PP_METHODS_REFLECTED_ENTERING_LIGHT_H
@@ -66,8 +66,8 @@ enum pp_status pp_entering_light(struct pp_worksheet *sheet,
                                  const struct pp_opening *opening,
                                  struct pp_error *err);
 
-/* Adds E_w, by that formula, to irc, which is on the sheet with the given value.
- * Returns the sum; irc itself for an opening without a well. */
+/* Adds E_w, calculated by that formula, to irc, which is on the sheet with the given
+ * value. Returns the sum; for an opening without a well, returns irc. */
 double pp_entering_light_of_well(struct pp_worksheet *sheet,
                                  const struct pp_formula *E_w,
                                  const struct pp_world *world,

@@ -5,8 +5,8 @@
 #include "methods/reflected/well.h"
 #include "model/geometry/min_max.h"
 
-/* Twice the area of triangle o a b; positive if it runs counter-clockwise as seen from
- * the side of the polygon's normal. */
+/* Twice the area of the triangle o a b; positive if the triangle runs counter-clockwise
+ * as seen from the side of the polygon's normal. */
 static double twice_area(const struct pp_polygon *polygon, struct pp_vec3 o,
                          struct pp_vec3 a, struct pp_vec3 b)
 {
@@ -103,7 +103,7 @@ static void add_area_parts(struct sums *lower, struct sums *upper,
 }
 
 /* Adds the surfaces that cover faces of a role (PP_ROLE_COUNT: of any role), in place
- * of the covered areas. Leaves out those on face `left_out` (-1: none is left out). */
+ * of the covered areas. Leaves out covers on face `left_out` (-1: none is left out). */
 static void add_covers(struct sums *lower, struct sums *upper,
                        const struct pp_world *world, double z, enum pp_role role,
                        int left_out)
@@ -220,7 +220,8 @@ struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
     return split(world, z, left_out, true);
 }
 
-/* True if a face lies above z (`above`) or below it, and half of it is no opening. */
+/* True if a face lies entirely above z (`above`) or below z, and openings cover less
+ * than half of the face. */
 static bool is_on_one_side(const struct pp_world *world, int face, double z, bool above)
 {
     const struct pp_polygon *outline = &world->surfaces[face].outline;

@@ -55,13 +55,14 @@ struct pp_interior_parts pp_interior_split(const struct pp_world *world, double 
 /* True if both parts have an area. */
 bool pp_interior_is_split(const struct pp_world *world, double z);
 
-/* The parts below and above `z` without the face `left_out`, its openings and their
- * reveals, other openings included: R_fw and R_cw of the BRE formula. */
+/* The parts below and above `z`, for R_fw and R_cw of the BRE formula. The face
+ * `left_out` is excluded, with its openings and their reveals; other openings are
+ * included. */
 struct pp_interior_parts pp_interior_split_without(const struct pp_world *world,
                                                    double z, int left_out);
 
 /* Area of the room's section by the horizontal plane at `z` (m2). Since the envelope is
- * closed it equals the projected area of all surfaces below. */
+ * closed, this equals the projected area of all surfaces below the plane. */
 double pp_interior_section_m2(const struct pp_world *world, double z);
 
 /* Area of a polygon below the horizontal plane at `z` (m2), for any simple plane

@@ -22,12 +22,13 @@ struct pp_irc_minimum {
     double floor_factor, ceiling_factor;
 };
 
-/* Reason why the room is outside the printed ranges, a static sentence, or NULL. */
+/* Reason why the room is outside the printed ranges, as a static sentence; NULL if it
+ * is inside. */
 const char *pp_irc_minimum_lacks(const struct pp_irc_minimum_entry *entry);
 
 struct pp_irc_minimum pp_irc_minimum_read(const struct pp_irc_minimum_entry *entry);
 
-/* Ratio of average to minimum of a room, 1.8 to 1.2, by the mean reflectance of the
+/* Ratio of average to minimum of a room, 1.8 to 1.2, for this mean reflectance of the
  * walls. Below 0.2 and above 0.8 it is the ratio at that end. */
 double pp_irc_minimum_average_ratio(double walls);
 

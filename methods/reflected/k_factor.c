@@ -1,17 +1,18 @@
 /* k_factor.c - `k-factor`: average internally reflected component of rooms with
  * rooflights and their wells, in the manner of BRE Digest 310 [BRE310].
  *
- * For windows it is `bre` (bre_terms.h). For horizontal rooflights the same
- * inter-reflection formula has the factor K in place of C: the mean daylight factor at
- * the foot of the well, in the plane of the ceiling, as given in [TS93], algorithm
- * 2.43. The Digest's own table of K was not available. K is calculated here: C from the
- * sky and its obstructions, N by flux transfer in the well (well.h). All of that light
- * falls first on the floor and the walls, with mean reflectance R_fw. Light reflected
- * by the sides of the well is internally reflected already; the part that falls on the
- * working plane is added.
+ * For windows the method is the same as `bre` (bre_terms.h). For horizontal rooflights
+ * the same inter-reflection formula is used, as given in [TS93], algorithm 2.43. 0.85 C
+ * is replaced by K, the mean daylight factor at the foot of the well, in the plane of
+ * the ceiling. The Digest's own table of K was not available. Here K is 0.85 C N, with
+ * C from the sky and its obstructions, and the efficiency N of the well by flux
+ * transfer (well.h). All light from the foot of the well falls first on the floor and
+ * the walls, with mean reflectance R_fw. Light reflected by the sides of the well is
+ * internally reflected already; the part that falls on the working plane is added.
  *
- * For the CIE overcast sky; sloping glass is not covered. The figures contain clear
- * single glass and, through W, the frame; no dirt, no deterioration of decorations.
+ * The method is for the CIE overcast sky; sloping glass is not covered. The figures
+ * contain clear single glass and, through W, the frame; no dirt, no deterioration of
+ * decorations.
  */
 #include <stddef.h>
 

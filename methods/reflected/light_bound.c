@@ -6,8 +6,8 @@
 #include "methods/reflected/interior.h"
 #include "methods/refusals.h"
 
-/* Ground reflectance built into `bre` and its variants, whatever that of the room's
- * ground. */
+/* Ground reflectance built into `bre` and its variants, used in place of the room's
+ * ground reflectance. */
 static const double built_in_ground = 0.1;
 
 /* `bre` uses 0.85 for the diffuse transmittance of clear single glass, whose true value

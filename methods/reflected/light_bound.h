@@ -1,23 +1,24 @@
 /* light_bound.h - an upper bound of a room's average, from the light that enters.
  *
- * Through an opening of glass area W = area x frame factor, with the transmittance tau
- * and the illuminance E on its outside (of Eh, from the open sky and from the ground),
- * at most the flux
+ * Let an opening have the glass area W = area x frame factor, the transmittance tau and
+ * the illuminance E on its outside (divided by Eh, from the open sky and from the
+ * ground). At most the flux
  *
  *     F = sum of W tau E                                                          (1)
  *
  * enters. If all of it fell directly on the working plane, of area S, the average there
  * would be F / S: no direct component can have more. Reflected light returns to the
- * plane at most once for each reflection. A reflection leaves on average the share R,
- * the mean reflectance of all inside surfaces with openings of 0.1. So the average of
- * any component, and of their sum, is at most
+ * plane at most once for each reflection. On average, a reflection leaves the fraction
+ * R, the mean reflectance of all inside surfaces (0.1 for openings). So the average of
+ * any component, and of the sum of all components, is at most
  *
  *     F / S (1 + R + R^2 + ...) = F / (S (1 - R))                                 (2)
  *
- * With S in place of the area of all surfaces this is about five times the integrating
- * sphere's figure, so that no useful figure comes near it. split-flux exceeds it where
- * it ignores large openings between white surfaces: it gives 1,046 % where simulation
- * finds 26 % and (2) allows 262 %.
+ * The formula of the integrating sphere has the area of all surfaces in place of S, so
+ * that (2) is about five times the result for the sphere. No realistic result comes
+ * near this bound. split-flux exceeds the bound where it ignores large openings between
+ * white surfaces. In one such case split-flux gives 1,046 %, where simulation gives 26
+ * % and (2) allows 262 %.
  */
 #ifndef PP_METHODS_REFLECTED_LIGHT_BOUND_H
 #define PP_METHODS_REFLECTED_LIGHT_BOUND_H

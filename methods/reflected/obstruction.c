@@ -19,7 +19,7 @@ double pp_obstruction_factor(double angle_rad)
 }
 
 /* True if any vertex lies in front of the opening's outside: in front of its plane or,
- * if it is set back from a facade, in front of the facade. */
+ * if the opening is set back from a facade, in front of the facade. */
 static bool reaches_in_front(const struct pp_polygon *outline,
                              const struct pp_opening *opening)
 {
@@ -32,8 +32,8 @@ static bool reaches_in_front(const struct pp_polygon *outline,
     return false;
 }
 
-/* True if surfaces other than the skylines of its own wall stand in front of the
- * opening. */
+/* True if surfaces other than the skylines of the opening's own wall stand in front of
+ * the opening. */
 static bool has_surface_in_front(const struct pp_world *world,
                                  const struct pp_opening *opening)
 {

@@ -8,8 +8,8 @@
 /* The part of a region that is visible from a point, within half-spaces. */
 struct view {
     struct pp_vec3 from, facing;
-    bool turned; /* directions are reversed, to those from which sky light through
-                  * `from` reaches the region */
+    bool turned; /* true: directions are reversed, so that they are the directions from
+                  * which skylight through `from` reaches the region */
     int space_count;
     struct pp_vec3 spaces[PP_HALF_SPACES_MOST];
 };

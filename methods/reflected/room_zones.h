@@ -1,11 +1,11 @@
 /* room_zones.h - the room over the working plane as three zones, each uniformly lit:
  * the plane, the ceiling and the walls between them.
  *
- * F is the form factor between plane and ceiling, and m that from the walls to each of
- * them; rho_p, rho_c and rho_v are the reflectances of plane, ceiling and walls. u_w,
- * u_c and u_p are the fractions of the light on the walls, on the ceiling, and leaving
- * the plane that reach the plane after reflections above it. If phi_v is the light on
- * the walls, and phi_c that on the ceiling,
+ * F is the form factor between plane and ceiling; m is the form factor from the walls
+ * to the plane, and to the ceiling; rho_p, rho_c and rho_v are the reflectances of
+ * plane, ceiling and walls. u_w, u_c and u_p are the fractions of the light on the
+ * walls, on the ceiling, and leaving the plane that reach the plane after reflections
+ * above it. With phi_v the light on the walls, and phi_c the light on the ceiling,
  *
  *     phi_v = source + rho_v (1 - 2 m) phi_v + rho_c (1 - F) phi_c
  *     phi_c = source + rho_v m phi_v

@@ -1,11 +1,11 @@
 /* sphere.c - `sphere`: average internally reflected component, the room taken as an
  * integrating sphere after the first reflection.
  *
- * This is the formula of `bre` with the room's own ground reflectance and with the
- * window's own wall, for any sky, any slope and any number of openings, whose results
- * are added. The published formula is for clear glass. For a diffusing pane
- * (entering_light.h) the fraction u of the light falls on the upper part first, the
- * rest on the lower part.
+ * The formula is that of `bre` with the room's own ground reflectance and with the
+ * window's wall included in the mean reflectances, for any sky, any slope and any
+ * number of openings, whose results are added. The published formula is for clear
+ * glass. For a diffusing pane (entering_light.h) the fraction u of the light falls on
+ * the upper part first, the rest on the lower part.
  *
  * The formula contains the opening's glass and, through Ag, the frame; no dirt, no
  * deterioration of decorations.

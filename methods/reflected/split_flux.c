@@ -6,9 +6,9 @@
  * upper part (entering_light.h). The result is the lower part's illuminance from the
  * upper part, divided by Eh.
  *
- * For any sky, any slope and any number of openings, each with its own parts; their
- * results are added. The formula contains the opening's glass and, through Ag, the
- * frame; no dirt, no deterioration of decorations.
+ * The method is for any sky, any slope and any number of openings, each with its own
+ * parts. The results of all openings are added. The formula contains the opening's
+ * glass and, through Ag, the frame; no dirt, no deterioration of decorations.
  */
 #include <stddef.h>
 

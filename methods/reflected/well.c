@@ -12,7 +12,7 @@ enum {
     BANDS = 12,     /* bands of the sides; twice as many change the efficiency by
                      * less than 0.002 */
     ALTITUDES = 48, /* altitudes of light that passes without reflection */
-    AZIMUTHS = 12,  /* in a quarter of the circle */
+    AZIMUTHS = 12,  /* azimuths in a quarter of the circle */
     TOP = BANDS,    /* the glass seen from below, a further zone after the bands */
     ZONES,
 };
@@ -104,9 +104,9 @@ static double back_of(const struct pp_glass *glass)
     return sum;
 }
 
-/* All bands have the same height, so that the exchange between two depends on their
- * distance only. It is calculated from form factors F between sections of the shaft;
- * `section` is the area of a section divided by that of a band:
+/* All bands have the same height, so that the exchange between two bands depends only
+ * on their distance. The exchange is calculated from form factors F between sections of
+ * the shaft; `section` is the area of a section divided by that of a band:
  *
  *     i to j     section (F(m - 1) - 2 F(m) + F(m + 1)),  m = |i - j| > 0
  *     to itself  1 - 2 section (1 - F(1))

@@ -1,10 +1,10 @@
-/* well.h - wells of rooflights: the share of the light entering at the top that leaves
- * at the foot.
+/* well.h - wells of rooflights: the fraction of the light entering at the top that
+ * leaves at the foot.
  *
  * A rooflight with a reveal has a well, a straight shaft from the glass down to the
  * ceiling, of the ceiling's reflectance. The hand formulae of the room treat the foot
- * of the well as the opening; the sides of the well are not part of the room. Its shape
- * is described by the well index [IES84], which is 1 for a cube:
+ * of the well as the opening; the sides of the well are not part of the room. The shape
+ * of a well is described by the well index [IES84], which is 1 for a cube:
  *
  *     w = d (a + b) / (2 a b),   d depth, a and b the sides of the plan
  *
@@ -30,11 +30,11 @@ struct pp_well_shape {
     double sides;                      /* reflectance, 0 to 1 */
 };
 
-/* Shares, 0 to 1, of the light that enters through the glass, with their symbols in
+/* Fractions, 0 to 1, of the light that enters through the glass, with their symbols in
  * reports. */
 struct pp_well_efficiency {
-    double whole;  /* N: leaves the foot */
-    double direct; /* N_d: leaves the foot without touching the sides */
+    double whole;  /* N: light that leaves the foot */
+    double direct; /* N_d: light that leaves the foot without touching the sides */
 };
 
 /* True for a glazed opening that is not vertical and has a reveal. */
@@ -58,8 +58,8 @@ void pp_well_put(struct pp_worksheet *sheet, const struct pp_world *world,
                  const struct pp_outside_light *light,
                  const struct pp_opening *opening);
 
-/* f: share of diffuse light from the middle of the foot that falls on the working plane
- * directly, 0 to 1. */
+/* f: fraction of diffuse light from the middle of the foot that falls directly on the
+ * working plane, 0 to 1. */
 double pp_well_foot_to_plane(const struct pp_world *world,
                              const struct pp_opening *opening);
 

@@ -34,7 +34,7 @@ static bool bound_block(struct pp_block_bound *bound, const struct pp_block_view
         bound->high = pp_max(z, bound->high);
     }
     /* Blocks flush with the room's faces are moved by PP_SET_OFF_M; the bound allows
-     * for it. */
+     * for this shift. */
     bound->distance_m = sqrt(square) - 2.0 * PP_SET_OFF_M;
     if (near <= view->glass_m) { /* the block reaches to the glass or nearer, so its
                                   * directions are not bounded */

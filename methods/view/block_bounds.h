@@ -1,8 +1,8 @@
 /* block_bounds.h - bounds of the blocks in front of an opening, roughly in order of
  * distance. For elevation.c only.
  *
- * A room may have thousands of blocks outside, of which few are visible. The bounds
- * find these without testing the sides of each block.
+ * A room may have thousands of blocks outside, but few of them are visible. The bounds
+ * find the visible blocks without testing the sides of each block.
  */
 #ifndef PP_METHODS_VIEW_BLOCK_BOUNDS_H
 #define PP_METHODS_VIEW_BLOCK_BOUNDS_H
@@ -22,7 +22,7 @@ struct pp_block_view {
 /* A block appears between `left` and `right` and not above `high`; all its corners are
  * at least distance_m from the point. */
 struct pp_block_bound {
-    int block; /* among the world's */
+    int block; /* index among the world's blocks */
     double left, right, high, distance_m;
 };
 
@@ -31,9 +31,9 @@ struct pp_block_bounds {
     struct pp_block_bound *list;
 };
 
-/* Fills empty bounds with the blocks that may be visible, roughly ordered by distance
- * (two in wrong order differ by at most a hundredth of the range of 1/distance). The
- * caller clears them, even after a failure. */
+/* Fills empty bounds with the blocks that may be visible, roughly ordered by distance.
+ * Two blocks in the wrong order differ by at most a hundredth of the range of
+ * 1/distance. The caller clears the bounds, even after a failure. */
 enum pp_status pp_block_bounds_find(struct pp_block_bounds *bounds,
                                     const struct pp_world *world,
                                     const struct pp_block_view *view,

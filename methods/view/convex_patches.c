@@ -29,12 +29,11 @@ static enum pp_status add_open(struct pp_fragments *open,
     return status;
 }
 
-/* The lights of the pieces. Pieces with the same light have the same reflectance and
- * exitance. */
+/* The distinct lights of the pieces. A light is a pair of reflectance and exitance. */
 struct lights {
     int count;
-    int *first; /* the first piece with each light */
-    int *of;    /* the light of each piece */
+    int *first; /* index of the first piece with each light */
+    int *of;    /* index of the light of each piece */
 };
 
 /* Lists the lights in the order of the pieces; the caller frees both arrays. */
@@ -86,8 +85,8 @@ static enum pp_status add_fragment(struct pp_visible_patch *patch,
     return PP_OK;
 }
 
-/* Adds a patch with room for `count` fragments. hider: a piece with the patch's light,
- * or NULL for the sky. */
+/* Adds a patch with room for `count` fragments. hider: a piece with the patch's light;
+ * NULL for the sky. */
 static enum pp_status begin_patch(struct pp_visible *visible, int count,
                                   const struct pp_occluder *hider, struct pp_error *err)
 {
@@ -144,7 +143,7 @@ struct hiding {
     struct pp_fragments *hidden;
 };
 
-/* pp_ring_cells_do */
+/* Callback (pp_ring_cells_do): removes the parts that rings hide in one cell. */
 static enum pp_status hide_cell(void *data, struct pp_fragments *open, const int *rings,
                                 int count, struct pp_error *err)
 {

@@ -40,11 +40,12 @@ struct opening_drawing {
     struct pp_elevation_obstructions obstructions;
     struct pp_elevation_cover *cover; /* areas covered by the obstructions so far; not
                                        * owned */
-    int order;                        /* order of the next obstruction */
+    int order;                        /* number of the next obstruction; decides between
+                                       * equal distances */
 };
 
-/* The rectangle of equal area with the centroid of a figure and the proportions of its
- * bounding box; it is raised to the horizon if it reaches below it. */
+/* Rectangle of equal area, with the region's centroid and the proportions of its
+ * bounding box. The rectangle is raised if it would extend below the horizon. */
 static struct pp_elevation_part equal_rectangle(const struct pp_area_moments *extent)
 {
     double width = extent->right - extent->left, height = extent->high - extent->low;
@@ -363,8 +364,8 @@ static enum pp_status add_block(struct opening_drawing *drawing,
                   : add_silhouette(drawing, &silhouette, block->reflectance, err);
 }
 
-/* Adds the blocks, roughly the nearer ones first; blocks hidden by these are not
- * drawn. */
+/* Adds the blocks, roughly the nearer ones first. Blocks hidden by blocks already added
+ * are not drawn. */
 static enum pp_status add_blocks(struct opening_drawing *drawing, struct pp_error *err)
 {
     const struct pp_world *world = drawing->world;

@@ -15,15 +15,15 @@
  * all below its head, at h/d = (head - z)/(D + d), or at tan alpha for a skyline
  * without a distance. A block, a free-standing surface outside or another part of the
  * building becomes the rectangle with the jambs and the lower edge of its silhouette
- * within the opening and with an equal area. Where several overlap, the one with the
- * nearest corner counts.
+ * within the opening and with an equal area. Where several obstructions overlap, the
+ * one with the nearest corner counts.
  */
 #ifndef PP_METHODS_VIEW_ELEVATION_H
 #define PP_METHODS_VIEW_ELEVATION_H
 
 #include "model/room/world.h"
 
-/* A part of the opening that shows the sky or one obstruction; edges over d. */
+/* A part of the opening that shows the sky or one obstruction; edges divided by d. */
 struct pp_elevation_part {
     double left, right, low, high;
     double reflectance; /* reflectance of the obstruction; NAN: sky */
@@ -34,8 +34,8 @@ struct pp_elevation {
     struct pp_elevation_part *parts;
 };
 
-/* The opening must be vertical; from behind it or in its plane there are no parts. On
- * success *elevation is to be cleared. */
+/* The opening must be vertical. From a point behind it or in its plane, no parts are
+ * visible. On success the caller clears *elevation. */
 enum pp_status pp_elevation_init(struct pp_elevation *elevation,
                                  const struct pp_world *world,
                                  const struct pp_opening *opening, struct pp_vec3 point,

@@ -17,18 +17,19 @@ struct strip_sweep {
 
     int edge_count;
     double *edges; /* jambs, from the left */
-    int *by_left;  /* list indices ordered by left jamb; entered: number that the sweep
-                    * has passed */
+    int *by_left;  /* list indices ordered by left jamb. entered: number of them that
+                    * the sweep has passed */
     int entered;
 
     double left, right; /* edges of the strip */
     int crossing_count;
-    int *crossing; /* ascending: nearest first */
+    int *crossing; /* list indices of the obstructions that cross the strip, ascending:
+                    * nearest first */
 
     int shown_count; /* number of crossing obstructions not wholly behind nearer ones */
     int *shown;
-    int covered_count; /* number of disjoint ranges of height that these cover, from
-                        * below */
+    int covered_count; /* number of disjoint ranges of height that the shown
+                        * obstructions cover, from below */
     double (*covered)[2];
     double *levels; /* lower and upper edges of the shown obstructions */
 };
@@ -111,7 +112,8 @@ static void move_to(struct strip_sweep *sweep, double left, double right)
     sweep->crossing_count = kept;
 }
 
-/* Adds a range of heights to the covered ones; false if it was covered already. */
+/* Adds a range of heights to the covered ones. Returns false if the range was already
+ * covered. */
 static bool cover(struct strip_sweep *sweep, double low, double high)
 {
     double(*covered)[2] = sweep->covered;
@@ -202,7 +204,7 @@ static enum pp_status add_strip(struct pp_elevation *elevation, int *capacity,
 }
 
 /* Joins the strip whose parts begin at index `now` to the one whose parts begin at
- * `before`, if they continue each other. Returns false if they do not. */
+ * `before`, if all parts continue across the border. Returns false if they do not. */
 static bool join_strips(struct pp_elevation *elevation, int before, int now)
 {
     int count = elevation->count - now;

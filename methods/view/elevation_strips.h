@@ -1,8 +1,8 @@
 /* elevation_strips.h - cuts the visible part of an opening by the obstructions in front
  * of it, all vertical rectangles (elevation.h).
  *
- * The part is divided into vertical strips from jamb to jamb, and each strip by the
- * obstructions visible in it; equal neighbours are joined. A sweep line crosses the
+ * The visible part is divided into vertical strips from jamb to jamb, and each strip by
+ * the obstructions visible in it; equal neighbours are joined. A sweep line crosses the
  * edges, so that the time for a strip depends only on the obstructions that cross it.
  */
 #ifndef PP_METHODS_VIEW_ELEVATION_STRIPS_H
@@ -15,7 +15,7 @@ struct pp_elevation_obstruction {
     struct pp_elevation_part outline;
     double distance_m; /* distance of the nearest corner: the nearer obstruction
                         * hides the other */
-    int order;         /* ties of distance: the lower order is in front */
+    int order;         /* at equal distances, the lower order is in front */
 };
 
 struct pp_elevation_obstructions {

@@ -1,9 +1,9 @@
-/* fragments.h - a figure in the plane as convex fragments, from which convex rings are
- * cut one after another.
+/* fragments.h - a plane region as convex fragments, from which convex rings are cut one
+ * after another.
  *
- * A cut conserves area except for rounding, for any rings: unlike an overlay it needs
- * no topologically valid input. A fragment is free, or has an owner: the ring that
- * covers it and is in front of all others.
+ * A cut conserves area except for rounding. Unlike an overlay, a cut does not need
+ * topologically valid input. A fragment is free, or has an owner: the ring that covers
+ * it and is in front of all others.
  */
 #ifndef PP_METHODS_VIEW_FRAGMENTS_H
 #define PP_METHODS_VIEW_FRAGMENTS_H
@@ -21,7 +21,7 @@ enum { PP_FRAGMENT_FREE = -1 };
 struct pp_fragment {
     int owner; /* index of the covering ring; PP_FRAGMENT_FREE: none */
     int count;
-    double xy[PP_FRAGMENT_CORNERS][2]; /* counter-clockwise */
+    double xy[PP_FRAGMENT_CORNERS][2]; /* corners, counter-clockwise */
     double low[2], high[2];
 };
 
@@ -40,8 +40,8 @@ struct pp_fragment_ring {
     double depth[3];
 };
 
-/* Makes a ring of the corners of a convex polygon, which it orders counter-clockwise.
- * depth is left unchanged. */
+/* Makes a ring from the corners of a convex polygon, which are put in counter-clockwise
+ * order. depth is left unchanged. */
 void pp_fragments_close_ring(struct pp_fragment_ring *ring, double (*xy)[2], int count);
 
 void pp_fragments_clear(struct pp_fragments *fragments);
@@ -66,15 +66,15 @@ enum pp_status pp_fragments_subtract(struct pp_fragments *fragments,
                                      const struct pp_fragment_ring *ring,
                                      struct pp_error *err);
 
-/* Keeps the parts outside the ring, and adds those within to `taken`, unless it is
+/* Keeps the parts outside the ring. Adds the parts inside to `taken`, unless `taken` is
  * NULL. */
 enum pp_status pp_fragments_move(struct pp_fragments *taken,
                                  struct pp_fragments *fragments,
                                  const struct pp_fragment_ring *ring,
                                  struct pp_error *err);
 
-/* Makes rings[index] the owner of the parts within it that are free or belong to a ring
- * behind it. */
+/* Makes rings[index] the owner of the parts within that ring that are free or belong to
+ * a ring behind it. */
 enum pp_status pp_fragments_cover(struct pp_fragments *fragments,
                                   const struct pp_fragment_ring *rings, int index,
                                   struct pp_error *err);

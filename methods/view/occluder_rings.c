@@ -127,11 +127,11 @@ enum pp_status pp_occluder_rings_sort(struct pp_occluder_rings *rings,
 /* ---- pieces that are visible ---- */
 
 struct marking {
-    bool *is_seen; /* flags of the pieces */
+    bool *is_seen; /* for each piece: true if it is visible */
     const struct pp_occluder_rings *rings;
 };
 
-/* pp_ring_cells_do */
+/* Callback (pp_ring_cells_do): marks the pieces that hide something in one cell. */
 static enum pp_status mark_cell(void *data, struct pp_fragments *open, const int *rings,
                                 int count, struct pp_error *err)
 {
@@ -160,7 +160,8 @@ static enum pp_status mark_in_union(bool *is_seen, struct pp_fragments *open,
                            : status;
 }
 
-/* pp_ring_cells_do */
+/* Callback (pp_ring_cells_do): assigns the fragments of one cell to the nearest
+ * rings. */
 static enum pp_status cover_cell(void *data, struct pp_fragments *open,
                                  const int *rings, int count, struct pp_error *err)
 {

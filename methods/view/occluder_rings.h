@@ -14,8 +14,8 @@ struct pp_occluder_rings {
     double (*xy)[2];
 };
 
-/* Finds the rings, in the order of the pieces, with depths for a view at that distance.
- * The caller clears the rings, even after a failure. */
+/* Finds the rings, in the order of the pieces, with depths for a view whose plane is at
+ * that distance. The caller clears the rings, even after a failure. */
 enum pp_status pp_occluder_rings_find(struct pp_occluder_rings *rings,
                                       const struct pp_occluders *pieces,
                                       double distance_m, struct pp_error *err);

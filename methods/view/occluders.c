@@ -8,7 +8,7 @@
 #include "model/geometry/clip.h"
 #include "model/geometry/min_max.h"
 
-/* Coordinates in the view's plane that differ by less than this share of its extent
+/* Coordinates in the view's plane that differ by less than this fraction of its extent
  * count as equal; the value is a few rounding errors. */
 #define GRAIN 2e-15
 

@@ -1,8 +1,8 @@
 /* occluders.h - the surfaces in a view, cut to the view and projected on to its plane.
  *
  * Surfaces are cut in space to the view's pyramid, so that no part behind the eye or
- * outside the pyramid is projected. They are also cut at the opening's plane: the part
- * on the near side is an occluder inside, the part on the far side an obstruction
+ * outside the pyramid is projected. Surfaces are also cut at the opening's plane: the
+ * part on the near side is an occluder inside, the part on the far side an obstruction
  * outside.
  */
 #ifndef PP_METHODS_VIEW_OCCLUDERS_H
@@ -20,7 +20,7 @@
 /* A convex piece of one surface, or of a skyline, projected on to the view's plane. */
 struct pp_occluder {
     int count;
-    double (*xy)[2]; /* clockwise or counter-clockwise */
+    double (*xy)[2]; /* corners, clockwise or counter-clockwise */
     /* nearness . (x, y, distance_m) is one over the distance along the ray to (x, y),
      * in units of that vector: of two surfaces the one with the larger value is in
      * front. */
@@ -37,8 +37,9 @@ struct pp_occluders {
 struct pp_occluders_scene {
     const struct pp_world *world;
     const struct pp_projection *view;
-    int face;                   /* the surface that the view's plane lies in, or -1 */
-    bool from_inside;           /* the near side of the plane is inside the room */
+    int face;                   /* index of the surface in the view's plane; -1: none */
+    bool from_inside;           /* true: the near side of the plane is inside the
+                                 * room */
     const double (*outline)[2]; /* corners of the outline that the view looks through */
     int outline_count;
     double low[2], high[2]; /* the outline's extent along x and y */

@@ -7,8 +7,8 @@
 
 #include "model/geometry/clip.h"
 
-/* Sets up regions of the pieces, which share the pieces' coordinates; these are put in
- * counter-clockwise order. */
+/* Sets up regions of the pieces. The regions use the pieces' own coordinates, which are
+ * put in counter-clockwise order. */
 static enum pp_status borrow(struct pp_region **regions, struct pp_ring **rings,
                              const struct pp_occluders *pieces, struct pp_error *err)
 {
@@ -105,8 +105,8 @@ static bool are_apart(const struct pp_bounds2 *a, const struct pp_bounds2 *b)
            || a->high[1] < b->low[1];
 }
 
-/* The visible part of piece `index`: its region, less the parts in front of it of all
- * pieces with different light. */
+/* Visible part of piece `index`: its region, less those parts of pieces with different
+ * light that are in front of it. */
 static enum pp_status seen_part(struct pp_clipper *clipper, struct pp_region *seen,
                                 const struct pp_occluders *pieces, int index,
                                 double distance_m, struct pp_error *err)

@@ -198,7 +198,7 @@ static void divide_by_skyline(struct pp_visible *visible, struct pp_region regio
     visible->patches[2] = hidden;
 }
 
-/* The grid on which figures are overlaid: a power of two, about 2^-50 of the largest
+/* The grid on which regions are overlaid: a power of two, about 2^-50 of the largest
  * coordinate. */
 static double grid_of(const struct pp_occluders_scene *scene)
 {

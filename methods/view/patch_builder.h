@@ -15,11 +15,11 @@ struct pp_patch_builder {
     struct pp_occluders inside, outside;
     struct pp_clipper *clipper; /* NULL until it is needed */
     struct pp_region open;      /* the part that is not hidden inside */
-    bool open_is_extent;        /* the open part is the whole rectangle from scene.low
-                                 * to high */
+    bool open_is_extent;        /* true: the open part is the whole rectangle from
+                                 * scene.low to scene.high */
     double grid;                /* grid for overlays of regions */
-    bool in_parts;              /* patches may be convex rings that meet */
-    bool sky_only;              /* patches of obstructions may be left out */
+    bool in_parts;              /* true: patches may be sets of adjacent convex rings */
+    bool sky_only;              /* true: patches of obstructions may be left out */
 };
 
 /* Fills `visible`. The outline is builder->open or, if that is empty, the rectangle

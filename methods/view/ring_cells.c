@@ -61,7 +61,7 @@ static enum pp_status in_cells(const struct ring_cells *cells,
                                int depth, struct pp_error *err);
 
 /* Processes one half of an extent: the parts of the fragments within it, with the rings
- * that reach into it. What remains of them is added to `left`. */
+ * that overlap it. The remaining fragments are added to `left`. */
 static enum pp_status in_half(const struct ring_cells *cells, struct pp_fragments *left,
                               const struct pp_fragments *open,
                               const struct extent *half, const int *rings, int count,

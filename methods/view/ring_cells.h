@@ -11,8 +11,8 @@
 
 #include "methods/view/fragments.h"
 
-/* Callback for the fragments of a cell. `rings`: indices of the rings that reach into
- * it, in ascending order. */
+/* Callback for the fragments of a cell. `rings`: indices of the rings that overlap the
+ * cell, in ascending order. */
 typedef enum pp_status pp_ring_cells_do(void *data, struct pp_fragments *open,
                                         const int *rings, int count,
                                         struct pp_error *err);

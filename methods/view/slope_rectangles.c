@@ -24,8 +24,8 @@ double pp_slope_rectangles_altitude(double b, struct pp_angle slope)
 /* The axes of plan and section, in the opening's plane: `along` its horizontal edges,
  * `up` the slope. */
 struct axes {
-    bool turned; /* for a horizontal opening: the axes are turned along its longer
-                  * edges */
+    bool turned; /* true: the axes are turned along the longer edges of a horizontal
+                  * opening */
     struct pp_vec3 along, up;
 };
 

@@ -7,8 +7,8 @@
  * is perpendicular to the longer ones. The visible part above the point's horizon is
  * the rectangle itself; any other shape is read as a rectangle of equal area, with the
  * same centre and proportions. An obstruction is the rectangle of equal area with the
- * jambs of the hidden part and its edge nearer to the zenith; it lies within the
- * opening's rectangle.
+ * jambs of the hidden part, and with the hidden part's edge nearer to the zenith; this
+ * rectangle lies within that of the opening.
  */
 #ifndef PP_METHODS_VIEW_SLOPE_RECTANGLES_H
 #define PP_METHODS_VIEW_SLOPE_RECTANGLES_H
@@ -18,12 +18,12 @@
 #include "model/room/world.h"
 
 /* A slope that differs by less than this angle from 0, a right angle or a published
- * slope counts as equal to it. */
+ * slope counts as equal to that slope. */
 #define PP_SLOPE_RECTANGLES_TOLERANCE_RAD 1e-3
 
 struct pp_slope_rectangle {
     double left, right, low, high;
-    bool hidden;   /* shows an obstruction; else the whole visible part */
+    bool hidden;   /* true: an obstruction; false: the whole visible part */
     double factor; /* luminance factor of the obstruction; 1 for the sky */
 };
 

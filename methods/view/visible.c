@@ -87,7 +87,7 @@ static enum pp_status open_by_overlay(struct pp_patch_builder *builder,
     return status;
 }
 
-/* The parts of a view that are wanted. */
+/* Options of a view. */
 struct wanted {
     bool outside, in_parts, sky_only;
 };

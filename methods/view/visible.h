@@ -23,14 +23,14 @@ struct pp_visible_patch {
     struct pp_region region; /* may be shared with other patches */
     struct pp_vec3 half_spaces[2];
     int half_space_count;
-    bool hidden;                  /* shows an obstruction; else sky and ground */
+    bool hidden;                  /* true: an obstruction; false: sky and ground */
     double reflectance, exitance; /* properties of the obstruction */
 };
 
 enum { PP_CORNERS_FEW = 16 };
 
-/* Must not be copied: members point to other members. Several threads may each fill
- * their own. */
+/* Must not be copied: members point to other members. Several threads may fill
+ * different views at once. */
 struct pp_visible {
     struct pp_projection view;
     int patch_count; /* 0: the opening is not seen */
@@ -59,8 +59,8 @@ enum pp_status pp_visible_in_parts(struct pp_visible *visible,
                                    const struct pp_opening *opening, struct pp_vec3 eye,
                                    struct pp_error *err);
 
-/* Works like pp_visible_in_parts, but may leave out the patches that show
- * obstructions: several times as fast with many of them. */
+/* As pp_visible_in_parts, but may leave out the patches that show obstructions. With
+ * many obstructions it is several times as fast. */
 enum pp_status pp_visible_sky(struct pp_visible *visible, const struct pp_world *world,
                               const struct pp_opening *opening, struct pp_vec3 eye,
                               struct pp_error *err);
@@ -84,7 +84,7 @@ enum pp_status pp_visible_open_part(struct pp_region *region,
 
 /* Finds the visible parts, from outside, through a rectangle in the air from low to
  * high along the view's axes. All surfaces in front of the eye are obstructions, except
- * the surface `face`, of which only the skylines count; -1: no such surface. */
+ * the surface with index `face`; its skylines are included. -1: no such surface. */
 enum pp_status pp_visible_in_air(struct pp_visible *visible,
                                  const struct pp_world *world,
                                  const struct pp_projection *view, const double low[2],
@@ -92,8 +92,9 @@ enum pp_status pp_visible_in_air(struct pp_visible *visible,
 
 void pp_visible_clear(struct pp_visible *visible);
 
-/* Luminance factor of an obstruction: its luminance over that of the sky behind it.
- * Under the overcast sky the reflectance itself, else half of it. */
+/* Luminance factor of an obstruction: its luminance divided by that of the sky behind
+ * it. Equal to the reflectance under the overcast sky, and to half of the reflectance
+ * under other skies. */
 double pp_visible_luminance_factor(const struct pp_sky *sky, double reflectance);
 
 #endif

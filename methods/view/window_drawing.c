@@ -144,8 +144,8 @@ static const struct pp_formula_quantity of_hidden[] = {
     {0},
 };
 
-/* No variants of these formulae: an average is an integral, not the mean of many
- * counts. */
+/* These formulae have no variants, since an average is an integral and not the mean of
+ * many counts. */
 const struct pp_formula pp_window_drawing_sc = {.symbol = "sc",
                                                 .sum = "n w",
                                                 .unit = PP_UNIT_DAYLIGHT_FACTOR,

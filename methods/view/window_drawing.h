@@ -26,15 +26,15 @@ struct pp_window_axes {
 
 struct pp_drawn_part {
     struct pp_region region;
-    bool hidden;   /* shows an obstruction; else the sky */
+    bool hidden;   /* true: an obstruction; false: the sky */
     double factor; /* luminance factor of the obstruction; 1 for the sky */
 };
 
 struct pp_window_drawing {
     struct pp_window_axes axes;
-    double distance_m;           /* from the point to the plane */
+    double distance_m;           /* distance from the point to the plane */
     int count;                   /* 0: the point does not see the opening */
-    struct pp_drawn_part *parts; /* do not overlap */
+    struct pp_drawn_part *parts; /* parts of the drawing, which do not overlap */
 };
 
 /* Fills the drawing, which the caller clears; empty on failure. */

@@ -7,9 +7,9 @@
  *     SC  = squares of sky x 0.1 %
  *     ERC = luminance factor x squares of obstruction x 0.1 %
  *
- * For skies without azimuth dependence and points that face up. For vertical openings
- * with clear glass, on the diagram that contains its losses, and for unglazed openings
- * at any slope.
+ * The method is for skies without azimuth dependence and points that face up. Vertical
+ * openings may have clear glass, whose losses are in the diagram; unglazed openings may
+ * have any slope.
  */
 #include <stdlib.h>
 #include <string.h>

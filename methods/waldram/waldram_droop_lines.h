@@ -1,5 +1,5 @@
-/* waldram_droop_lines.h - droop lines of Waldram's diagram: horizontal edges as they
- * appear in it.
+/* waldram_droop_lines.h - droop lines of Waldram's diagram: horizontal edges as drawn
+ * on the diagram.
  *
  * With gamma the altitude and phi the azimuth from the window's normal [WW23]:
  *

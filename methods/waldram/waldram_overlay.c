@@ -10,8 +10,8 @@
  *     SC  = sum over the squares of sky, part x tau(i) x 0.1 %
  *     ERC = luminance factor x the same over the squares of obstruction
  *
- * For skies without azimuth dependence, points that face up, and clear glass of any
- * slope and type, or none. The figures contain the opening's own glass.
+ * The method is for skies without azimuth dependence, points that face up, and clear
+ * glass of any slope and type, or none. The figures contain the opening's own glass.
  */
 #include <stdlib.h>
 
@@ -52,7 +52,7 @@ static const struct pp_formula *const formulae[] = {&sky_component, &external_co
 enum { MOST_ROWS = 64 }; /* an upper bound: diagrams have 14 or 15 */
 struct overlay {
     struct pp_waldram waldram;
-    double width, height; /* size of a square */
+    double width, height; /* size of a square on the diagram */
     int rows;
     struct pp_angle altitudes[MOST_ROWS];
 };

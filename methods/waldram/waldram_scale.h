@@ -20,10 +20,12 @@
  * This never underestimates the sky component. The manual tabulates the overestimate: 1
  * % on average for ordinary windows, a few per cent close to the largest ones.
  *
- * Coordinates are fractions of Eh per unit area: a region's area is its sky component.
+ * Luminances are divided by Eh, so that the area of a region is its sky component, a
+ * fraction.
  *
- * The diagram of a vertical receiver, used in [BR209] for the vertical sky component of
- * a wall: cos i = cos gamma cos phi is a product already, so that without glass
+ * A second diagram is for a vertical receiver, as used in [BR209] for the vertical sky
+ * component of a wall. There, cos i = cos gamma cos phi is already a product, so that
+ * without glass
  *
  *     dVSC = L(gamma) cos^2 gamma dgamma cos phi dphi = dX dY
  *
@@ -48,8 +50,9 @@ enum { PP_WALDRAM_PANELS = 256 };
 
 struct pp_waldram {
     struct pp_sky sky;     /* without azimuth dependence */
-    bool glazed;           /* with the losses of clear single vertical glass */
-    bool upright;          /* the receiver is a wall's outside; else it faces up */
+    bool glazed;           /* true: with the losses of clear single vertical glass */
+    bool upright;          /* true: the receiver is a wall's outside; false: it faces
+                            * up */
     struct pp_vec3 facing; /* normal of a vertical receiver, unit, horizontal */
     struct pp_glass glass; /* clear single, or none */
     double x[PP_WALDRAM_PANELS + 1]; /* X at equal steps of azimuth from 0 to pi/2 */

@@ -210,7 +210,7 @@ enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
 }
 
 /* Fills in the pieces of sky and of obstructions with their squares; takes ownership of
- * the site's figures. */
+ * the site's outlines. */
 static enum pp_status fill_site_pieces(struct pp_board_window *window,
                                        const struct pp_waldram *waldram,
                                        struct pp_waldram_site *site,

@@ -32,16 +32,17 @@ enum pp_status pp_waldram_sheet_fill_upright(struct pp_waldram_sheet *sheet,
                                              struct pp_error *err);
 
 /* Fills the sheet for a point on the outside of a vertical opening, given by its index,
- * under the CIE overcast sky. It has one window of two pieces, sky and obstructions;
- * only the sky is counted. The sum is the vertical sky component. */
+ * under the CIE overcast sky. The sheet has one window of two pieces, sky and
+ * obstructions; only the squares of sky are counted. The sum is the vertical sky
+ * component. */
 enum pp_status pp_waldram_sheet_fill_site(struct pp_waldram_sheet *sheet,
                                           const struct pp_world *world, int opening,
                                           struct pp_vec3 point, struct pp_error *err);
 
 /* Replaces the droop lines of perpendicular edges by those of horizontal edges at an
- * angle to the window in plan, on all panels of a filled sheet. The edge is nearest at
- * that azimuth, -pi/2 to pi/2, positive to the right; the lines are labelled with the
- * altitude there. */
+ * angle to the window in plan, on all panels of a filled sheet. incline_rad is the
+ * azimuth at which the edge is nearest, -pi/2 to pi/2, positive to the right. The lines
+ * are labelled with the altitude at that azimuth. */
 enum pp_status pp_waldram_sheet_fill_inclined(struct pp_waldram_sheet *sheet,
                                               double incline_rad, struct pp_error *err);
 

@@ -9,8 +9,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Coordinates are rounded to this value when figures are joined; it changes areas by
- * less than 1e-8. */
+/* Coordinates are rounded to multiples of this value when regions are joined. Areas
+ * change by less than 1e-8. */
 #define SITE_GRID 0x1p-32
 
 struct site_view {
@@ -42,7 +42,7 @@ static void find_views(struct site_view views[SITE_VIEWS], struct pp_vec3 eye,
     }
 }
 
-/* Adds the figure of an outer ring, or subtracts a hole from the last figure. */
+/* Adds the region of an outer ring, or subtracts a hole from the last region. */
 static enum pp_status add_figure(struct pp_region *figures, int *count,
                                  const struct pp_ring *ring, struct pp_clipper *clipper,
                                  struct pp_error *err)
@@ -67,7 +67,7 @@ static enum pp_status add_figure(struct pp_region *figures, int *count,
     return PP_OK;
 }
 
-/* Merges adjacent figures. */
+/* Merges adjacent regions. */
 static enum pp_status join_rings(struct pp_region *region, struct pp_clipper *clipper,
                                  struct pp_error *err)
 {
@@ -126,7 +126,7 @@ struct site_paper {
     int face;
 };
 
-/* Draws a figure, given in the coordinates of a view, and clears it. */
+/* Draws a region given in the coordinates of a view, and clears it. */
 static enum pp_status draw_figure(struct pp_region *drawn, struct pp_region *figure,
                                   const struct site_paper *paper,
                                   const struct pp_window_axes *axes,
@@ -149,7 +149,7 @@ static enum pp_status add_drawing(struct pp_waldram_site *site,
                                   struct pp_window_drawing *drawing,
                                   struct pp_error *err)
 {
-    struct pp_region figures[2] = {{0}, {0}}; /* figures of the sky and of the
+    struct pp_region figures[2] = {{0}, {0}}; /* regions of the sky and of the
                                                * obstructions */
     enum pp_status status = PP_OK;
     for (int i = 0; status == PP_OK && i < drawing->count; i++) {

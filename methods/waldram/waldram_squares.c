@@ -178,7 +178,7 @@ static double mean_within(double y0, double y1, double height)
            / (high - low);
 }
 
-/* The squares that a figure may cover: rows from 0, columns from `first`. */
+/* The squares that a region may cover: rows from 0, columns from `first`. */
 struct square_field {
     int first, columns, rows;
     double width, height; /* size of a square */

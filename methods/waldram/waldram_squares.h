@@ -16,8 +16,9 @@ enum { PP_WALDRAM_COLUMNS = 36 }; /* in 180 degrees: five degrees each without g
 
 /* One square that the outline covers at least in part. */
 struct pp_waldram_square {
-    int column, row;  /* from azimuth 0 (negative to the left) and from the horizon */
-    double part;      /* exact covered share of the square's area */
+    int column, row;  /* column from azimuth 0 (negative to the left), row from the
+                       * horizon */
+    double part;      /* exact fraction of the square's area that is covered */
     double estimated; /* as counted: tenths, 0 to 1 */
 };
 
@@ -38,7 +39,7 @@ enum pp_status pp_waldram_squares_count(struct pp_waldram_count *count,
                                         const struct pp_window_axes *axes,
                                         const struct pp_region *region,
                                         struct pp_error *err);
-/* Counts the squares of a figure on the diagram, in X and Y. */
+/* Counts the squares of a region on the diagram, in X and Y. */
 enum pp_status pp_waldram_squares_count_outline(struct pp_waldram_count *count,
                                                 const struct pp_waldram *waldram,
                                                 const struct pp_region *outline,
@@ -47,7 +48,7 @@ void pp_waldram_squares_clear(struct pp_waldram_count *count);
 
 /* The region's outline on the diagram, in X and Y: droop lines as chords that deviate
  * by less than 1/500 of a square. Not cut at +-90 degrees; points below the horizon are
- * moved up to the horizon. The outline is the caller's. */
+ * moved up to the horizon. The caller clears the outline. */
 enum pp_status pp_waldram_squares_outline(struct pp_region *outline,
                                           const struct pp_waldram *waldram,
                                           const struct pp_window_axes *axes,

@@ -1,4 +1,4 @@
-/* advice.c - compares the widths of all methods' bands, point by point. */
+/* advice.c - compares the widths of the bands of all methods, point by point. */
 #include "studies/bands/advice.h"
 
 #include <math.h>
@@ -9,13 +9,14 @@
 #include "model/base/array.h"
 #include "studies/bands/report_bands.h"
 
-/* Limits of a band's width over that of the narrowest band (widths of logarithms). A
- * band within about_as_narrow is preferred if its method comes earlier in the report. A
- * band within narrow_enough is preferred if its method is the best over all points. */
+/* Limits for the width of a band divided by the width of the narrowest band (widths of
+ * logarithms). A band up to about_as_narrow is preferred if its method is earlier in
+ * the report. A band up to narrow_enough is preferred if its method is the best over
+ * all points. */
 static const double about_as_narrow = 1.1, narrow_enough = 1.25;
 
-/* Records of the bands of daylight factors at a point, in the order of the report's
- * columns; with space for all columns. */
+/* Bands of daylight factors at one point, in the order of the report's columns. The
+ * lists have space for all columns. */
 struct ranking {
     struct pp_band_index index;
     struct pp_band_record *list;
@@ -35,7 +36,7 @@ static double figure_of(const struct pp_column *column, int index)
     return index < 0 ? column->average.value : column->points[index].value;
 }
 
-/* Looks up the bands of all methods at a point; index -1: of the average. */
+/* Looks up the bands of all methods at a point; index -1: the bands of the averages. */
 static void look_up(struct ranking *ranking, const struct pp_report *report,
                     double features[PP_BAND_FEATURES], int index)
 {
@@ -69,8 +70,8 @@ static int narrowest(const struct ranking *ranking)
     return found;
 }
 
-/* The record of the favourite column if its band is narrow enough, else the first
- * record whose band is about as narrow as the narrowest. */
+/* Index of the best band in the ranking: the band of the column `favourite` if that is
+ * narrow enough, else the first band that is about as narrow as the narrowest. */
 static int best_of(const struct ranking *ranking, int favourite)
 {
     double least = width_of(&ranking->list[narrowest(ranking)]);
@@ -84,8 +85,8 @@ static int best_of(const struct ranking *ranking, int favourite)
     return best;
 }
 
-/* Finds the column with the narrowest bands on average, among those that have bands at
- * the most points; -1: none. */
+/* Finds the column with the narrowest bands on average. Only columns with bands at the
+ * greatest number of points are considered. -1: none. */
 static enum pp_status find_favourite(int *favourite, const struct pp_report *report,
                                      double features[PP_BAND_FEATURES],
                                      struct ranking *ranking, struct pp_error *err)
@@ -158,7 +159,7 @@ static enum pp_status add_item(struct pp_advice *advice, const struct ranking *r
     return PP_OK;
 }
 
-/* Appends the corrected figure: the figure times the median ratio of its band. */
+/* Appends the figure corrected by the median ratio of its band. */
 static enum pp_status add_corrected(struct pp_advice_item *item, int count,
                                     double figure, struct pp_error *err)
 {
@@ -170,8 +171,8 @@ static enum pp_status add_corrected(struct pp_advice_item *item, int count,
     return status;
 }
 
-/* Adds a point to the item of its best method; makes a new item if there is none
- * yet. */
+/* Adds a point to the item for its best method. If there is no such item, makes a new
+ * one. */
 static enum pp_status add_point(struct pp_advice *advice, const struct ranking *ranking,
                                 int best, int index, double figure,
                                 struct pp_error *err)

@@ -1,5 +1,5 @@
-/* atlas_bands.c - reads the figures of each column from the table, and fits bands to
- * them. */
+/* atlas_bands.c - reads the values of each column from the table of an atlas, and fits
+ * bands to them. */
 #include "studies/bands/atlas_bands.h"
 
 #include <math.h>
@@ -11,10 +11,12 @@
 
 /* ---- columns of the table ---- */
 
-/* Columns of the table that belong to a hand column; -1: none. */
+/* Columns of the table for one component by one hand method: the method's value, its
+ * value's counterpart in the simplified room, and the simulated value. -1: there is no
+ * such column. */
 struct places {
     int hand, own, truth;
-    int sc, erc, irc; /* components of a pair of methods; -1: none */
+    int sc, erc, irc; /* columns of the components of a pair of methods; -1: none */
     int features[PP_ROOM_FEATURES];
 };
 
@@ -26,9 +28,9 @@ static int find_atlas_column(const struct pp_atlas_table *table, const char *pre
     return pp_atlas_table_find(table, whole);
 }
 
-/* Column of a feature; -1: none, or not used. The directions in which openings face are
- * used under ISO 15469's skies only: under an overcast sky the light on an opening
- * depends only on its slope. */
+/* Column of a feature; -1: there is none, or it is not used. The directions in which
+ * openings face are used only under the skies of ISO 15469. Under an overcast sky the
+ * light on an opening depends only on its slope. */
 static int feature_column(const struct pp_atlas_table *table, int feature)
 {
     bool by_slope =
@@ -56,7 +58,7 @@ static struct places find_places(const struct pp_atlas_table *table,
     return places;
 }
 
-/* Value as a fraction (the file has per cent); NAN if it is missing. */
+/* Value as a fraction (values in the file are in per cent); NAN if it is missing. */
 static double fraction_at(const struct pp_atlas_table *table, int row, int column)
 {
     return pp_atlas_table_value(table, row, column) / 100.0;
@@ -67,7 +69,7 @@ static bool is_average(const struct pp_atlas_table *table, int row)
     return pp_atlas_table_value(table, row, table->point) < 0.0;
 }
 
-/* Adds the rows that have both a hand figure and a simulated value. */
+/* Adds the rows that have both a hand value and a simulated value. */
 static enum pp_status take_figures(struct pp_band_figures *figures,
                                    const struct pp_atlas_table *table,
                                    const struct places *places, struct pp_error *err)
@@ -112,7 +114,7 @@ static enum pp_status fit_column(struct pp_atlas_column *column,
     return status;
 }
 
-/* Adds the column's bands if enough rooms have its figures. */
+/* Adds the bands of a column if enough rooms have values in it. */
 static enum pp_status add_band_column(struct pp_atlas_bands *bands,
                                       const struct pp_atlas_table *table,
                                       enum pp_component component, const char *name,
@@ -145,8 +147,8 @@ static enum pp_status add_band_column(struct pp_atlas_bands *bands,
 
 /* ---- the table ---- */
 
-/* True if a heading such as "df.exact+bre" is that of a hand column. *name: the part
- * after the dot. */
+/* True if a heading such as "df.exact+bre" belongs to a hand method. *name is set to
+ * the part after the dot. */
 static bool is_hand(const char *heading, enum pp_component *component,
                     const char **name)
 {

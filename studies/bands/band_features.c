@@ -1,4 +1,5 @@
-/* band_features.c - names of features, and the shares of components in a figure. */
+/* band_features.c - names of features, and the fractions of a daylight factor due to
+ * its components. */
 #include "studies/bands/band_features.h"
 
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* band_figures.c - stores rows of figures, and divides them into two halves by room. */
+/* band_figures.c - stores rows of values, and divides them into two halves by room. */
 #include "studies/bands/band_figures.h"
 
 #include <stdint.h>
@@ -25,7 +25,7 @@ void pp_band_figures_clear(struct pp_band_figures *figures)
     pp_band_figures_init(figures, figures->feature_count);
 }
 
-/* Makes space for one more row in all lists, which have the same length. */
+/* Makes space for one more row in all lists, which have equal length. */
 static enum pp_status reserve(struct pp_band_figures *figures, struct pp_error *err)
 {
     double **const lists[] = {&figures->hand, &figures->own, &figures->truth};
@@ -62,7 +62,7 @@ enum pp_status pp_band_figures_add(struct pp_band_figures *figures,
     return PP_OK;
 }
 
-/* The constant and the hash are those of SplitMix64. */
+/* Uses the constant and the hash function of SplitMix64. */
 int pp_band_figures_side(int room)
 {
     return (int)(pp_hash_mix64(((uint64_t)room + 1) * UINT64_C(0x9e3779b97f4a7c15))

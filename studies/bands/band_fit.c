@@ -1,5 +1,5 @@
-/* band_fit.c - fits the bands of a column in each regime, and tests the bands of one
- * half of the rooms on the other. */
+/* band_fit.c - fits the bands of a column in each regime. Also fits bands to one half
+ * of the rooms and tests them on the other half. */
 #include "studies/bands/band_fit.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static double ratio_of(const struct pp_band_figures *figures, int row, enum rati
     return pp_band_regime_ratio(above, below, PP_BAND_OFFSET);
 }
 
-/* Makes the sample of one kind of ratio; the caller frees its list of ratios. */
+/* Makes the sample of one kind of ratio. The caller frees *ratios. */
 static bool take_sample(struct pp_band_sample *sample, double **ratios,
                         const struct pp_band_figures *figures, enum ratio which)
 {
@@ -30,8 +30,8 @@ static bool take_sample(struct pp_band_sample *sample, double **ratios,
     return *ratios != NULL;
 }
 
-/* Keeps the rows whose simulated value in the world that the method assumes is known;
- * returns their number. */
+/* Keeps the rows for which the simulated value in the simplified room is known. Returns
+ * their number. */
 static int keep_known(int *rows, int count, const struct pp_band_figures *figures)
 {
     int kept = 0;
@@ -47,7 +47,7 @@ struct column_fit {
     const struct pp_band_figures *figures;
     struct pp_band_sample samples[3];
     double *ratios[3];
-    int *rows; /* row numbers; space for all rows */
+    int *rows; /* indices of rows; space for all rows */
 };
 
 static enum pp_status fill_entry(struct pp_band_entry *entry,
@@ -70,9 +70,9 @@ static enum pp_status fill_entry(struct pp_band_entry *entry,
     return status;
 }
 
-/* Separates ordinary rooms from others: common bands would be too wide for ordinary
- * rooms and too narrow for unusual ones. All rooms form one regime if there are too few
- * of either kind. Returns the number of regimes. */
+/* Separates ordinary rooms from unusual ones, since common bands would be too wide for
+ * ordinary rooms and too narrow for unusual ones. If there are too few rooms of either
+ * kind, all rooms are one regime. Returns the number of regimes. */
 static int begin_band_regimes(struct pp_band_regime begun[2],
                               const struct column_fit *fit,
                               const struct pp_band_rules *rules)
@@ -146,7 +146,8 @@ enum pp_status pp_band_fit(struct pp_band_entry **entries, int *count,
 
 /* ---- halves ---- */
 
-/* Tests each entry on the rooms. *inside: share of all points inside their bands. */
+/* Tests each entry on the rooms in `figures`. *inside: fraction of all points inside
+ * their bands. */
 static enum pp_status test_entries(struct pp_band_trial *trials, int count,
                                    double *inside,
                                    const struct pp_band_figures *figures,

@@ -1,4 +1,4 @@
-/* band_regime.c - tests a regime's conditions, and converts ratios to figures and
+/* band_regime.c - tests the conditions of a regime, and converts values to ratios and
  * back. */
 #include "studies/bands/band_regime.h"
 

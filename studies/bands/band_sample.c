@@ -1,4 +1,5 @@
-/* band_sample.c - quantiles and shares in which each room has a weight of 1. */
+/* band_sample.c - quantiles and fractions of a sample in which each room has a total
+ * weight of 1. */
 #include "studies/bands/band_sample.h"
 
 #include <math.h>
@@ -14,7 +15,7 @@ static int compare_sampled_ratios(const void *a, const void *b)
     return (x->ratio > y->ratio) - (x->ratio < y->ratio);
 }
 
-/* Position in `rows` after the last row of the room that row `first` belongs to. */
+/* Index in `rows` after the last row of the room to which row `first` belongs. */
 static int room_end(const struct pp_band_sample *sample, const int *rows, int count,
                     int first)
 {
@@ -33,9 +34,9 @@ int pp_band_sample_rooms(const struct pp_band_sample *sample, const int *rows,
     return rooms;
 }
 
-/* The ratio below which the share p of the weight lies. Each ratio is assigned the
- * middle of its own weight in the cumulative weight, with linear interpolation between
- * ratios. `list` is in ascending order; its weights sum to `total`. */
+/* Quantile p of the ratios. The cumulative weight of a ratio includes half of its own
+ * weight; values between ratios are interpolated linearly. list: in ascending order;
+ * total: sum of the weights. */
 static double quantile(const struct weighted *list, int count, double total, double p)
 {
     double wanted = p * total, below = 0.0, last = 0.0;
@@ -53,8 +54,8 @@ static double quantile(const struct weighted *list, int count, double total, dou
     return list[count - 1].ratio;
 }
 
-/* The ratios of the rows in ascending order, with their weights; the caller frees the
- * list. NULL: out of memory. *rooms: number of rooms. */
+/* Ratios of the rows in ascending order, with their weights. The caller frees the list.
+ * NULL: out of memory. *rooms is set to the number of rooms. */
 static struct weighted *sorted(const struct pp_band_sample *sample, const int *rows,
                                int count, int *rooms)
 {
@@ -80,7 +81,7 @@ enum pp_status pp_band_sample_quantiles(struct pp_band_quantiles *quantiles,
     struct weighted *list = sorted(sample, rows, count, &rooms);
     if (!list)
         return pp_fail_memory(err);
-    /* Rank r of n is at the share (r - 1/2) / n. */
+    /* The cumulative fraction of rank r among n rooms is (r - 1/2) / n. */
     double tail = fmax((0.025 * (rooms + 1) - 0.5) / rooms, 0.0);
     *quantiles = (struct pp_band_quantiles){quantile(list, count, rooms, tail),
                                             quantile(list, count, rooms, 0.5),

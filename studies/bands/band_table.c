@@ -7,11 +7,11 @@
 
 #include "model/base/text.h"
 
-/* Row of a band table's CSV file. Texts are arrays, since pointers would need 12,000
- * relocations at every start. */
+/* Row of the CSV file of a band table. Texts are arrays, because pointers would require
+ * 12,000 relocations at every start of the program. */
 struct row {
-    char place[8], component[4], column[28]; /* place "span": the range of the feature
-                                              * `column` */
+    char place[8], component[4], column[28]; /* place "span": the row has the range of
+                                              * the feature `column` */
     int rooms;
     double low, median, high, spread;
     double formula_low, formula_median, formula_high;
@@ -44,7 +44,7 @@ const struct pp_band_table pp_band_table_overcast = {
 const struct pp_band_table pp_band_table_iso = {iso_rows,
                                                 sizeof iso_rows / sizeof *iso_rows};
 
-/* ISO 15469's first type is the overcast sky. */
+/* Type 1 of ISO 15469 is the overcast sky. */
 const struct pp_band_table *pp_band_table_under(const struct pp_sky *sky)
 {
     switch (sky->kind) {
@@ -66,8 +66,8 @@ static bool is_record(const struct row *row)
     return strcmp(row->place, "span") != 0;
 }
 
-/* Adds the next condition of a regime. The condition at the same position in an earlier
- * row usually has the same feature. */
+/* Adds the next condition to a regime. The condition at the same position in an earlier
+ * row usually has the same feature, which is tried first. */
 static void add_condition(struct pp_band_regime *regime,
                           const struct pp_band_regime *before, const char *name,
                           double from, double to)
@@ -83,7 +83,7 @@ static void add_condition(struct pp_band_regime *regime,
         feature, isnan(from) ? -INFINITY : from, isnan(to) ? INFINITY : to};
 }
 
-/* Converts a row. `before` is the record of an earlier row, or zeros. */
+/* Converts a row to a record. before: the record of an earlier row, or zeros. */
 static struct pp_band_record record_of(const struct row *row,
                                        const struct pp_band_record *before)
 {
@@ -130,7 +130,7 @@ static bool is_of(const struct row *row, enum pp_component component,
            && strcmp(row->component, pp_band_features_components[component]) == 0;
 }
 
-/* The rows of a column are adjacent. */
+/* Uses the fact that the rows of a column are adjacent. */
 void pp_band_table_index(struct pp_band_index *index, const struct pp_band_table *table)
 {
     const struct row *last = NULL;
@@ -177,7 +177,7 @@ const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *
     return NULL;
 }
 
-/* ---- the run ---- */
+/* ---- properties of the atlas ---- */
 
 bool pp_band_table_span(double *from, double *to, const struct pp_band_table *table,
                         int feature)

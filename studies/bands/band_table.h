@@ -1,7 +1,7 @@
-/* band_table.h - the bands found in the atlas runs supplied with the program, compiled
- * in: for rooms under the overcast sky (tables/atlas_bands.csv) and under the skies of
- * ISO 15469 (tables/atlas_bands_iso.csv), in the form written by `pepperpot atlas FILE
- * --bands`. */
+/* band_table.h - the bands fitted to the atlases supplied with the program, compiled
+ * in. There is a table for rooms under the overcast sky (tables/atlas_bands.csv) and
+ * one for the skies of ISO 15469 (tables/atlas_bands_iso.csv). Both have the format
+ * written by `pepperpot atlas FILE --bands`. */
 #ifndef PP_STUDIES_BANDS_BAND_TABLE_H
 #define PP_STUDIES_BANDS_BAND_TABLE_H
 
@@ -11,18 +11,18 @@
 struct pp_band_table;
 extern const struct pp_band_table pp_band_table_overcast, pp_band_table_iso;
 
-/* Table for rooms under this sky; NULL: there is none. */
+/* Table for rooms under this sky; NULL: none. */
 const struct pp_band_table *pp_band_table_under(const struct pp_sky *sky);
 
-/* Entry of a table for a column in one regime. */
+/* Entry of a table: the bands of a column in one regime. */
 struct pp_band_record {
     enum pp_band_place place;
     enum pp_component component;
-    const char *column; /* static */
+    const char *column; /* name of the column; static string */
     struct pp_band_entry entry;
 };
 
-/* Record `index` of the table; false: there are no more. */
+/* Gets record `index` of the table. Returns false if there is none. */
 bool pp_band_table_at(struct pp_band_record *record, const struct pp_band_table *table,
                       int index);
 
@@ -37,8 +37,8 @@ struct pp_band_index {
 void pp_band_table_index(struct pp_band_index *index,
                          const struct pp_band_table *table);
 
-/* The regimes of one column, at points and of averages; counts are 0 if the atlas lacks
- * the column. */
+/* All regimes of one column, at points and for averages. Counts are 0 if the atlas does
+ * not have the column. */
 enum { PP_BAND_REGIMES = 20 };
 struct pp_band_regimes {
     int count[PP_BAND_PLACES];
@@ -48,18 +48,18 @@ void pp_band_table_find(struct pp_band_regimes *regimes,
                         const struct pp_band_index *index, enum pp_component component,
                         const char *column);
 
-/* Record of a column at points or of averages whose regime fits the features; NULL:
- * none. */
+/* Finds the regime of a column, at points or for averages, that contains the features.
+ * NULL: none. */
 const struct pp_band_record *pp_band_table_regime(const struct pp_band_regimes *regimes,
                                                   enum pp_band_place place,
                                                   const double *features);
 
-/* Smallest and largest value of a feature of rooms or points in the run; false:
- * unknown. */
+/* Least and greatest value of a feature of rooms or points in the atlas. Returns false
+ * if they are unknown. */
 bool pp_band_table_span(double *from, double *to, const struct pp_band_table *table,
                         int feature);
 
-/* Number of rooms in the run. */
+/* Number of rooms in the atlas. */
 int pp_band_table_rooms(const struct pp_band_table *table);
 
 #endif

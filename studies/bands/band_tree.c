@@ -1,6 +1,6 @@
-/* band_tree.c - splits regimes by histograms: features and ratios are sorted into bins
- * once, so that the scores of all splits of a regime need one pass over its rows for
- * each feature. */
+/* band_tree.c - splits regimes by means of histograms. Features and ratios are assigned
+ * to bins once. The scores of all splits of a regime then require one pass over its
+ * rows for each feature. */
 #include "studies/bands/band_tree.h"
 
 #include <math.h>
@@ -10,17 +10,17 @@
 #include <string.h>
 
 enum {
-    EDGES = 31, /* most bounds tried for a feature */
+    EDGES = 31, /* maximum number of limits tried for a feature */
     BINS = EDGES + 1,
-    STEPS = 256,      /* bins of the logarithm of the ratio */
-    LOOKED_AT = 4000, /* most rows from which bounds are chosen */
+    STEPS = 256,      /* number of bins for the logarithm of the ratio */
+    LOOKED_AT = 4000, /* maximum number of rows used to choose the limits */
 };
 
 const struct pp_band_rules pp_band_tree_rules = {
     .rooms_least = 300, .regimes_most = 20, .gain_least = 0.004};
 
-/* Bounds at which a feature can be split: a row in bin b is at or above at[b - 1] and
- * below at[b]. */
+/* Limits at which a feature can be split. A value v is in bin b if at[b - 1] <= v <
+ * at[b]. */
 struct edges {
     double at[EDGES];
     int count;
@@ -33,20 +33,20 @@ struct split {
 
 struct node {
     struct pp_band_regime regime;
-    int *rows; /* owned; in ascending order */
+    int *rows; /* row indices in ascending order; owned */
     int count;
-    double score; /* sum of the scores of its rows */
+    double score; /* sum of the scores of the rows */
     struct split best;
 };
 
 struct tree {
     const struct pp_band_sample *sample;
     const struct pp_band_rules *rules;
-    struct edges *edges; /* edges of each feature */
-    uint8_t *bins;       /* bin of each row for each feature */
-    uint8_t *steps;      /* step of the ratio of each row */
+    struct edges *edges; /* limits for each feature */
+    uint8_t *bins;       /* bin of each feature of each row */
+    uint8_t *steps;      /* bin of the ratio of each row */
     double first,
-        width; /* logarithm of the ratio in the middle of step 0, and width of a step */
+        width; /* logarithm of the ratio in the middle of bin 0, and width of a bin */
     struct node *nodes;
     int count;
 };
@@ -59,7 +59,7 @@ static int compare_feature_values(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Rounds a bound to two significant digits. */
+/* Rounds a limit to two significant digits. */
 static double two_digits(double value)
 {
     char text[32];
@@ -67,8 +67,8 @@ static double two_digits(double value)
     return atof(text);
 }
 
-/* Finite values of a feature (feature -1: logarithms of the ratios) of evenly chosen
- * rows, in ascending order; returns their number. */
+/* Finite values of a feature at evenly chosen rows, in ascending order. feature -1:
+ * logarithms of the ratios. Returns the number of values. */
 static int sample_feature_values(double values[LOOKED_AT],
                                  const struct pp_band_sample *sample, int feature)
 {
@@ -118,8 +118,8 @@ static void fill_bins(struct tree *tree)
     }
 }
 
-/* Chooses the steps so that they span all ratios except the lowest and the highest
- * thousandth. */
+/* Chooses the bins of the ratio so that they contain all ratios except the lowest and
+ * the highest 0.1 %. */
 static void fill_steps(struct tree *tree)
 {
     double values[LOOKED_AT];
@@ -135,8 +135,9 @@ static void fill_steps(struct tree *tree)
 
 /* ---- scores ---- */
 
-/* Loss of a quantile q of share p: the sum over the weights of (s - q) p for steps s
- * above q, and of (q - s)(1 - p) for those below. It is least at the true quantile. */
+/* Loss of the quantile of probability p: the sum over the weights of (s - q) p for bins
+ * s above q, and of (q - s)(1 - p) for bins below. The loss is least if q is the true
+ * quantile. */
 static double quantile_loss(const double weights[STEPS], double total, double moment,
                             double p)
 {
@@ -150,7 +151,7 @@ static double quantile_loss(const double weights[STEPS], double total, double mo
     return p * (moment - q * total) - (moment_below - q * below);
 }
 
-/* The sum of the interval scores of a histogram, in steps. */
+/* Sum of the interval scores of a histogram, in units of bins. */
 static double histogram_score(const double weights[STEPS])
 {
     static const double alphas[] = {0.5, 0.2};
@@ -166,9 +167,9 @@ static double histogram_score(const double weights[STEPS])
     return score;
 }
 
-/* Histogram of a node: weights of its rows by bin of a feature and step of the ratio.
- * lowest, highest: number of its rooms by the lowest and by the highest bin of their
- * rows. */
+/* Histogram of a node for one feature. weights: weight of the node's rows, by bin of
+ * the feature and bin of the ratio. lowest, highest: number of the node's rooms whose
+ * lowest or highest feature bin is this one. */
 struct counts {
     double weights[BINS][STEPS];
     int lowest[BINS], highest[BINS];
@@ -211,7 +212,7 @@ static double node_score(const struct tree *tree, const struct node *node)
 
 /* ---- splits ---- */
 
-/* True if a condition on the feature can be added to those of the regime. */
+/* True if the regime has space for a condition on the feature. */
 static bool has_space(const struct pp_band_regime *regime, int feature)
 {
     for (int i = 0; i < regime->condition_count; i++)
@@ -220,7 +221,8 @@ static bool has_space(const struct pp_band_regime *regime, int feature)
     return regime->condition_count < PP_BAND_CONDITIONS;
 }
 
-/* Keeps the best split by one feature if it is better than the node's best so far. */
+/* Finds the best split by one feature. Stores it if it is better than the best split of
+ * the node so far. */
 static void try_feature(struct node *node, struct counts *counts,
                         const struct tree *tree, int feature)
 {
@@ -259,7 +261,7 @@ static void find_split(struct node *node, const struct tree *tree,
             try_feature(node, counts, tree, f);
 }
 
-/* Adds a condition to a regime: values at or above (or below) the bound. */
+/* Adds a condition to a regime: values at or above the limit, or below it. */
 static void narrow(struct pp_band_regime *regime, struct split split, bool above)
 {
     int i = 0;
@@ -289,7 +291,8 @@ static bool fill_node(struct node *node, const struct tree *tree,
     return true;
 }
 
-/* Replaces a node by its two halves; false: out of memory. */
+/* Replaces a node by the two nodes of its best split. Returns false if memory is
+ * exhausted. */
 static bool split_node(struct tree *tree, int index, struct counts *counts)
 {
     struct node *node = &tree->nodes[index], halves[2] = {{.rows = NULL}};
@@ -308,7 +311,7 @@ static bool split_node(struct tree *tree, int index, struct counts *counts)
     return true;
 }
 
-/* Node whose split gains most, or -1 if none gains enough. */
+/* Index of the node with the greatest gain by a split; -1: no gain is sufficient. */
 static int next_node(const struct tree *tree, double gain_least)
 {
     int next = -1;

@@ -1,4 +1,4 @@
-/* band_words.c - texts for features and for the bounds of regimes. */
+/* band_words.c - names of features, and the limits of regimes in words. */
 #include "studies/bands/band_words.h"
 
 #include <math.h>
@@ -42,8 +42,8 @@ const char *pp_band_words_feature(int feature)
     return words[feature];
 }
 
-/* Words and unit of features whose values have their unit beside them in a regime:
- * "obstruction angle under 23 degrees". */
+/* Words and unit of features that are printed with a unit, as in "obstruction angle
+ * under 23 degrees". */
 static const struct {
     const char *words, *unit;
 } with_unit[PP_BAND_FEATURES] = {

@@ -1,5 +1,5 @@
-/* report_bands.c - compares a report's room with the rooms of the atlas, and looks up
- * the bands of its columns. */
+/* report_bands.c - checks whether the room of a report is similar to the rooms of the
+ * atlas, and looks up the bands of the report's columns. */
 #include "studies/bands/report_bands.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 #include "studies/bands/band_table.h"
 #include "studies/bands/band_words.h"
 
-/* ---- is the room like those of the atlas? ---- */
+/* ---- similarity to the rooms of the atlas ---- */
 
 static bool plane_is_convex(const struct pp_region *plane)
 {
@@ -27,14 +27,14 @@ static bool plane_is_convex(const struct pp_region *plane)
     return true;
 }
 
-/* True if a wall has a dado whose reflectance differs from the wall's by more than 0.2:
- * walls in the atlas have one reflectance. With a dado 1.1 m high that differed by 0.2,
- * the simulated value was outside the band of exact+split-flux in 5 of 51 rooms of the
- * atlas; without a dado, in 3 of 90. */
+/* True if a wall has a dado whose reflectance differs from that of the wall by more
+ * than 0.2. Walls in the atlas have a single reflectance. With a dado 1.1 m high and a
+ * difference of 0.2, simulated values were outside the band of exact+split-flux in 5 of
+ * 51 rooms; without a dado, in 3 of 90. */
 static bool has_contrasting_dado(const struct pp_world *world)
 {
-    const double contrast = 0.2 + 1e-9; /* with a tolerance: 0.8 and 0.6 do not
-                                         * differ by more than 0.2 */
+    const double contrast = 0.2 + 1e-9; /* with a tolerance, so that 0.8 and 0.6 differ
+                                         * by no more than 0.2 */
     for (int i = world->face_count; i < world->surface_count; i++) {
         const struct pp_surface *surface = &world->surfaces[i];
         if (surface->role == PP_COVER && !surface->is_door
@@ -60,8 +60,7 @@ static bool has_screen(const struct pp_world *world)
     return false;
 }
 
-/* Reason why rooms of this kind are not in the atlas; NULL: the atlas has such
- * rooms. */
+/* Reason why the atlas does not contain rooms of this kind; NULL: it does. */
 static const char *why_not(const struct pp_world *world,
                            const struct pp_outside_light *light)
 {
@@ -77,16 +76,16 @@ static const char *why_not(const struct pp_world *world,
                                    : NULL;
 }
 
-/* True if a value is in a span, or NAN. There is a tolerance, since the ends of a span
- * are rounded. */
+/* True if a value is in a range, or NAN. There is a tolerance, because the limits of
+ * ranges are rounded. */
 static bool is_within(double value, double from, double to)
 {
     double slack = 1e-3 * fmax(fabs(from), fabs(to));
     return isnan(value) || (value >= from - slack && value <= to + slack);
 }
 
-/* First feature from `first` to end - 1 whose value is outside the range of all rooms
- * of the table; -1: there is none. */
+/* First feature, from index `first` to end - 1, whose value is outside its range in the
+ * atlas; -1: none. *from, *to: the range. */
 static int find_unlike(const struct pp_band_table *table, const double *features,
                        int first, int end, double *from, double *to)
 {
@@ -161,11 +160,13 @@ struct place {
 
 struct lookup {
     const struct pp_report *report;
-    double *features;     /* features of the room, with space for those of a point */
-    struct place *places; /* the place of each point */
+    double *features;     /* features of the room, with space for the features of a
+                           * point */
+    struct place *places; /* features of each point */
     struct pp_band_index index;
     struct pp_band_regimes regimes;
-    struct pp_band_columns columns; /* column to look up, and its components */
+    struct pp_band_columns columns; /* column that is looked up, and the columns of its
+                                     * components */
 };
 
 static struct pp_band_ends band_of(const struct pp_band_record *record, double figure)

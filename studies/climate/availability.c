@@ -1,6 +1,6 @@
-/* availability.c - fills the sheet of an availability study: first the rows (a place, a
- * method and an illuminance each), then each period's curve and its share for each
- * row. */
+/* availability.c - fills the sheet of an availability study. The rows come first: one
+ * for each place, method and illuminance. Then follow, for each period, the curve and
+ * the fraction of hours of each row. */
 #include "studies/climate/availability.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ double pp_availability_needed_lx(double lx, double daylight_factor)
     return daylight_factor > 0.0 ? lx / daylight_factor : INFINITY;
 }
 
-/* Writes an hour of the day as "8" or "17:30"; returns the length of the text. */
+/* Writes an hour of the day as "8" or "17:30". Returns the length of the text. */
 static int write_clock(char *text, size_t room, double hour)
 {
     int minutes = (int)lround(60.0 * hour);
@@ -40,9 +40,9 @@ static enum pp_status fill_period(struct pp_availability_period *period,
     return PP_OK;
 }
 
-/* Share of a period's hours in which a row's illuminance is reached, and its standard
- * error: half the difference between the shares for daylight factors one standard error
- * higher and lower. */
+/* Sets the fraction of a period's hours in which a row's illuminance is reached, and
+ * its standard error. The standard error is half the difference between the fractions
+ * for daylight factors one standard error higher and lower. */
 static void fill_share(struct pp_availability_row *row, int period,
                        const struct pp_diffuse_curve *curve)
 {
@@ -66,9 +66,10 @@ static int compare_readings(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-/* Stores the median of a column's points in *median; false if fewer than three have a
- * value. `sorted` has space for all points. For an even number of points it is the mean
- * of the middle two, whose standard error is at most the larger of theirs. */
+/* Stores the median of a column's points in *median. Returns false if fewer than three
+ * points have a value. sorted: space for all points. For an even number of points the
+ * median is the mean of the middle two values; its standard error is the larger of
+ * their standard errors. */
 static bool median_of(const struct pp_report *report, const struct pp_column *column,
                       struct pp_reading *median, struct pp_reading *sorted)
 {
@@ -102,8 +103,8 @@ static void add_rows(struct pp_availability_sheet *sheet, int place,
     }
 }
 
-/* Fills in all rows without their shares: points in their order, then the median, then
- * the average. */
+/* Sets all rows except the fractions of hours: points in their order, then the median,
+ * then the average. */
 static enum pp_status fill_rows(struct pp_availability_sheet *sheet,
                                 struct pp_error *err)
 {

@@ -1,18 +1,19 @@
-/* diffuse_curve.c - the working hours of the year, in descending order of illuminance
- * and summed up; shares and illuminances are then found by bisection.
+/* diffuse_curve.c - sorts the working hours of a year in descending order of
+ * illuminance, and accumulates them. Fractions and illuminances are then found by
+ * bisection.
  */
 #include "studies/climate/diffuse_curve.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* One stretch of working time with its illuminance. */
+/* A period of working time with constant illuminance. */
 struct worked_hour {
     double lx, length_h;
 };
 
-/* Sorts in descending order of illuminance, and of length if that is equal, so that the
- * order does not depend on the sorting algorithm. */
+/* Sorts in descending order of illuminance, then of length, so that the result does not
+ * depend on the sorting algorithm. */
 static int compare_hours(const void *a, const void *b)
 {
     const struct worked_hour *p = a, *q = b;
@@ -21,8 +22,8 @@ static int compare_hours(const void *a, const void *b)
     return (p->length_h < q->length_h) - (p->length_h > q->length_h);
 }
 
-/* Collects the working time with known illuminance, sorted, in `worked`; returns the
- * number of stretches. Adds the rest to curve->missing_h. */
+/* Collects the working time with known illuminance in `worked`, sorted. Returns the
+ * number of periods. Adds the time with unknown illuminance to curve->missing_h. */
 static int collect_hours(struct worked_hour *worked, struct pp_diffuse_curve *curve,
                          const struct pp_diffuse_light *light,
                          const struct pp_working_hours *hours,
@@ -83,7 +84,8 @@ void pp_diffuse_curve_clear(struct pp_diffuse_curve *curve)
 
 double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx)
 {
-    /* Bisection for the number of illuminances that are at least `lx` and above 0. */
+    /* Bisection for the number of illuminances that are greater than 0 and at least
+     * `lx`. */
     int low = 0, high = curve->count;
     while (low < high) {
         int middle = (low + high) / 2;
@@ -97,8 +99,8 @@ double pp_diffuse_curve_share(const struct pp_diffuse_curve *curve, double lx)
 
 double pp_diffuse_curve_lx(const struct pp_diffuse_curve *curve, double share)
 {
-    /* Bisection for the first illuminance that is reached in that share of the time;
-     * the share may have been rounded. */
+    /* Bisection for the first illuminance that is reached in that fraction of the time.
+     * A tolerance allows for a rounded fraction. */
     int low = 0, high = curve->count - 1;
     while (low < high) {
         int middle = (low + high) / 2;

@@ -1,5 +1,5 @@
-/* diffuse_light.c - the year's diffuse horizontal illuminance from a weather file or
- * under overcast skies, and its median.
+/* diffuse_light.c - diffuse horizontal illuminance through a year, from a weather file
+ * or under overcast skies, and its median.
  */
 #include "studies/climate/diffuse_light.h"
 
@@ -25,9 +25,9 @@ void pp_diffuse_light_clear(struct pp_diffuse_light *light)
 
 /* ---- from a weather file ---- */
 
-/* Position of the sun in a record: its mean height (sine of the altitude) over those of
- * STEPS instants in the record at which it is above the horizon. If it never is, it is
- * put on the horizon, and *up is false. */
+/* Position of the sun in a record. The sine of its altitude is the mean over those of
+ * STEPS instants in the record at which the sun is above the horizon. If it is never
+ * above, the altitude is 0 and *up is false. */
 static struct pp_sun sun_of(const struct pp_epw *epw,
                             const struct pp_epw_record *record, bool *up)
 {
@@ -50,10 +50,11 @@ static struct pp_sun sun_of(const struct pp_epw *epw,
     return sun;
 }
 
-/* Diffuse illuminance from diffuse irradiance by [PISMS90]; NAN if the irradiance is
- * missing. A missing direct irradiance is replaced by the global less the diffuse one,
- * over the sine of the sun's altitude (0.05 at least), or by 0 if that is missing too.
- * A missing dew point is replaced by 11 degrees. */
+/* Diffuse illuminance from diffuse irradiance according to [PISMS90]; NAN if the
+ * diffuse irradiance is missing. A missing direct irradiance is calculated as (global -
+ * diffuse) / sin(altitude), with the sine at least 0.05; it is 0 if the global
+ * irradiance is also missing. A missing dew point is assumed to be 11 degrees
+ * Celsius. */
 static double by_efficacy(const struct pp_epw *epw, const struct pp_epw_record *record,
                           bool *up)
 {
@@ -81,7 +82,7 @@ static bool has_illuminance(const struct pp_epw *epw)
     return false;
 }
 
-/* Fills the i-th hour from the i-th record: from its illuminance, else from its
+/* Sets hour i from record i: from its illuminance or, if that is missing, from its
  * irradiance. */
 static void fill_hour(struct pp_diffuse_light *light, const struct pp_epw *epw, int i,
                       bool *sun_was_up)
@@ -168,7 +169,7 @@ enum pp_status pp_diffuse_light_overcast(struct pp_diffuse_light *light,
     return status;
 }
 
-/* ---- its median ---- */
+/* ---- median ---- */
 
 static int compare_falling(const void *a, const void *b)
 {
@@ -198,8 +199,9 @@ enum pp_status pp_diffuse_light_median(double *median_lx,
     }
     qsort(known, (size_t)count, sizeof *known, compare_falling);
 
-    /* Illuminance exceeded in half of the brighter half of the year (or of the known
-     * time). If the limit is between two stretches of time, it is the mean of both. */
+    /* Illuminance exceeded in half of the brightest 4380 h, or in half of the brighter
+     * half of the known time if that is shorter. If the limit is between two hours, it
+     * is the mean of both illuminances. */
     double half_h = 0.5 * fmin(4380.0, 0.5 * known_h), passed_h = 0.0;
     for (int i = 0; i < count; i++) {
         passed_h += known[i][1];

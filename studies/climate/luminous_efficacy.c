@@ -1,4 +1,4 @@
-/* luminous_efficacy.c - equation (1) of luminous_efficacy.h [PISMS90]; its coefficients
+/* luminous_efficacy.c - equation (1) of luminous_efficacy.h [PISMS90]. Its coefficients
  * are columns of tables/perez_1993_all_weather.csv. */
 #include "studies/climate/luminous_efficacy.h"
 
@@ -6,7 +6,8 @@
 
 #include "model/geometry/vec.h"
 
-/* Columns: upper bound of the clearness bin; a of (1), followed by b, c and d. */
+/* Indices of columns: upper limit of the clearness bin; a of (1), which is followed by
+ * b, c and d. */
 enum { EPS_HIGH = 2, DIFFUSE = 27, COLUMNS = 39 };
 
 static const double bins[][COLUMNS] = {

@@ -1,6 +1,6 @@
-/* luminous_efficacy.h - lumens per watt of the diffuse light from the sky.
+/* luminous_efficacy.h - luminous efficacy (lm/W) of the diffuse light from the sky.
  *
- * Perez and others' model of diffuse illuminance [PISMS90]:
+ * Model of the diffuse illuminance by Perez and others [PISMS90]:
  *
  *     v = a + b W + c cos Z + d ln D                                    (1)
  *
@@ -15,14 +15,14 @@
  *     Z   zenith angle of the sun; in radians, except in m
  *     Td  dew point, degrees Celsius
  *
- * The model's authors found diffuse illuminances within 5 % (rms, of measured means).
- * Values are kept between 60 and 250 lm/W; the model exceeds these limits only for
- * irradiances that no sky has.
+ * According to its authors, the model predicts diffuse illuminances within 5 % (rms, of
+ * measured means). Values are limited to 60 to 250 lm/W. The model exceeds these limits
+ * only for irradiances that do not occur.
  */
 #ifndef PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H
 #define PP_STUDIES_CLIMATE_LUMINOUS_EFFICACY_H
 
-/* Returns v in (1), lm/W. diffuse_w_m2 > 0, direct_w_m2 >= 0, zenith angle 0 to pi/2,
+/* Returns v in (1), lm/W. diffuse_w_m2 > 0; direct_w_m2 >= 0; zenith angle 0 to pi/2;
  * dew point in degrees Celsius. */
 double pp_luminous_efficacy_diffuse(double diffuse_w_m2, double direct_w_m2,
                                     double sun_zenith_rad, double sun_distance_au,

@@ -6,8 +6,8 @@
 #include "model/geometry/vec.h"
 #include "model/light/sun.h"
 
-/* Hour of solar time, from the hour angle h: at the equator the sun is at (-sin h, cos
- * h) in the plane of east and zenith, apart from its declination. */
+/* Hour of solar time, from the hour angle h. At the equator the sun is at (-sin h, cos
+ * h) in the plane of east and zenith, if its declination is neglected. */
 static int solar_hour(double days_since_2000, double longitude_rad)
 {
     struct pp_sun sun = pp_sun_at(days_since_2000, 0.0, longitude_rad);

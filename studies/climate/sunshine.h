@@ -2,8 +2,8 @@
  * hour of solar time, from a weather file.
  *
  * The sun shines if its irradiance on a plane normal to its direction is more than 120
- * W/m2 [WMO8]. A record has only the mean irradiance, so it counts as wholly
- * sunny or not at all.
+ * W/m2 [WMO8]. A record contains only the mean irradiance, so the whole record is
+ * either sunny or not sunny.
  */
 #ifndef PP_STUDIES_CLIMATE_SUNSHINE_H
 #define PP_STUDIES_CLIMATE_SUNSHINE_H
@@ -15,9 +15,11 @@
 enum { PP_SUNSHINE_MONTHS = 12, PP_SUNSHINE_HOURS = 24 };
 
 struct pp_sunshine {
-    bool known; /* false: the file has no direct irradiance, or no sun */
-    /* Share of records with sunshine, of those with the sun up at their middle; 0 if
-     * there are none. January first; hour 0 begins at solar midnight, 12 at noon. */
+    bool known; /* false: the file has no direct irradiance, or no record with the sun
+                 * up */
+    /* Fraction of the records with sunshine among those with the sun above the horizon
+     * at their middle; 0 if there are no such records. January is first. Hour 0 begins
+     * at solar midnight, hour 12 at noon. */
     double share[PP_SUNSHINE_MONTHS][PP_SUNSHINE_HOURS];
 };
 

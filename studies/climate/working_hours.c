@@ -1,10 +1,10 @@
-/* working_hours.c - converts standard time to clock time, and finds its overlap with
- * the working hours. */
+/* working_hours.c - converts standard time to clock time, and finds the overlap with
+ * working hours. */
 #include "studies/climate/working_hours.h"
 
 #include <math.h>
 
-/* A number that increases through the year, by one from day to day within a month. */
+/* A number that increases through the year, by 1 from day to day within a month. */
 static int day_number(struct pp_month_day date)
 {
     return 32 * date.month + date.day;

@@ -1,5 +1,5 @@
 /* year_light.c - reads the light outside from a weather file or computes it for a
- * latitude, and describes both in sentences. */
+ * latitude, and describes light and hours in sentences. */
 #include "studies/climate/year_light.h"
 
 #include <math.h>
@@ -51,7 +51,7 @@ static enum pp_status light_of_file(struct pp_year_light *outside,
     return PP_OK;
 }
 
-/* "51.5 N". */
+/* Writes an angle with one of two letters, such as "51.5 N". */
 static const char *say_degrees(char *text, size_t room, double degrees,
                                const char letters[2])
 {
@@ -95,8 +95,8 @@ static enum pp_status light_of_sky(struct pp_year_light *outside,
                                      zone, err);
 }
 
-/* Writes a set of days as "all days", as a range such as "Mon to Fri", or as a list
- * such as "Mon, Wed". */
+/* Writes a set of days: "all days", a range such as "Mon to Fri", or a list such as
+ * "Mon, Wed". */
 static void say_days(char *text, size_t room, unsigned days)
 {
     int first = 0, last = 6;

@@ -1,5 +1,5 @@
-/* year_light.h - the light outside through a year, and the hours that count: from a
- * weather file, or of overcast skies at a latitude; and descriptions of both. */
+/* year_light.h - the light outside through a year, from a weather file or under
+ * overcast skies at a latitude, the hours that count, and descriptions of both. */
 #ifndef PP_STUDIES_CLIMATE_YEAR_LIGHT_H
 #define PP_STUDIES_CLIMATE_YEAR_LIGHT_H
 
@@ -11,7 +11,7 @@
 
 struct pp_clock_times {
     int count;
-    struct pp_working_hours list[PP_PERIODS_MOST]; /* equal on all working days */
+    struct pp_working_hours list[PP_PERIODS_MOST]; /* the same for all working days */
 };
 
 struct pp_illuminances {
@@ -21,29 +21,33 @@ struct pp_illuminances {
 
 struct pp_summer_choice {
     bool of_file;
-    struct pp_summer_time time; /* if not of_file; months 0: none */
+    struct pp_summer_time time; /* used unless of_file is set; month 0: no summer
+                                 * time */
 };
 
-/* Options of a study over a year; numbers are NAN if not given. */
+/* Options of a study of a year. Numbers are NAN if they are not given. */
 struct pp_year_options {
-    const char *weather;                /* file; NULL: an overcast sky */
-    double latitude_deg, longitude_deg; /* site of the overcast sky */
-    double time_zone_h;                 /* time zone of clock time at that site */
+    const char *weather;                /* name of the weather file; NULL: overcast
+                                         * sky */
+    double latitude_deg, longitude_deg; /* location for the overcast sky */
+    double time_zone_h;                 /* time zone of clock time at that location,
+                                         * hours ahead of UT */
     struct pp_clock_times hours;
-    unsigned days; /* working days, bit 0: Monday */
+    unsigned days; /* bit mask of working days, bit 0: Monday */
     struct pp_summer_choice summer;
     struct pp_illuminances illuminances;
 
-    struct pp_epw *epw; /* the weather file, read; NULL: none; not owned */
+    struct pp_epw *epw; /* contents of the weather file; NULL: none; not owned */
 };
 
-/* 8-18 and 9-17 h, all days, no summer time, 300 and 500 lx, no place. */
+/* Default options: 8-18 and 9-17 h, all days, no summer time, 300 and 500 lx, no
+ * location. */
 extern const struct pp_year_options pp_year_options_default;
 
-/* The days of the week, Monday first: "Mon". */
+/* Short names of the days of the week, Monday first, such as "Mon". */
 extern const char *const pp_year_light_day_names[7];
 
-/* Light outside of one room (world may be NULL), and its description. */
+/* Light outside of a room, and its description. */
 struct pp_year_light {
     struct pp_diffuse_light light;
     char words[640], calendar[160];
@@ -51,15 +55,17 @@ struct pp_year_light {
     double latitude_deg;
 };
 
-/* The caller clears *outside in any case. PP_BAD_INPUT if the latitude is unknown, or
- * if days of the week are requested but unknown. */
+/* Finds the light outside of a room; world may be NULL. PP_BAD_INPUT if the latitude is
+ * unknown, or if days of the week are requested but unknown. The caller clears
+ * *outside, also after a failure. */
 enum pp_status pp_year_light_of_room(struct pp_year_light *outside,
                                      const struct pp_year_options *options,
                                      const struct pp_world *world,
                                      struct pp_error *err);
 void pp_year_light_clear(struct pp_year_light *outside);
 
-/* Availability question for these options and light; it points to both. */
+/* Makes the question for an availability study, with pointers to the options and the
+ * light. */
 struct pp_availability_question pp_year_light_question(
     const struct pp_year_options *options, const struct pp_year_light *outside);
 

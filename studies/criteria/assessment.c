@@ -112,7 +112,7 @@ static bool is_of_states(const struct pp_criterion *criterion)
     return criterion->of_states;
 }
 
-/* Judges by the chosen criteria for which `applies` is true. */
+/* Assesses the room by the chosen criteria for which `applies` is true. */
 static enum pp_status judge_criteria(struct pp_answer_list *answers,
                                      const struct pp_inquiry *inquiry,
                                      const bool chosen[PP_CRITERIA_MOST],
@@ -143,7 +143,7 @@ static enum pp_status judge_criteria(struct pp_answer_list *answers,
     return status;
 }
 
-/* Judges the room as it is proposed. */
+/* Assesses the proposed room. */
 static enum pp_status judge_room(struct pp_assessment *assessment,
                                  const bool chosen[PP_CRITERIA_MOST],
                                  bool (*applies)(const struct pp_criterion *),
@@ -154,7 +154,7 @@ static enum pp_status judge_room(struct pp_assessment *assessment,
     return judge_criteria(&assessment->answers, &inquiry, chosen, applies, err);
 }
 
-/* Judges the sky and sun of the cumulative state. */
+/* Assesses sky and sun in the cumulative state. */
 static enum pp_status judge_cumulative(struct pp_assessment *assessment,
                                        const bool chosen[PP_CRITERIA_MOST],
                                        const struct pp_assess_options *options,
@@ -177,13 +177,14 @@ static const double small_error = 0.02;
 /* Limits for a grid that the user has not chosen: number of halvings, and of points. */
 enum { HALVINGS_MOST = 3, POINTS_MOST = 4000 };
 
-/* True if the grid causes more error than noise does and may change the verdict. A
- * minimum (without a share of the plane) is left out, because it changes with every
- * refinement of the grid. */
+/* True if the error due to the grid exceeds that due to noise and may change the
+ * verdict. A minimum is excluded (it has no fraction of the plane), because it changes
+ * with every refinement of the grid. */
 static bool is_coarse(const struct pp_finding *finding)
 {
     if (!(finding->grid_error > 0.0) || !isfinite(finding->reached_over)
-        || finding->kind == PP_FIGURE_LUX) /* at the points of the year */
+        || finding->kind == PP_FIGURE_LUX) /* evaluated at the points of the year, not
+                                            * on this grid */
         return false;
     double noise = 0.0;
     if (isfinite(finding->std_error))
@@ -195,7 +196,7 @@ static bool is_coarse(const struct pp_finding *finding)
                || finding->grid_error > small_error * finding->figure);
 }
 
-/* True if the grid's spacing should be halved, and may be. */
+/* True if the grid's spacing should be halved, and halving is permitted. */
 static bool wants_finer_grid(const struct pp_assessment *assessment,
                              const struct pp_assess_options *options)
 {
@@ -229,8 +230,8 @@ static enum pp_status lay_grid(struct pp_assessment *assessment, int halvings,
     return status == PP_OK ? pp_factors_by_hand(&assessment->report, err) : status;
 }
 
-/* Computes the daylight factors that criteria need, by hand methods, on a grid that is
- * fine enough for their verdicts. */
+/* Computes by hand methods the daylight factors that criteria need, on a grid fine
+ * enough for their verdicts. */
 static enum pp_status gather_factors(struct pp_assessment *assessment,
                                      const bool chosen[PP_CRITERIA_MOST],
                                      const struct pp_assess_options *options,
@@ -269,9 +270,9 @@ static enum pp_status trace_finer(struct pp_assessment *assessment,
                : status;
 }
 
-/* Chooses the named criteria; otherwise those of the profile that apply to the room or,
- * without a profile, all in force that apply to it. Choosing a profile implies its
- * country's rules. */
+/* Chooses the criteria that are named. If none are named, chooses those of the profile
+ * that apply to the room. Without a profile, chooses all criteria in force that apply
+ * to the room. A profile implies the rules of its country. */
 static enum pp_status choose_criteria(bool chosen[PP_CRITERIA_MOST],
                                       const struct pp_assessment *assessment,
                                       const struct pp_assess_options *options,
@@ -336,7 +337,7 @@ bool pp_assessment_needs_year(const char *criteria, const struct pp_profile *pro
     return false;
 }
 
-/* Finds the room in the other states of its site. */
+/* Finds the room's counterparts in the other states of its site. */
 static enum pp_status find_counterparts(struct pp_assessment *assessment,
                                         int room_count,
                                         const struct pp_rooms_before *before,
@@ -356,7 +357,7 @@ static enum pp_status find_counterparts(struct pp_assessment *assessment,
     if (status == PP_OK && mirrored && mirrored->count > 0)
         status = pp_room_before_find(&assessment->mirrored, &assessment->mirrored_pairs,
                                      room, room_count, mirrored, err);
-    int *same = NULL; /* openings of the cumulative state are in the same order */
+    int *same = NULL; /* the cumulative state has the openings in the same order */
     if (status == PP_OK && cumulative && cumulative->count > 0)
         status = pp_room_before_find(&assessment->cumulative, &same, room, room_count,
                                      cumulative, err);

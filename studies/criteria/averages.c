@@ -18,8 +18,8 @@
 #include "studies/criteria/factors.h"
 #include "studies/criteria/grid/plane_share.h"
 
-/* Largest ratio of the simulated average to that by average-df, over all example rooms;
- * see the manual's section on accuracy. */
+/* Largest ratio of the simulated average to the average by average-df, over all example
+ * rooms; see the manual's section on accuracy. */
 static const double LOWEST_BY_FORMULA = 1.75;
 
 /* True if the target may be missed only because average-df is too low. */

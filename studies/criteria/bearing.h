@@ -1,4 +1,5 @@
-/* bearing.h - applicability of a criterion by a room's use and country. */
+/* bearing.h - applicability of a criterion to a room, from the room's use and
+ * country. */
 #ifndef PP_STUDIES_CRITERIA_BEARING_H
 #define PP_STUDIES_CRITERIA_BEARING_H
 
@@ -16,7 +17,7 @@ enum pp_dwelling_room {
     PP_DWELLING_KITCHEN = 4
 };
 
-/* Kinds of habitable room that the room counts as. A room with several uses counts as
+/* Kinds of habitable room to which the room belongs. A room with several uses counts as
  * the kind with the highest target [BS8206], a room of unknown use as all kinds; 0: not
  * a habitable room of a dwelling. */
 int pp_bearing_dwelling_rooms(enum pp_room_use use);
@@ -28,8 +29,8 @@ bool pp_bearing_is_dwelling(enum pp_room_use use);
 bool pp_bearing_is_lived_in(
     enum pp_room_use use); /* all or part of the room is a living room */
 
-/* True if the criterion applies to the room by its use and, if by_country, by the
- * site's country. It also applies if these are unknown. */
+/* True if the criterion applies to the room's use and, if by_country, to the site's
+ * country. Also true if use or country is unknown. */
 bool pp_bearing_bears(const struct pp_criterion *criterion,
                       const struct pp_world *world, bool by_country);
 

@@ -1,9 +1,10 @@
 /* br209_count.h - number of windows and rooms that keep their light according to
  * [BR209], each counted once.
  *
- * A window meets the guide if its vertical sky component is 27 % or 0.8 of its former
- * value, a room if the area that sees sky is 0.8 of its former area. A window or room
- * that is not judged is not counted, nor are proposed rooms beside existing ones.
+ * A window meets the guide if its vertical sky component is at least 27 % or 0.8 of its
+ * former value. A room meets the guide if the area that sees sky is at least 0.8 of its
+ * former area. A window or room that is not assessed is not counted, nor are proposed
+ * rooms beside existing ones.
  */
 #ifndef PP_STUDIES_CRITERIA_BR209_COUNT_H
 #define PP_STUDIES_CRITERIA_BR209_COUNT_H
@@ -11,9 +12,8 @@
 #include "model/base/error.h"
 #include "studies/criteria/assessment.h"
 
-/* Bands of the loss of a window's vertical sky component, as used by consultants in
- * assessments of effects: below 20 %, from 20 % (minor), from 30 % (moderate), from 40
- * % (major). */
+/* Bands of the loss of a window's vertical sky component, as used by consultants: below
+ * 20 %, 20 % or more (minor), 30 % or more (moderate), 40 % or more (major). */
 enum { PP_LOSS_BANDS = 4 };
 extern const double pp_loss_bands[PP_LOSS_BANDS]; /* lower ends, fractions */
 
@@ -29,8 +29,9 @@ struct pp_br209_count pp_br209_count_of(const struct pp_assessment *rooms, int c
 /* The count of the rooms of one floor of a house, or of a whole house. */
 struct pp_br209_group {
     const char *house; /* address, else the file; not owned */
-    bool is_house;     /* the whole house, which follows its floors */
-    double level_m;    /* of the floor in the axes of the building; NAN for a house */
+    bool is_house;     /* true: a whole house, which follows its floors in the list */
+    double level_m;    /* level of the floor, in the axes of the building; NAN for a
+                        * house */
     struct pp_br209_count count;
 };
 
@@ -42,13 +43,13 @@ enum pp_status pp_br209_count_groups(struct pp_br209_group **groups, int *group_
                                      struct pp_error *err);
 
 /* Puts the counts into words: "11 of 12 windows and 5 of 6 rooms meet BR 209"; empty if
- * nothing was judged. */
+ * nothing was assessed. */
 enum { PP_BR209_WORDS = 96 };
 void pp_br209_count_words(char words[PP_BR209_WORDS],
                           const struct pp_br209_count *count);
 
-/* Words for group `index` of a list: "12 Mill Lane, floor at +3.00 m", "12 Mill Lane, all
- * floors"; without the house if all groups are of one. */
+/* Words for group `index` of a list: "12 Mill Lane, floor at +3.00 m", "12 Mill Lane,
+ * all floors"; without the house if all groups belong to one house. */
 void pp_br209_count_group_words(char words[PP_BR209_WORDS],
                                 const struct pp_br209_group *groups, int count,
                                 int index);

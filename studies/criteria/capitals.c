@@ -54,7 +54,7 @@ static struct pp_vec3 towards(double latitude_rad, double longitude_rad)
                   cos(latitude_rad) * sin(longitude_rad), sin(latitude_rad));
 }
 
-/* From the chord, which keeps its digits at small distances. */
+/* Calculated from the chord, which remains accurate at small distances. */
 double pp_capitals_apart_rad(const struct pp_capital *capital, double latitude_rad,
                              double longitude_rad)
 {

@@ -1,6 +1,5 @@
-/* capitals.h - the median diffuse illuminance outside at a site, by the table of
- * capitals in [EN17037].
- */
+/* capitals.h - the median diffuse illuminance outside at a site, from the table of
+ * capitals in [EN17037]. */
 #ifndef PP_STUDIES_CRITERIA_CAPITALS_H
 #define PP_STUDIES_CRITERIA_CAPITALS_H
 
@@ -20,8 +19,9 @@ struct pp_capital {
     double latitude_deg, longitude_deg;
     double median_lux;
     double target_300_percent; /* as printed: 300 lx over median_lux */
-    const char *country;       /* two letters */
-    bool recalled_only;        /* from memory: no second list was available */
+    const char *country;       /* country code, two letters */
+    bool recalled_only;        /* true: value not checked against the standard or
+                                * another list */
 };
 
 int pp_capitals_count(void);
@@ -38,12 +38,12 @@ const struct pp_capital *pp_capitals_of_country(const char *country);
 double pp_capitals_apart_rad(const struct pp_capital *capital, double latitude_rad,
                              double longitude_rad);
 
-/* The median illuminance of a site. It is that of the country's capital, since the
- * table is arranged by nation. If the country is empty or has no capital in the table,
- * it is that of the nearest capital within 1000 km by great circle, and `how` has a
- * warning. For a site without longitude it is that of the capital with the nearest
- * latitude, within 2.5 degrees. Angles in radians, NAN if unknown. lux is NAN if there
- * is no such capital, with the reason in `how`. */
+/* The median illuminance of a site. The table is arranged by nation, so the value is
+ * that of the country's capital. If the country is empty or has no capital in the
+ * table, the value is that of the nearest capital within 1000 km by great circle, and
+ * `how` has a warning. For a site without longitude, the value is that of the capital
+ * with the nearest latitude, within 2.5 degrees. Angles in radians, NAN if unknown. lux
+ * is NAN if there is no such capital, with the reason in `how`. */
 struct pp_median pp_capitals_median(double latitude_rad, double longitude_rad,
                                     const char *country);
 

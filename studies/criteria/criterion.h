@@ -1,9 +1,9 @@
 /* criterion.h - a criterion of daylight: a rule that a room meets or does not meet.
  *
  * Each criterion is one entry in one list (studies/criteria/criteria.c); a file
- * contains one criterion, or a family of criteria. It adds findings about the room:
- * figures, each with its bound and a verdict. Criteria do not simulate: they receive
- * simulated daylight factors as readings.
+ * contains one criterion, or a family of criteria. A criterion adds findings about the
+ * room: figures, each with its bound and a verdict. Criteria do not simulate: they
+ * receive simulated daylight factors as readings.
  */
 #ifndef PP_STUDIES_CRITERIA_CRITERION_H
 #define PP_STUDIES_CRITERIA_CRITERION_H
@@ -32,8 +32,8 @@ struct pp_inquiry {
                        * pp_pair_rooms finds them */
 
     const struct pp_world
-        *mirrored;             /* with the building's mirror image outside instead of
-                                * the proposed parts; NULL: not requested */
+        *mirrored;             /* the same room with the building's mirror image outside
+                                * instead of the proposed parts; NULL: not requested */
     const int *mirrored_pairs; /* like `pairs`, for `mirrored` */
 
     /* Daylight factors at the points of a grid (plane_grid.h), which are the report's
@@ -41,20 +41,21 @@ struct pp_inquiry {
      * was simulated, and the columns that pp_factors_by_hand adds. */
     const struct pp_report *factors;
     const struct pp_plane_grid *grid;
-    struct pp_median median;            /* outside, at the room's site */
-    const struct pp_sunshine *sunshine; /* at the site; NULL: not known */
+    struct pp_median median;            /* median diffuse illuminance outside, at the
+                                         * room's site */
+    const struct pp_sunshine *sunshine; /* sunshine at the site; NULL: not known */
     double french_m; /* height above the floor at which the vertical sky component of a
                       * full-height window is calculated; 0: at its centre */
     double least_altitude_rad; /* altitude above which the sun counts for EN 17037; 0:
-                                * the country's, if known */
+                                * the value of the country's rules, if known */
     const struct pp_annual_sheet *year;    /* the room's simulated year; NULL: none */
-    const struct pp_plane_grid *year_grid; /* the year's points; NULL: not on a grid of
-                                            * the plane */
-    const struct pp_rule_set *rules; /* rules to judge, whose sky and working plane the
-                                      * world already has; NULL: none */
+    const struct pp_plane_grid *year_grid; /* grid of the year's points; NULL: not on a
+                                            * grid of the plane */
+    const struct pp_rule_set *rules; /* rules to assess; the world already has their sky
+                                      * and working plane; NULL: none */
     const struct pp_report *points;  /* daylight factors at the rules' points; NULL: the
                                      * rules have none */
-    const struct pp_glare_sheet *glare; /* of the room's views in that year; NULL:
+    const struct pp_glare_sheet *glare; /* glare of the room's views in that year; NULL:
                                          * none */
     const char *country; /* ISO 3166 code of the country whose rules apply; "":
                                 * unknown */
@@ -63,27 +64,30 @@ struct pp_inquiry {
 struct pp_criterion {
     const char *name;        /* as typed on the command line, and in JSON */
     const char *alias;       /* usual short name, also accepted; NULL: none */
-    const char *title;       /* for people */
+    const char *title;       /* title in reports */
     const char *source;      /* keys in docs/SOURCES.md, separated by ", " */
-    const char *withdrawn;   /* for a rule that is no longer in force: its fate, as a
-                              * sentence without a full stop; such a rule is assessed
-                              * only on request. NULL: in force */
+    const char *withdrawn;   /* for a rule that is no longer in force: its present
+                              * status, as a sentence without a full stop; such a rule
+                              * is assessed only on request. NULL: in force */
     const char *summary;     /* one line for the help, without a full stop */
-    bool needs_before;       /* is evaluated only if there is a former state of the
+    bool needs_before;       /* true: evaluated only if there is a former state of the
                               * room */
-    bool needs_mirror_image; /* needs a result with the mirror image */
-    bool of_states;          /* judges sky and sun, which change with the state of the
-                              * site */
-    bool of_gardens;         /* is evaluated only with a room that has gardens */
-    bool of_year;       /* judges by the inquiry's year; it is assessed only if named */
-    bool of_glare;      /* judges by the inquiry's glare; it is assessed only if named
-                         * or in a profile */
-    bool of_plane_year; /* judges by the inquiry's year on a grid of the plane, if
+    bool needs_mirror_image; /* true: evaluated only if there is a room with the mirror
+                              * image */
+    bool of_states;          /* true: assesses sky or sun, which change with the state
+                              * of the site */
+    bool of_gardens;         /* true: evaluated only for a room with gardens */
+    bool of_year;            /* true: uses the inquiry's year; assessed only if named */
+    bool of_glare;      /* true: uses the inquiry's glare; assessed only if named or in
+                         * a profile */
+    bool of_plane_year; /* true: uses the inquiry's year on a grid of the plane, if
                          * there is a weather file */
-    bool of_factors;    /* judges by the inquiry's factors; else they may be NULL */
-    bool (*bears_on_use)(enum pp_room_use use); /* NULL: on rooms of any use */
-    const char *countries;                      /* codes of the countries it applies in,
-                                                 * "GB IE"; NULL: any */
+    bool of_factors;    /* true: uses the inquiry's factors, which may otherwise be
+                         * NULL */
+    bool (*bears_on_use)(enum pp_room_use use); /* NULL: applies to rooms of any use */
+    const char *countries;                      /* codes of the countries in which the
+                                                 * criterion applies, "GB IE"; NULL:
+                                                 * any */
 
     /* Adds the criterion's findings, including figures that are not applicable, with
      * the reason. Fails only on errors such as lack of memory. */

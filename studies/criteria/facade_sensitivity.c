@@ -12,8 +12,8 @@
  * degrees more of the ground in front of the window. */
 static const double REACH_M = 30.0;
 
-/* Target errors for the room with extended walls, over those of the room itself: only a
- * verdict is needed. */
+/* Ratio of the target errors for the room with extended walls to those for the room
+ * itself. Larger errors are sufficient, since only a verdict is needed. */
 static const double COARSER = 2.0;
 
 static bool is_sampled(const struct pp_finding *finding)
@@ -78,7 +78,7 @@ static void compare_assessments(struct pp_assessment *assessment,
     }
 }
 
-/* Judges the room with extended walls, and marks the verdicts that differ there. */
+/* Assesses the room with extended walls, and marks the verdicts that differ. */
 static enum pp_status judge_other(struct pp_assessment *assessment,
                                   const struct pp_study_room *room,
                                   const struct pp_assess_options *options,

@@ -34,7 +34,7 @@ enum pp_status pp_factors_by_hand(struct pp_report *report, struct pp_error *err
 const char *pp_factors_refuse(const struct pp_inquiry *inquiry)
 {
     const struct pp_sky *sky = &inquiry->light->sky;
-    if (inquiry->rules) /* their sky replaces the room's */
+    if (inquiry->rules) /* the rules' sky replaces the room's */
         return NULL;
     bool overcast =
         sky->kind == PP_SKY_OVERCAST || (sky->kind == PP_SKY_ISO && sky->iso == 1);

@@ -29,8 +29,9 @@ const struct pp_column *pp_factors_average(const struct pp_inquiry *inquiry,
                                            struct pp_finding_list *findings,
                                            const char **why);
 
-/* Level that a part (a fraction) of the grid's points would reach with all points at
- * the lower, or all at the upper ends of their bands; none if a point has no band. */
+/* Range of the level that a part (a fraction) of the grid's points reaches: from all
+ * points at the lower ends to all points at the upper ends of their bands. No range if
+ * a point has no band. */
 enum pp_status pp_factors_band(struct pp_band_ends *band,
                                const struct pp_column *column, int count, double part,
                                struct pp_error *err);

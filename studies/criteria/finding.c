@@ -9,7 +9,8 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* Figures and bounds are computed: a smaller relative difference is due to rounding. */
+/* Relative difference that is attributed to rounding when a figure is compared with its
+ * bound. */
 static const double rounding = 1e-9;
 
 static bool is_met(const struct pp_finding *finding)

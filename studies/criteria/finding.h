@@ -25,35 +25,39 @@ struct pp_finding {
     char what[128]; /* "W1, south"; "300 lx over 50 % of the plane" */
     int line;       /* line of the opening in the room file; 0: the room as a whole */
     enum pp_figure kind;
-    double figure;                        /* NAN: not judged */
+    double figure;                        /* value compared with the bound; NAN: not
+                                           * assessed */
     double now, before;                   /* the values compared by the figure
                               * (pp_finding_compares); NAN: none */
     enum pp_figure compared;              /* kind of the values */
     double now_unshaded, before_unshaded; /* `now` and `before` without the overhangs
                                            * and balconies of the building itself; NAN:
-                                           * it has none, or not known */
+                                           * none, or not known */
     const char *season; /* "year" or "winter", for sunlight hours; NULL. Static */
-    double std_error;   /* standard error of the figure, by noise and grid; NAN:
-                        * nothing was sampled */
+    double std_error;   /* standard error of the figure, from noise and grid; NAN:
+                         * nothing was sampled */
     double grid_error;  /* part of std_error due to the spacing of the grid; NAN: no
                         * grid */
     struct pp_band_ends band; /* band of a hand figure, if known */
     double wanted;            /* the bound; NAN: none, the figure is only stated */
-    bool at_most;             /* the bound is an upper one, else a lower one */
-    bool strict;              /* the figure must be greater than the lower bound */
-    double reached_over; /* share of the plane on which the bound is reached; NAN: the
-                          * criterion has no such share */
-    double over_error;   /* standard error of reached_over, by noise and grid; NAN: not
-                          * known */
+    bool at_most;             /* true: the bound is an upper bound; false: a lower
+                               * bound */
+    bool strict;              /* true: the figure must be greater than the lower
+                               * bound */
+    double reached_over; /* fraction of the plane on which the bound is reached; NAN:
+                          * the criterion does not concern a fraction of the plane */
+    double over_error;   /* standard error of reached_over, from noise and grid; NAN:
+                          * not known */
     enum pp_verdict verdict;
     double confidence; /* probability that the verdict is right; for PP_UNDECIDED
                         * that the criterion is met; NAN if nothing was sampled */
     bool
-        is_optional; /* a level above the lowest, which nothing requires: its verdict is
-                      * not counted */
-    int level; /* level of EN 17037 that it belongs to: 1 minimum to 3 high; 0: none */
-    const char *decided_by; /* criterion that decides if this one is not met, which is
-                             * then not a failure; NULL: this one decides. Static */
+        is_optional; /* a level above the lowest, or one of several options: its verdict
+                      * is not counted */
+    int level; /* level of EN 17037 that the finding belongs to: 1 minimum to 3 high; 0:
+                * none */
+    const char *decided_by; /* criterion that decides if this one is not met, so that
+                             * missing this one is not a failure; NULL: none. Static */
     char note[480];         /* sentences without the last full stop; may be empty */
 };
 
@@ -76,8 +80,8 @@ struct pp_finding_list {
     char basis[640]; /* method by which the figures were found, as a sentence without
                       * a full stop; empty if they follow from the room file */
     struct pp_lit_change
-        lit; /* for rights of light; for other findings, and if it is not assessed,
-              * plane_m2 is 0 */
+        lit; /* areas for rights of light; plane_m2 is 0 for other criteria and if not
+              * assessed */
 };
 
 /* Least probability of being right for a verdict on a sampled figure: the usual level
@@ -85,7 +89,7 @@ struct pp_finding_list {
 #define PP_SURE 0.95
 
 /* A finding with a figure and its bound. A figure within 1e-9 of the bound, relative,
- * meets it. wanted NAN: the figure is only stated. A figure of NAN is not judged.
+ * meets it. wanted NAN: the figure is only stated. A figure of NAN is not assessed.
  * `what` is a printf format. */
 struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wanted,
                                 bool at_most, const char *what, ...)
@@ -96,7 +100,7 @@ struct pp_finding pp_finding_of(enum pp_figure kind, double figure, double wante
 void pp_finding_compares(struct pp_finding *finding, enum pp_figure compared,
                          double now, double before);
 
-/* A finding without a figure, not judged; `why` becomes its note. */
+/* A finding without a figure, not assessed; `why` becomes its note. */
 struct pp_finding pp_finding_not_judged(const char *why, const char *what, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -116,8 +120,8 @@ void pp_finding_by_hand(struct pp_finding *finding, struct pp_band_ends band);
  * standard error (greater than 0), by the normal distribution. */
 double pp_finding_probability_at_least(double value, double std_error, double wanted);
 
-/* True if the true figure may be on the other side of the bound: if the bound lies in
- * the band, or between it and the figure. */
+/* True if the true value may be on the other side of the bound, that is, if the bound
+ * lies in the band, or between the band and the figure. */
 bool pp_finding_is_open(const struct pp_finding *finding);
 
 /* Adds text to the finding's note; cut off where the note is full. */

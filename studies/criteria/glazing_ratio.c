@@ -1,12 +1,11 @@
-/* glazing_ratio.c - the area of windows over that of the floor, as required by building
- * codes:
+/* glazing_ratio.c - ratio of window area to floor area, as required by building codes:
  *
  *   glass, net of frames, over floor area                  >= 8 %  [IBC21] section
  *                                                          1204.2
  *   openings in the wall, frames included, over floor area >= 1/8  [MBO02] section 47
  *
- * If the country is known, only its own code applies. All openings count, including
- * rooflights, whatever their glass; the floor is that of the whole room.
+ * If the country is known, only its own code applies. All openings are included, with
+ * any kind of glass, also rooflights. The floor area is that of the whole room.
  */
 #include <math.h>
 #include <string.h>

@@ -11,7 +11,8 @@
  *        surfaces
  *
  * The rule is for box-shaped rooms with windows in one wall; other rooms are not
- * judged. Obstructions outside, the size of the windows and their glass do not matter.
+ * assessed. Obstructions outside, the size of the windows and their glass do not
+ * matter.
  */
 #include <math.h>
 #include <stdlib.h>

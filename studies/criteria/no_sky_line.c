@@ -1,4 +1,4 @@
-/* no_sky_line.c - the share of the working plane from which sky can be seen.
+/* no_sky_line.c - the fraction of the working plane from which sky can be seen.
  *
  * The no-sky line bounds the part of the working plane from which no sky can be seen
  * (studies/lit_line.h), through any kind of glass.
@@ -24,7 +24,7 @@ static const char no_plane[] = "the room has no working plane";
 /* Areas of the working plane, and of its part that sees sky. */
 struct sky_view_area {
     double plane_m2, sky_m2;
-    double error_m2; /* error of sky_m2, by the tolerance of the line */
+    double error_m2; /* error of sky_m2, due to the tolerance of the line */
 };
 
 static enum pp_status find_view(struct sky_view_area *view,
@@ -37,7 +37,7 @@ static enum pp_status find_view(struct sky_view_area *view,
     return status;
 }
 
-/* Adds the finding; not judged if the room has no working plane. */
+/* Adds the finding; not assessed if the room has no working plane. */
 static enum pp_status add_if_plane(struct pp_finding_list *findings,
                                    const struct sky_view_area *view,
                                    struct pp_finding finding, struct pp_error *err)
@@ -47,7 +47,7 @@ static enum pp_status add_if_plane(struct pp_finding_list *findings,
     return pp_finding_list_add(findings, &finding, err);
 }
 
-/* Adds the finding on the ratio of the area that sees sky now to that before. */
+/* Adds the finding on the ratio of the area that sees sky now to the former area. */
 static enum pp_status add_former(const struct sky_view_area *now,
                                  const struct pp_world *before,
                                  struct pp_finding_list *findings, struct pp_error *err)
@@ -70,8 +70,8 @@ static enum pp_status add_former(const struct sky_view_area *now,
     return pp_finding_list_add(findings, &share, err);
 }
 
-/* Adds a finding with the reason why the line cannot be found, in the room now or
- * before. */
+/* Adds a finding with the reason why the line cannot be found, now or in the former
+ * state. */
 static enum pp_status add_refused(const struct pp_inquiry *inquiry, const char *what,
                                   struct pp_finding_list *findings,
                                   struct pp_error *err)

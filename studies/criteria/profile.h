@@ -8,9 +8,10 @@ struct pp_profile {
     const char *name;          /* as typed on the command line */
     const char *summary;       /* one line for the help, without a full stop */
     const char *criteria;      /* names separated by commas */
-    const char *of_neighbours; /* the same for rooms of a site that exist before it is
-                                * built; NULL: `criteria` */
-    const char *of_new;        /* the same for rooms that do not; NULL: `criteria` */
+    const char *of_neighbours; /* criteria for rooms of a site that exist in its former
+                                * state; NULL: `criteria` */
+    const char *of_new;        /* criteria for rooms of a site that are new; NULL:
+                                * `criteria` */
     const char *country;       /* country of the rules; "": no single one */
 };
 

@@ -32,7 +32,8 @@ static enum pp_status add_zones(const struct pp_lit_loss *loss,
     return pp_finding_list_add(findings, &equivalent, err);
 }
 
-/* Adds the area enclosed before, and the area lost since. */
+/* Adds the area that was adequately lit in the former state, and the part of it that is
+ * lost. */
 static enum pp_status add_loss(struct pp_finding_list *findings, struct pp_error *err)
 {
     const struct pp_lit_change *lit = &findings->lit;

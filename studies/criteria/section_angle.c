@@ -52,7 +52,7 @@ static double angle_of_piece(const double a[2], const double b[2])
 struct edge_crossing {
     double along; /* position on the line in which the polygon cuts the section */
     int edge;     /* decides the order of crossings at one position */
-    double at[2]; /* ahead of the eye, above it */
+    double at[2]; /* distance ahead of the eye, height above the eye */
 };
 
 static bool is_before(const struct edge_crossing *a, const struct edge_crossing *b)

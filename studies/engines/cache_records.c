@@ -1,4 +1,4 @@
-/* cache_records.c - reads a records file into a cache made with the same options. */
+/* cache_records.c - reads a file of records into a cache that has the same options. */
 #include "studies/engines/cache_records.h"
 
 #include <errno.h>

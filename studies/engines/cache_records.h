@@ -1,11 +1,13 @@
-/* cache_records.h - an irradiance cache that begins with the records of a file. */
+/* cache_records.h - makes an irradiance cache that begins with the records in a
+ * file. */
 #ifndef PP_STUDIES_ENGINES_CACHE_RECORDS_H
 #define PP_STUDIES_ENGINES_CACHE_RECORDS_H
 
 #include "simulate/cache/irradiance_cache.h"
 
-/* The cache for a scene under a light. It begins with the records of `file` if the file
- * exists (NULL: without). A file of another scene or light is PP_BAD_INPUT. */
+/* Makes a cache for a scene under an environment. The cache begins with the records of
+ * `file`, if the file exists (NULL: no file). PP_BAD_INPUT if the file belongs to
+ * another scene or light. */
 enum pp_status pp_cache_records_open(
     struct pp_irradiance_cache **cache, const char *file,
     const struct pp_light_scene *scene, const struct pp_environment *environment,

@@ -1,5 +1,5 @@
-/* engine_cache.c - an irradiance cache (simulate/cache) as an engine for daylight
- * factors at points.
+/* engine_cache.c - adapts the irradiance cache (simulate/cache) as an engine for
+ * daylight factors at points.
  */
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@
 #include "studies/engines/cache_records.h"
 #include "studies/engines/engine.h"
 
-/* Objects made from the scene, in the order of their creation. */
+/* Objects made for a run, in the order of their creation. */
 struct cache_run {
     struct pp_opening_store *store;
     struct pp_irradiance_cache *cache;

@@ -1,4 +1,4 @@
-/* engine_path.c - the unbiased path tracer of simulate/fast as an engine. */
+/* engine_path.c - adapts the unbiased path tracer (simulate/fast) as an engine. */
 #include "simulate/fast/tracer.h"
 #include "studies/engines/engine.h"
 

@@ -1,4 +1,5 @@
-/* engine_photons.c - the photons of simulate/research/photons as an engine. */
+/* engine_photons.c - adapts the photon simulation (simulate/research/photons) as an
+ * engine. */
 #include "simulate/research/photons/photons.h"
 #include "studies/engines/engine.h"
 #include "studies/engines/scattering_panes.h"

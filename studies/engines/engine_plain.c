@@ -1,5 +1,6 @@
-/* engine_plain.c - the plain path tracer of simulate/path_tracer as an engine: it
- * computes the same values as engine_path.c by the textbook algorithm. */
+/* engine_plain.c - adapts the plain path tracer (simulate/path_tracer) as an engine.
+ * The plain path tracer computes the same values as engine_path.c by the textbook
+ * algorithm. */
 #include "simulate/path_tracer/path_tracer.h"
 #include "studies/engines/engine.h"
 

@@ -1,4 +1,4 @@
-/* engine_radiosity.c - the finite elements of simulate/research/radiosity as an
+/* engine_radiosity.c - adapts the finite elements (simulate/research/radiosity) as an
  * engine. */
 #include "simulate/research/radiosity/radiosity.h"
 #include "studies/engines/engine.h"
@@ -33,7 +33,7 @@ static enum pp_status create_radiosity_engine(void **data,
 static enum pp_status advance_radiosity_engine(void *data, double seconds,
                                                struct pp_error *err)
 {
-    (void)seconds; /* a level cannot be stopped by the clock */
+    (void)seconds; /* a level cannot be interrupted by the time limit */
     return pp_radiosity_advance(data, err);
 }
 

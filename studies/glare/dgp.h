@@ -8,34 +8,36 @@
  *   L      luminance of a source, cd/m2;  omega  its solid angle, sr
  *   P      its position index
  *
- * DGP is a share of people, at most 1. The formula was fitted to DGP of 0.2 to 0.8 and
- * Ev above 380 lx. Below 1000 lx the program evalglare multiplies it by
+ * DGP is the fraction of people disturbed, at most 1. The formula was fitted to DGP of
+ * 0.2 to 0.8 and Ev above 380 lx. If Ev is below 1000 lx, the program evalglare
+ * multiplies DGP by
  *
  *     exp(0.024 Ev - 4)/(1 + exp(0.024 Ev - 4))                                     (2)
  *
- * and so does this file. evalglare 3.06 has the constants 0.092 and 0.159 in (1), which
- * changes DGP by at most 0.001 for a logarithm up to 5.
+ * and so does pepperpot. evalglare 3.06 has the constants 0.092 and 0.159 in (1), which
+ * changes DGP by at most 0.001 if the logarithm is at most 5.
  *
- * P is Guth's index above the line of sight [WC06] and Iwata and Tokura's below it
- * [IT97], as in evalglare 3.06, with s the angle from the line of sight and t the angle from the vertical plane through it,
- * in degrees:
+ * P is Guth's index above the line of sight [WC06] and Iwata and Tokura's index below
+ * it [IT97], as in evalglare 3.06. s is the angle from the line of sight, t the angle
+ * from the vertical plane through the line of sight, both in degrees:
  *
  *     above  P = exp[(35.2 - 0.31889 t - 1.22 exp(-2 t/9)) 1e-3 s                   (3)
  *                    + (21 + 0.26667 t - 0.002963 t^2) 1e-5 s^2]
  *     below  P = exp(6.49e-3 B + 21e-5 B^2),  tan B = tan s sqrt(1 + 0.3225 cos^2 t)
  *
- * and at most 16.
+ * P is at most 16.
  */
 #ifndef PP_STUDIES_GLARE_DGP_H
 #define PP_STUDIES_GLARE_DGP_H
 
 #include "model/geometry/frame.h"
 
-/* P in unit direction u. view: x to the right of the eye, y up, z along the line of
- * sight. At 90 degrees or more from the line of sight it is 16. */
+/* Position index P in unit direction u. view: x to the right of the eye, y up, z along
+ * the line of sight. P is 16 at 90 degrees or more from the line of sight. */
 double pp_dgp_position_index(const struct pp_frame *view, struct pp_vec3 u);
 
-/* (1) with (2). sum: of L^2 omega/P^2, cd2/m4 sr. 0 without light. */
+/* DGP from (1) and (2); 0 if there is no light. eye_lx: Ev; sum: sum of L^2 omega/P^2,
+ * cd2/m4 sr. */
 double pp_dgp(double eye_lx, double sum);
 
 #endif

@@ -9,9 +9,9 @@
 #include "studies/glare/dgp.h"
 #include "studies/glare/glare_view.h"
 
-/* Cells across the field of view: 0.9 degrees at a moment, where results are printed by
- * opening, and 1.8 degrees in the year. Halving them changes DGP by 0.001 and 0.003 at
- * most in the views of the tests. */
+/* Number of cells across the field of view. A moment has cells of 0.9 degrees, since
+ * its results are printed by opening; a year has cells of 1.8 degrees. In the views of
+ * the tests, cells of half the size change DGP by at most 0.001 and 0.003. */
 enum { SIDE_MOMENT = 128, SIDE_YEAR = 64, SURFACE_SAMPLES = 64 };
 
 const struct pp_glare_options pp_glare_options_default = {
@@ -31,19 +31,19 @@ struct glare_work {
     struct pp_light_scene *scene;
     struct pp_thread_pool *pool;
     struct pp_receiver *eyes;
-    struct pp_perez_sky *skies; /* in the room's axes */
+    struct pp_perez_sky *skies; /* in the axes of the room */
     int sky_count;
 
-    struct pp_glare_view view;      /* the current one */
-    struct pp_annual_sheet surface; /* illuminances at its surfaces */
+    struct pp_glare_view view;      /* the view being processed */
+    struct pp_annual_sheet surface; /* illuminances at the surfaces of that view */
     struct hour_result {
         double sum;
         bool sun;
-        bool enough; /* false: out of memory */
-    } * results;     /* by sky */
+        bool enough; /* false: memory is exhausted */
+    } * results;     /* one for each sky */
 };
 
-/* ---- the field of view and the illuminances ---- */
+/* ---- field of view and illuminances ---- */
 
 static enum pp_status light_points(struct glare_work *work,
                                    struct pp_annual_sheet *sheet,
@@ -71,9 +71,10 @@ static double worst_of(const struct pp_annual_sheet *sheet)
     return worst;
 }
 
-/* The eyes. At a moment by paths under the true sky and sun, which cost less than
- * patches and cells for one hour and have no error but noise: from 1024 paths, twice as
- * many until the target error is reached. */
+/* Simulates the illuminances at the eyes. A moment is simulated by paths under the true
+ * sky and sun. For a single hour this is faster than sky patches and sun cells, and its
+ * only error is noise. The number of paths begins with 1024 and is doubled until the
+ * target error is reached. */
 static enum pp_status light_eyes(struct glare_work *work, struct pp_error *err)
 {
     enum { PATHS = 1024, PATHS_MOST = 16384 };
@@ -98,7 +99,8 @@ static enum pp_status light_eyes(struct glare_work *work, struct pp_error *err)
     }
 }
 
-/* Finds the field of view and lights the points of its surfaces. */
+/* Finds the field of view, and simulates the illuminances at the points on its
+ * surfaces. */
 static enum pp_status begin_view(struct glare_work *work, int index,
                                  struct pp_error *err)
 {
@@ -108,7 +110,7 @@ static enum pp_status begin_view(struct glare_work *work, int index,
         work->year ? SIDE_YEAR : SIDE_MOMENT, err);
     options.samples = SURFACE_SAMPLES;
     options.error = 0.0;
-    options.strict = false; /* the weather is that of the eyes */
+    options.strict = false; /* the weather was checked for the eyes */
     options.watch = (struct pp_watch){.begin = NULL};
     if (status == PP_OK && work->view.surface_count > 0)
         status = light_points(work, &work->surface, work->view.surfaces,
@@ -123,7 +125,7 @@ static void end_view(struct glare_work *work)
     work->view = (struct pp_glare_view){.surface_count = 0};
 }
 
-/* Illuminances of the view's surfaces without direct sun, in one hour. */
+/* Illuminances of the view's surfaces in one hour, without direct sun. */
 static void rest_of_hour(const struct glare_work *work, int sky, float *rest)
 {
     const struct pp_annual_sheet *sheet = &work->surface;
@@ -185,7 +187,7 @@ static bool sum_hour(void *data, int worker, int sky)
     return true;
 }
 
-/* A DGP and the occupied time with it. */
+/* A value of DGP, and the occupied time with that value. */
 struct dgp_time {
     double dgp, hours;
 };
@@ -196,7 +198,7 @@ static int falling(const void *a, const void *b)
     return (x->dgp < y->dgp) - (x->dgp > y->dgp);
 }
 
-/* DGP that is exceeded in that share of the occupied hours; sorts the times. */
+/* DGP that is exceeded in `hours` of the occupied time. Sorts the list. */
 static double dgp_exceeded(struct dgp_time *times, int count, double hours)
 {
     double sum = 0.0;
@@ -209,8 +211,8 @@ static double dgp_exceeded(struct dgp_time *times, int count, double hours)
     return 0.0;
 }
 
-/* Occupied hours with DGP above the limits, if all illuminances of the eye are
- * multiplied by a factor. */
+/* Occupied hours with DGP above each limit, if all illuminances at the eye are
+ * multiplied by `factor`. */
 static void hours_above(const struct glare_work *work, int view, double factor,
                         double hours[PP_GLARE_LIMITS])
 {
@@ -276,7 +278,7 @@ static enum pp_status judge_year(struct glare_work *work, int view,
     return PP_OK;
 }
 
-/* ---- both ---- */
+/* ---- moment and year ---- */
 
 static enum pp_status prepare_glare(struct glare_work *work, struct pp_error *err)
 {
@@ -367,6 +369,6 @@ enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
         end_view(&work);
     }
     clear_glare(&work);
-    sheet->annual.receivers = NULL; /* they were the eyes */
+    sheet->annual.receivers = NULL; /* the receivers were the eyes, which are freed */
     return status;
 }

@@ -1,8 +1,9 @@
 /* glare_study.h - daylight glare probability of a room's views, at one moment or in the
  * hours of a weather file.
  *
- * The illuminance at the eye is simulated as for other points (studies/year/annual.h);
- * the sources are those of glare_view.h. Windows have no blinds.
+ * The illuminance at the eye is simulated like that at other points
+ * (studies/year/annual.h). Glare sources are found by glare_view.h. Windows have no
+ * blinds.
  */
 #ifndef PP_STUDIES_GLARE_GLARE_STUDY_H
 #define PP_STUDIES_GLARE_GLARE_STUDY_H
@@ -12,21 +13,23 @@
 #include "studies/year/moment.h"
 
 struct pp_glare_options {
-    double threshold_cd_m2;          /* luminance from which a surface is a source */
+    double threshold_cd_m2;          /* a surface with at least this luminance is a
+                                      * source */
     struct pp_annual_options annual; /* hours, samples, error, seed, threads, watch */
 };
 
-/* evalglare's threshold, and hours 8 to 18 on all days. */
+/* Default options: the threshold of evalglare, and hours 8 to 18 on all days. */
 extern const struct pp_glare_options pp_glare_options_default;
 
-/* Height of the eye of a person who sits, m. */
+/* Height of the eye of a seated person, m. */
 #define PP_GLARE_STUDY_EYE_M 1.2
 
 /* Index of an opening whose pane scatters light by direction; -1: there is none. */
 int pp_glare_study_scattering(const struct pp_world *world);
 
-/* PP_BAD_INPUT if a pane scatters by direction. views: of the room, at least one; they must outlive *sheet. moment: NULL for the
- * year. year: NULL for a moment. The caller clears *sheet, even after a failure. */
+/* Calculates glare at a moment (year is NULL) or over a year (moment is NULL). views:
+ * at least one view of the room; must exist as long as *sheet. PP_BAD_INPUT if a pane
+ * scatters by direction. The caller clears *sheet, even after a failure. */
 enum pp_status pp_glare_study_run(struct pp_glare_sheet *sheet,
                                   const struct pp_study_room *room,
                                   const struct pp_world_view *views, int view_count,

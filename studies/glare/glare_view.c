@@ -7,13 +7,13 @@
 #include "simulate/year/sun_on_surface.h"
 #include "studies/glare/dgp.h"
 
-/* Points of indoor surfaces: one in the middle of each block of rays, BLOCKS x BLOCKS
- * of them. Normals that differ by less count as one. */
+/* Points on indoor surfaces are in the middle of BLOCKS x BLOCKS blocks of rays.
+ * Normals whose difference is less than SAME_NORMAL are treated as equal. */
 enum { BLOCKS = 8, PLANES_MOST = 64 };
 _Static_assert(BLOCKS *BLOCKS == PP_GLARE_SURFACES_MOST, "one point for each block");
 static const double SAME_NORMAL = 1e-3;
 
-/* Distance (m) of a point on a surface from that surface. */
+/* Distance (m) of a simulated point from its surface. */
 static const double OFF_M = 1e-3;
 
 static bool is_outdoors(const struct pp_eye_ray *ray)
@@ -50,7 +50,8 @@ static enum pp_status choose_surfaces(struct pp_glare_view *view, struct pp_erro
             (struct pp_receiver){.position = pp_vec_along(at, OFF_M, ray->at.normal),
                                  .normal = ray->at.normal};
     }
-    /* The nearest point on the same surface, else the nearest of all. */
+    /* Assigns to each ray the nearest point on the same surface, or else the nearest of
+     * all points. */
     for (int i = 0; i < rays->count; i++) {
         const struct pp_eye_ray *ray = &rays->list[i];
         double nearest = INFINITY;
@@ -71,7 +72,8 @@ static enum pp_status choose_surfaces(struct pp_glare_view *view, struct pp_erro
     return PP_OK;
 }
 
-/* Index of the plane with that normal; with too many, that of the most similar one. */
+/* Index of the plane with that normal. If there are too many planes, index of the plane
+ * with the most similar normal. */
 static int plane_with(struct pp_glare_view *view, struct pp_vec3 normal)
 {
     int best = 0;
@@ -132,9 +134,9 @@ void pp_glare_view_clear(struct pp_glare_view *view)
 struct outdoor_hour {
     const struct pp_glare_view *view;
     const struct pp_perez_sky *sky;
-    double open_lx; /* Eh of sky and sun */
+    double open_lx; /* horizontal illuminance from sky and sun */
     double ground_cd_m2;
-    double plane_lx[PLANES_MOST]; /* sky and ground on the planes */
+    double plane_lx[PLANES_MOST]; /* illuminance from sky and ground on each plane */
 };
 
 static void light_planes(struct outdoor_hour *hour)

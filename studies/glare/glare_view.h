@@ -1,22 +1,28 @@
-/* glare_view.h - the glare sources that an eye sees from a room, for any sky and sun.
+/* glare_view.h - the glare sources in the view of an eye in a room, for any sky and
+ * sun.
  *
- * The field of view is the hemisphere around the line of sight, in equal cells
- * (eye_rays.h). A cell whose luminance L reaches the threshold is a source; all sources
- * are added as sum of L^2 omega / P^2 (dgp.h). Cells are not merged to larger sources.
- * The sun is a source of its own, a disc of 0.533 degrees with the illuminance of the
- * direct light; the glass in front of it dims it.
+ * The field of view is the hemisphere around the line of sight, divided into equal
+ * cells (eye_rays.h). A cell is a source if its luminance L is at least the threshold.
+ * The result is the sum of L^2 omega / P^2 over all sources (dgp.h). Cells are not
+ * merged into larger sources. The sun is a separate source: a disc of 0.533 degrees
+ * with the illuminance of the direct light, multiplied by the transmittance of the
+ * glass.
  *
  * Luminances:
  *
- *     sky                  of its formula, times the transmittance of the glass
- *     ground, outdoor      rho/pi (sun + sky and ground on an unobstructed plane with
- *     surfaces             that normal); sunlight is tested at the point seen
- *     diffusing pane       as an outdoor surface in its plane, with its transmittance
- *     indoor surfaces      rho/pi (sun + rest); the rest is simulated at some of the
- *                          points seen, and is that of the nearest on the same surface
+ *     sky                  by the formula of the sky, times the transmittance of the
+ *                          glass
+ *     ground, outdoor      rho/pi times the illuminance by sun, and by sky and ground
+ *     surfaces             on an unobstructed plane with the same normal; whether the
+ *                          sun reaches the surface is tested at the point seen
+ *     diffusing pane       like an outdoor surface in the plane of the pane, with the
+ *                          transmittance of the pane in place of rho
+ *     indoor surfaces      rho/pi times the illuminance by sun and by all other light;
+ *                          the latter is simulated at some of the points seen, and
+ *                          assigned to the points near them on the same surface
  *
- * In a framed opening the glass has its full luminance over its share of the cell, and
- * the frame counts as dark. The disc of the sun is seen through the glass.
+ * In a framed opening, the glass has its full luminance over its fraction of the cell;
+ * the frame is treated as dark. The disc of the sun is seen through the glass.
  */
 #ifndef PP_STUDIES_GLARE_GLARE_VIEW_H
 #define PP_STUDIES_GLARE_GLARE_VIEW_H
@@ -34,19 +40,20 @@ struct pp_glare_view {
     const struct pp_outside_light *light; /* for the ground; not owned */
     struct pp_receiver eye;
     struct pp_eye_rays rays;
-    double *indices; /* by ray: P */
-    int *surface_of; /* by ray: index in surfaces; -1: none */
-    int *plane_of;   /* by ray: index in planes; -1: not an outdoor surface */
+    double *indices; /* for each ray: position index P */
+    int *surface_of; /* for each ray: index in `surfaces`; -1: none */
+    int *plane_of;   /* for each ray: index in `planes`; -1: not an outdoor surface */
 
     struct pp_receiver *surfaces; /* points of indoor surfaces, in the room's axes */
     int surface_count;
     struct pp_vec3 *planes; /* normals of outdoor surfaces */
     int plane_count;
-    struct pp_sky_patches patches; /* for the sky's light on these planes */
+    struct pp_sky_patches patches; /* sky patches for the skylight on these planes */
 };
 
-/* side: the field of view has side x side cells; a multiple of 8. scene: of the world,
- * matt. The caller clears *view, even after a failure. */
+/* Finds the field of view, which has side x side cells. side: a multiple of 8; scene:
+ * scene of the world with matt surfaces. The caller clears *view, even after a
+ * failure. */
 enum pp_status pp_glare_view_init(struct pp_glare_view *view,
                                   const struct pp_light_scene *scene,
                                   const struct pp_outside_light *light,
@@ -54,9 +61,10 @@ enum pp_status pp_glare_view_init(struct pp_glare_view *view,
                                   struct pp_error *err);
 void pp_glare_view_clear(struct pp_glare_view *view);
 
-/* Fills the parts of a moment: one for each opening, one for the room's surfaces, one
- * for the sun. sky: in the room's axes. rest_lx: illuminances at view->surfaces without
- * direct sun. opening_count: of the world. Returns the sum over all parts. */
+/* Finds the glare sources. Adds them up in *sun and in `parts`: one part for each
+ * opening, then one for the surfaces of the room. sky: in the axes of the room;
+ * rest_lx: illuminances at view->surfaces without direct sun; opening_count: number of
+ * openings in the world. Returns the sum over all sources. */
 double pp_glare_view_sources(const struct pp_glare_view *view,
                              const struct pp_perez_sky *sky, const float *rest_lx,
                              double threshold_cd_m2, struct pp_glare_part *parts,

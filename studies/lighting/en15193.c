@@ -19,7 +19,7 @@ int pp_en15193_class(double D_C)
 double pp_en15193_supply(int class, double target_lx, double latitude_rad)
 {
     static const struct {
-        double target_lx, a[3], b[3]; /* weak, medium, strong */
+        double target_lx, a[3], b[3]; /* for weak, medium and strong daylight */
     } table[] = {
         {300.0, {1.2425, 1.3097, 1.2904}, {-0.0117, -0.0106, -0.0088}},
         {500.0, {0.9432, 1.2425, 1.3220}, {-0.0094, -0.0117, -0.0110}},
@@ -48,7 +48,7 @@ static bool has_shades(const struct pp_world *world)
     return false;
 }
 
-/* Area of all openings, and I_O as their mean, weighted by area. */
+/* Total area of the openings. *I_O is set to their area-weighted mean. */
 static double area_of_openings(const struct pp_world *world, double *I_O)
 {
     double sum = 0.0, seen = 0.0;
@@ -69,7 +69,7 @@ void pp_en15193_of_room(struct pp_lighting_standard *standard,
                         const struct pp_world *world, double latitude_rad,
                         const struct pp_lighting_control *control)
 {
-    static const double DEPTH_MOST = 2.5; /* over h_Li - h_Ta */
+    static const double DEPTH_MOST = 2.5; /* limit of I_De */
     struct pp_side_lit_box box;
     *standard = (struct pp_lighting_standard){.saved = NAN};
     if (!pp_side_lit_box_of(&box, world, &standard->why))

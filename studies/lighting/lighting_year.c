@@ -11,14 +11,15 @@ static bool is_same_day(const struct pp_annual_hour *a, const struct pp_annual_h
     return a->month == b->month && a->day == b->day;
 }
 
-/* State of lamps and people while the year passes. */
+/* State of lamps and occupants as the year passes. */
 struct lighting_state {
-    bool on;                           /* on-off: the photocell's state */
+    bool on;                           /* on-off: state of the photocell */
     const struct pp_annual_hour *came; /* manual: record of the last arrival */
-    double probability;                /* manual: that the light is on since then */
+    double probability;                /* manual: probability that the light has been on
+                                        * since then */
 };
 
-/* Share of the installed power while the room is occupied. */
+/* Fraction of the installed power while the room is occupied. */
 static double lighting_power(const struct pp_lighting_control *control,
                              const struct pp_annual_hour *hour, double E,
                              struct lighting_state *state)
@@ -60,7 +61,7 @@ int pp_lighting_year_records_of_hour(const struct pp_annual_hour *hours, int hou
                                      int first)
 {
     int count = 1;
-    /* Starts of records are multiples of a fraction of an hour, with rounding errors. */
+    /* Start times are multiples of a fraction of an hour, with rounding errors. */
     double hour = floor(hours[first].start_h + 1e-6);
     while (first + count < hour_count
            && is_same_day(&hours[first], &hours[first + count])

@@ -1,5 +1,5 @@
-/* default_view.c - chooses the view point with the best score from a grid of trial
- * points, and the planes of plan and section. */
+/* default_view.c - chooses the best viewpoint from a grid of trial points, and the
+ * planes of plan and section. */
 #include "studies/pictures/default_view.h"
 
 #include <math.h>
@@ -7,16 +7,16 @@
 #include "model/room/position.h"
 
 enum {
-    PLACES = 24, /* view points tried along each side of the room */
-    WAYS = 8,    /* directions in which a view point's distance to walls is checked */
-    RAYS = 24,   /* rays across the picture */
+    PLACES = 24, /* number of viewpoints tried along each side of the room */
+    WAYS = 8,    /* number of directions in which the distance of a viewpoint from walls
+                  * is checked */
+    RAYS = 24,   /* number of rays across the picture */
 };
 
-/* Preferred distance of the view point from walls (m); kept if the room is large
- * enough. */
+/* Preferred distance of the viewpoint from walls (m), if the room is large enough. */
 static const double clear_m = 0.4;
 
-/* An opening with a slope up to this counts as a rooflight. */
+/* An opening whose slope is at most this is treated as a rooflight. */
 static const double upright_rad = 45.0 * PP_RAD;
 
 /* A view is horizontal if the window is at most level_rad above the eye. Otherwise it
@@ -25,8 +25,8 @@ static const double level_rad = 20.0 * PP_RAD, raised_most_rad = 15.0 * PP_RAD;
 
 static const struct pp_vec3 upwards = {0.0, 0.0, 1.0};
 
-/* Index of the opening with the largest outline area; -1: there are no openings.
- * Openings steeper than upright_rad take precedence over all others. */
+/* Index of the opening with the largest area; -1: none. Openings steeper than
+ * upright_rad take precedence over all others. */
 static int largest_window(const struct pp_world *world)
 {
     int largest = -1;
@@ -49,7 +49,7 @@ static struct pp_vec3 polygon_middle(const struct pp_polygon *polygon)
     return sum;
 }
 
-/* Distance to the nearest surface in the direction `to`; INFINITY: no surface. */
+/* Distance to the nearest surface in the direction `to`; INFINITY: there is none. */
 static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
                        struct pp_vec3 to)
 {
@@ -58,7 +58,7 @@ static double free_way(const struct pp_light_scene *scene, struct pp_vec3 from,
     return pp_light_scene_first(scene, &ray, &hit) ? hit.distance_m : INFINITY;
 }
 
-/* Distance to the nearest surface at the height of `place`, at most `most`. */
+/* Distance to the nearest surface at the height of `place`, limited to `most`. */
 static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place,
                         double most)
 {
@@ -69,7 +69,7 @@ static double clearance(const struct pp_light_scene *scene, struct pp_vec3 place
     return most;
 }
 
-/* Penalty in a view point's score if the target is not visible from it. */
+/* Penalty for a viewpoint from which the target is not visible. */
 static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
                      struct pp_vec3 target)
 {
@@ -81,9 +81,9 @@ static double hidden(const struct pp_light_scene *scene, struct pp_vec3 place,
     return free_m < 0.98 * distance_m - 0.02 ? 1e3 : 0.0;
 }
 
-/* Harmonic mean of the free distances across the picture, in the horizontal plane of
- * `place`. The harmonic mean gives most weight to near walls, since they block the
- * view. */
+/* Harmonic mean of the free distances across the picture, in the horizontal plane
+ * through `place`. The harmonic mean gives most weight to near walls, which obstruct
+ * the view. */
 static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
                        struct pp_vec3 target)
 {
@@ -96,10 +96,11 @@ static double prospect(const struct pp_light_scene *scene, struct pp_vec3 place,
     return RAYS / sum;
 }
 
-/* Best of PLACES x PLACES view points at that height. A good view point has a far view,
- * sees the target near the middle of the picture, and is clear of all surfaces. Points
- * farther back along `back` are preferred slightly (zero: in any direction). If no
- * point is indoors, returns the middle of the room's bounding box. */
+/* Finds the best of PLACES x PLACES viewpoints at that height. A good viewpoint has a
+ * distant view, sees the target near the middle of the picture, and is clear of all
+ * surfaces. Viewpoints farther in the direction `back` are slightly preferred; if back
+ * is zero, none is. If no viewpoint is indoors, returns the middle of the room's
+ * bounding box. */
 static struct pp_vec3 stand_back(const struct pp_light_scene *scene,
                                  struct pp_vec3 target, struct pp_vec3 back,
                                  double height_m)
@@ -154,7 +155,7 @@ static void look_at_window(struct pp_view_place *place,
             level * tan(fmin(fmax(altitude - level_rad, 0.0), raised_most_rad));
 }
 
-/* Sets the view for a room without openings: along the longer side. */
+/* Sets the view of a room without openings: along its longer side. */
 static void look_along(struct pp_view_place *place, const struct pp_light_scene *scene,
                        const struct pp_world *world)
 {
@@ -170,8 +171,8 @@ static void look_along(struct pp_view_place *place, const struct pp_light_scene 
     place->toward = pp_vec_scale(back, -1.0);
 }
 
-/* Point of the working plane that is clear of all surfaces and closest to the middle of
- * the room. */
+/* Point of the working plane that is nearest to the middle of the room and clear of all
+ * surfaces. */
 static struct pp_vec3 middle_of_plane(const struct pp_light_scene *scene,
                                       const struct pp_world *world)
 {
@@ -218,8 +219,8 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
     struct pp_vec3 size = pp_vec_sub(high, low);
     place->eye = pp_bounds3_middle(&room);
     place->down_m = size.z;
-    /* `right` is the direction to the right of the drawing: from the window into the
-     * room, so that the window is on the left. */
+    /* `right` is the direction to the right on the drawing. This direction is from the
+     * window into the room, so the window is on the left. */
     struct pp_vec3 right =
         size.y >= size.x ? pp_vec(0.0, 1.0, 0.0) : pp_vec(1.0, 0.0, 0.0);
     if (window >= 0) {
@@ -229,7 +230,7 @@ static void cut_section(struct pp_view_place *place, const struct pp_light_scene
         in.z = 0.0;
         if (opening->slope_rad > upright_rad && pp_vec_length(in) > 0.0)
             right = pp_vec_unit(in);
-        /* Puts the cut plane through the middle of the window. */
+        /* Moves the cut plane to the middle of the window. */
         double along = pp_vec_dot(pp_vec_sub(place->eye, middle), right);
         struct pp_vec3 at = pp_vec_along(middle, along, right);
         place->eye = pp_vec(at.x, at.y, place->eye.z);

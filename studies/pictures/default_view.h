@@ -1,12 +1,12 @@
-/* default_view.h - standard views of a room, for when the user does not give one.
+/* default_view.h - standard views of a room, used if the user does not specify a view.
  *
- * Perspective: looks towards the largest window from a point at eye height, 0.4 m clear
- * of walls and objects if the room is large enough. The window is visible near the
- * middle of the picture, and most of the picture shows distant surfaces. In an L-shaped
- * room the point is not behind the corner. The view is level, so that verticals stay
- * vertical, unless the window is far above the eye.
+ * Perspective: a view towards the largest window from eye height, at least 0.4 m from
+ * walls and objects if the room is large enough. The window is visible near the middle
+ * of the picture, and most of the picture shows distant surfaces. In an L-shaped room
+ * the viewpoint is not behind the corner. The view is horizontal, so that vertical
+ * edges are vertical in the picture, unless the window is far above the eye.
  *
- * Fisheye: looks up from the working plane, in the middle of the room. Plan and
+ * Fisheye: a view upwards from the working plane in the middle of the room. Plan and
  * section: parallel views of the whole room, cut as in drawings.
  */
 #ifndef PP_STUDIES_PICTURES_DEFAULT_VIEW_H
@@ -24,9 +24,9 @@
 enum pp_room_view {
     PP_ROOM_VIEW_PERSPECTIVE,
     PP_ROOM_VIEW_FISHEYE,
-    PP_ROOM_VIEW_PLAN,    /* from above; +y is up */
-    PP_ROOM_VIEW_SECTION, /* through the middle of the largest window, which is on
-                           * the left */
+    PP_ROOM_VIEW_PLAN,    /* seen from above, with +y upwards */
+    PP_ROOM_VIEW_SECTION, /* through the middle of the largest window, with the window
+                           * on the left */
 };
 
 struct pp_view_place {
@@ -34,7 +34,7 @@ struct pp_view_place {
     double across_m, down_m;        /* size of plan and section (m); otherwise 0 */
 };
 
-/* `scene` must be made from `world`. */
+/* Sets a standard view. `scene` must be made from `world`. */
 void pp_default_view(struct pp_view_place *place, const struct pp_light_scene *scene,
                      const struct pp_world *world, enum pp_room_view view);
 

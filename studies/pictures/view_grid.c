@@ -1,4 +1,4 @@
-/* view_grid.c - projects the points of each line by the camera. A line is interrupted
+/* view_grid.c - projects the points of each line with the camera. A line is interrupted
  * where its points are outside the picture. */
 #include "studies/pictures/view_grid.h"
 
@@ -6,24 +6,24 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Points on a full circle, points on an edge of an opening, and most labels of a
- * picture. */
+/* Numbers of points on a full circle and on an edge of an opening, and maximum number
+ * of labels in a picture. */
 enum { STEPS = 180, EDGE_STEPS = 24, WORDS_MOST = 16 };
 
-/* Labels lie within this share of the picture's radius, so that all letters are inside;
- * chosen by trial. */
+/* Labels are within this fraction of the picture's radius, so that all letters are
+ * inside. The value was chosen by trial. */
 static const double RIM = 0.95;
 
 /* The sheet to which lines are added, and the line being drawn. */
 struct tracing {
     struct pp_picture_sheet *sheet;
     const struct pp_camera *camera;
-    struct pp_curve curve; /* points of the line so far; `space`: allocated number of
-                            * points */
+    struct pp_curve curve; /* points of the line so far; `space` is their allocated
+                            * number */
     int space;
 };
 
-/* Pixel of the picture that shows the point; false: the point is outside the
+/* Pixel of the picture that shows the point. Returns false if the point is outside the
  * picture. */
 static bool project(const struct tracing *tracing, struct pp_vec3 point, double xy[2])
 {
@@ -36,7 +36,7 @@ static bool project(const struct tracing *tracing, struct pp_vec3 point, double 
     return true;
 }
 
-/* Adds the finished line to the sheet if it has at least two points. */
+/* Adds the finished line to the sheet, if it has at least two points. */
 static enum pp_status end_line(struct tracing *tracing, struct pp_error *err)
 {
     struct pp_curve curve = tracing->curve;
@@ -47,7 +47,7 @@ static enum pp_status end_line(struct tracing *tracing, struct pp_error *err)
     return PP_OK;
 }
 
-/* Adds the next point to the line; a point that is not in the picture ends the line. */
+/* Adds the next point to the line. A point outside the picture ends the line. */
 static enum pp_status add_point(struct tracing *tracing, struct pp_vec3 point,
                                 struct pp_error *err)
 {
@@ -74,7 +74,7 @@ static struct pp_vec3 towards(const struct tracing *tracing, double north_rad,
     return pp_vec_add(tracing->camera->eye, u);
 }
 
-/* The circles of altitude and the lines of azimuth. */
+/* Adds circles of altitude and lines of azimuth. */
 static enum pp_status trace_directions(struct tracing *tracing, double north_rad,
                                        struct pp_error *err)
 {
@@ -115,7 +115,8 @@ static enum pp_status trace_opening(struct tracing *tracing,
     return status == PP_OK ? end_line(tracing, err) : status;
 }
 
-/* Adds a label at a point, moved inwards where it is too near to the picture's rim. */
+/* Adds a label at a point, moved inwards if it is too near to the edge of the
+ * picture. */
 static void add_word(struct tracing *tracing, struct pp_vec3 point, const char *words)
 {
     struct pp_picture_sheet *sheet = tracing->sheet;

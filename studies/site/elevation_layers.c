@@ -8,16 +8,16 @@
 #include "model/geometry/bounds.h"
 
 #define SAME_WAY_RAD (2.0 * PP_RAD)
-#define OVERLAP_M 0.01 /* walls that overlap by less stand beside each other */
+#define OVERLAP_M 0.01 /* walls that overlap by less are treated as adjacent */
 
-/* Greatest distance, in depth, of a wall without windows from a wall with windows on the
- * same elevation, unless both are of one room. */
+/* On an elevation, greatest distance in depth between a wall without windows and a wall
+ * with windows, unless both belong to the same room. */
 static const double near_m = 3.0;
 
-/* A wall that may be drawn on an elevation. */
+/* A wall that could be drawn on an elevation. */
 struct seen_wall {
-    struct pp_elevation_wall wall; /* room_at, face and front_m */
-    struct pp_bounds2 box;         /* u and v */
+    struct pp_elevation_wall wall; /* only room_at, face and front_m are set */
+    struct pp_bounds2 box;         /* in coordinates u and v */
     bool has_windows;
     int index;
 };
@@ -40,7 +40,7 @@ static bool has_windows(const struct pp_site_sheet *site, int room, int face)
     return false;
 }
 
-/* Walls with windows come first, then walls in front. */
+/* Compares walls: walls with windows come first, then walls in front. */
 static int by_importance(const void *left, const void *right)
 {
     const struct seen_wall *a = left, *b = right;
@@ -75,7 +75,7 @@ static enum pp_status add_seen(struct seen_walls *seen,
     return status;
 }
 
-/* True if the wall is on one of the elevations. */
+/* True if the wall is on any elevation. */
 static bool is_drawn(const struct pp_elevation_sheet *sheet, int room, int face)
 {
     for (int i = 0; i < sheet->count; i++)
@@ -86,8 +86,8 @@ static bool is_drawn(const struct pp_elevation_sheet *sheet, int room, int face)
     return false;
 }
 
-/* Outer upright walls that face `way` and are on no elevation yet, the most important
- * first. */
+/* Lists the outer vertical walls that face `way` and are not yet on an elevation, the
+ * most important first. */
 static enum pp_status find_seen(struct seen_walls *seen,
                                 const struct pp_elevation_sheet *sheet,
                                 const struct pp_site_rooms *rooms, struct pp_vec3 way,
@@ -119,8 +119,8 @@ static bool overlap(const struct pp_bounds2 *a, const struct pp_bounds2 *b)
     return true;
 }
 
-/* True if the wall can be drawn with the first `count` walls that are on the layer
- * (`layers`: layer of each; -1: none). */
+/* True if a wall can be drawn on the layer together with those of the first `count`
+ * walls that are already on it. layers: layer of each wall; -1: none. */
 static bool fits_layer(const struct seen_walls *seen, const int *layers, int count,
                        int layer)
 {
@@ -178,7 +178,7 @@ static enum pp_status add_to_layer(struct pp_site_elevation *elevation,
     return status;
 }
 
-/* Adds the elevations of one direction. */
+/* Adds the elevations for one direction. */
 static enum pp_status make_layers(struct pp_elevation_sheet *sheet,
                                   const struct pp_site_rooms *rooms, struct pp_vec3 way,
                                   struct pp_error *err)

@@ -6,13 +6,13 @@
 #include "model/results/sheets/site_sheet.h"
 #include "studies/site/site_study.h"
 
-/* Adds an elevation to the sheet for each direction that windows face, and assigns the
- * outer walls and windows to the elevations: walls get their room, face and distance
- * `front_m`, and nothing else. A wall with windows that would hide one behind it, or be
- * hidden, is on a separate elevation of the same direction, behind (`layer`). A wall without
- * windows is left out if it would hide another wall, or stands far from all walls with
- * windows. Requires the windows of the sheet. Elevations are clockwise from north, and
- * from front to back. PP_NO_MEMORY. */
+/* Adds an elevation to the sheet for each direction that windows face, and assigns
+ * outer walls and windows to the elevations. For walls, only room, face and front_m are
+ * set. A wall with windows that would hide another wall with windows, or be hidden, is
+ * on a separate elevation of the same direction, on a layer farther back. A wall
+ * without windows is omitted if it would hide another wall, or if it is far from all
+ * walls with windows. The windows of the sheet must be set before. Elevations are in
+ * order clockwise from north, and from front to back. PP_NO_MEMORY. */
 enum pp_status pp_elevation_layers_make(struct pp_elevation_sheet *sheet,
                                         const struct pp_site_rooms *rooms,
                                         struct pp_error *err);

@@ -12,19 +12,19 @@
 #include "studies/site/elevation_layers.h"
 
 #define TOLERANCE_M 0.01
-#define INSET_M 0.005 /* distance by which points on a wall's edge are moved inside */
+#define INSET_M 0.005 /* inset of points on a wall's edge, m */
 
-/* ---- a wall's contours ---- */
+/* ---- contours of a wall ---- */
 
-/* Position of a flattened wall's points in its room. */
+/* Position in the room of the points of a flattened wall. */
 struct wall_frame {
     const struct pp_world *world;
     int face;
-    struct pp_vec3 out, right; /* in the room's axes */
-    struct pp_vec3 origin;     /* a point of the wall's outside */
-    double origin_u;           /* coordinate u of the origin */
-    double base_z;             /* level of the room's floor in the building */
-    struct pp_bounds2 box;     /* box of the outline */
+    struct pp_vec3 out, right; /* unit vectors in the room's axes */
+    struct pp_vec3 origin;     /* a point on the outer face of the wall */
+    double origin_u;           /* coordinate u of that point */
+    double base_z;             /* level of the room's floor in the building, m */
+    struct pp_bounds2 box;     /* bounds of the outline */
 };
 
 static enum pp_status component_at(void *context, double u, double v, double *value,
@@ -62,7 +62,7 @@ static enum pp_status trace_elevation_wall(struct pp_elevation_wall *wall,
     return status;
 }
 
-/* Distance from the face to the outside of its wall. */
+/* Distance (m) from the inner face of a wall to its outer face. */
 static double outside_of(const struct pp_world *world, int face)
 {
     for (int i = 0; i < world->facade_count; i++)
@@ -75,7 +75,7 @@ static double outside_of(const struct pp_world *world, int face)
     return depth;
 }
 
-/* Coordinates u and v, in the elevation, of a point of a room. */
+/* Coordinates u and v in the elevation of a point in a room. */
 static void flat_of(const struct pp_site_elevation *elevation,
                     const struct pp_world *world, struct pp_vec3 point, double uv[2])
 {
@@ -108,7 +108,7 @@ static enum pp_status add_doors(struct pp_elevation_wall *wall,
     return status;
 }
 
-/* The face's outline in coordinates u and v. */
+/* Finds the outline of a face in coordinates u and v. */
 static enum pp_status flatten_wall(struct pp_elevation_wall *wall,
                                    const struct pp_site_elevation *elevation,
                                    const struct pp_world *world, int face,
@@ -171,7 +171,7 @@ static enum pp_status fill_walls(struct pp_site_elevation *elevation,
     return status;
 }
 
-/* Adds the box of some corners in u and v to a list. */
+/* Adds the bounds, in u and v, of a list of corners to a list. */
 static enum pp_status add_box(struct pp_bounds2 **list, int *count,
                               const struct pp_site_elevation *elevation,
                               const struct pp_world *world,
@@ -190,7 +190,7 @@ static enum pp_status add_box(struct pp_bounds2 **list, int *count,
     return status;
 }
 
-/* Elevation that shows a face of a room; NULL: none does. */
+/* Finds the elevation that shows a face of a room; NULL: none. */
 static struct pp_site_elevation *elevation_of(struct pp_elevation_sheet *sheet,
                                               int room, int face)
 {
@@ -217,7 +217,7 @@ static enum pp_status add_facades(struct pp_elevation_sheet *sheet,
     return status;
 }
 
-/* Adds balconies, overhangs and fins of the room's own windows. */
+/* Adds the balconies, overhangs and fins of the room's windows. */
 static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
                                            const struct pp_world *world, int room,
                                            struct pp_error *err)
@@ -236,11 +236,11 @@ static enum pp_status add_elevation_shades(struct pp_elevation_sheet *sheet,
     return status;
 }
 
-/* Facades are drawn up to this distance (m) beyond the walls. */
+/* Facades are drawn up to this distance (m) outside the walls. */
 static const double facade_beyond_m = 1.5;
 
-/* Extends the elevation to show facades and shades, but only up to a limit, since they
- * may be far larger than the walls. */
+/* Extends the elevation so that it shows facades and shading. The extension is limited,
+ * since facades may be much larger than the walls. */
 static void extend_elevation(struct pp_site_elevation *elevation,
                              const struct pp_bounds2 *boxes, int count)
 {
@@ -292,7 +292,7 @@ static enum pp_status make_elevation_sheet(struct pp_elevation_sheet *sheet,
     return status;
 }
 
-/* 2,000 triangles in front of one room take 4.7 s. */
+/* Limit of triangles in meshes: 2,000 triangles in front of one room take 4.7 s. */
 enum { MESH_TRIANGLES_MOST = 2000 };
 
 enum pp_status pp_elevation_study_make(struct pp_elevation_sheet *sheet,

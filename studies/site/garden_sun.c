@@ -76,7 +76,7 @@ static enum pp_status trace_garden_sun(struct pp_garden_sun *sun,
         pp_field_create(&field, region, hours_at, (void *)world, tolerance, err);
     if (status != PP_OK)
         return status;
-    /* Slightly below HOURS, so that exactly two hours count. */
+    /* Slightly below HOURS, so that exactly two hours of sun are sufficient. */
     status = pp_contour_curves(field, HOURS - 1e-9, &lines, err);
     if (status == PP_OK)
         status = pp_contour_below(field, HOURS - 1e-9, &sun->dark, err);

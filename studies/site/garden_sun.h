@@ -1,4 +1,5 @@
-/* garden_sun.h - area of a garden that gets two hours of sun on 21 March. */
+/* garden_sun.h - area of a garden that receives at least two hours of sun on 21
+ * March. */
 #ifndef PP_STUDIES_SITE_GARDEN_SUN_H
 #define PP_STUDIES_SITE_GARDEN_SUN_H
 
@@ -7,17 +8,19 @@
 #include "model/room/world.h"
 
 struct pp_garden_sun {
-    double area_m2, sunlit_m2; /* sunlit: two hours or more */
-    double error_m2;           /* error of sunlit_m2, by the tolerance of the line */
+    double area_m2, sunlit_m2; /* whole area, and area with two hours of sun or more */
+    double error_m2;           /* error of sunlit_m2 due to the tolerance of the
+                                * boundary line */
     struct pp_curve_list
-        dark; /* outlines of the rest, in the room's x and y; outer ones
-               * counter-clockwise, holes clockwise */
+        dark; /* outlines of the area with less sun, in x and y of the room; outer
+               * outlines are counter-clockwise, holes clockwise */
 };
 
-/* Calculates the possible hours of sun in closed form (methods/exact/sunlit_hours.h) at
- * ground level. All obstructions hide the sun, the rooms included. The line of two
- * hours is accurate to 1/2000 of the garden's diagonal and to 10 mm. The caller clears
- * sun; empty on failure. The world must have a latitude. */
+/* Calculates the possible hours of sun at ground level in closed form
+ * (methods/exact/sunlit_hours.h). All obstructions hide the sun, including the rooms.
+ * The boundary of the area with two hours of sun is accurate to 1/2000 of the garden's
+ * diagonal and to 10 mm. The caller clears *sun, which is empty after a failure. The
+ * world must have a latitude. */
 enum pp_status pp_garden_sun_find(struct pp_garden_sun *sun,
                                   const struct pp_world *world,
                                   const struct pp_garden *garden, struct pp_error *err);

@@ -1,6 +1,7 @@
-/* mesh_shapes.c - see mesh_shapes.h. Vertical triangles are seen as lines only. All
- * others are oriented counter-clockwise from above: an edge shared by two triangles of
- * one part then occurs in both directions, and the remaining edges bound the part. */
+/* mesh_shapes.c - see mesh_shapes.h. Vertical triangles are seen only as lines. All
+ * other triangles are oriented counter-clockwise as seen from above. An edge shared by
+ * two triangles of a part then occurs in both directions, and the other edges bound the
+ * part. */
 #include "studies/site/mesh_shapes.h"
 
 #include <math.h>
@@ -8,26 +9,28 @@
 
 #include "model/base/array.h"
 
-static const double SAME_M = 1e-3;     /* corners nearer than this count as one */
-static const double STRAIGHT_M = 1e-4; /* a corner this near to the line between its
-                                        * neighbours is left out */
-static const double UPRIGHT = 1e-3;    /* a triangle is vertical if its normal's z is
+static const double SAME_M = 1e-3;     /* corners closer than this are treated as
+                                        * equal */
+static const double STRAIGHT_M = 1e-4; /* a corner closer than this to the line between
+                                        * its neighbours is omitted */
+static const double UPRIGHT = 1e-3;    /* a triangle is vertical if z of its normal is
                                         * below this */
-static const double BEND_RAD = 20 * PP_RAD; /* least bend that is drawn */
+static const double BEND_RAD = 20 * PP_RAD; /* smallest bend that is drawn as an edge */
 static const double PLANE_RAD = 0.5 * PP_RAD;
 static const double RISE_M = 2.0, PLANE_RISE_M = 10.0;
 
 struct mesh_corner {
     struct pp_vec3 at;
-    int user; /* index: three times the triangle, plus its corner */
+    int user; /* 3 x index of the triangle + number of its corner */
 };
 
 struct mesh_triangle {
-    int corners[3]; /* indices of places */
+    int corners[3]; /* indices in `places` */
     struct pp_vec3 normal;
     bool is_upright;
-    int part; /* parent in the tree of its part; a root is its own parent */
-    /* Valid for roots only: size and other properties of the part. */
+    int part; /* index of the parent in the tree of the part; a root is its own
+               * parent */
+    /* Valid only for roots: size and other properties of the part. */
     int size;
     bool is_plane;
     double low_m, high_m;
@@ -35,10 +38,10 @@ struct mesh_triangle {
 
 /* Edge of a triangle, between two places. */
 struct mesh_edge {
-    int low, high; /* places, low < high */
+    int low, high; /* indices in `places`, low < high */
     int triangle;
-    bool forwards;  /* runs from low to high */
-    bool is_unseen; /* a boundary that is not drawn */
+    bool forwards;  /* runs from low to high in its triangle */
+    bool is_unseen; /* on the outline of a part, but not drawn */
 };
 
 struct mesh_parts {
@@ -152,7 +155,8 @@ static int root_of(struct mesh_parts *parts, int triangle)
     return triangle;
 }
 
-/* True if two edges join triangles between which no edge is drawn. */
+/* True if the common edge of two triangles, given as a pair of edges, need not be
+ * drawn. */
 static bool is_smooth(const struct mesh_parts *parts, const struct mesh_edge *pair)
 {
     const struct mesh_triangle *a = &parts->triangles[pair[0].triangle];
@@ -161,8 +165,9 @@ static bool is_smooth(const struct mesh_parts *parts, const struct mesh_edge *pa
            && pp_vec_dot(a->normal, b->normal) > cos(BEND_RAD);
 }
 
-/* Greatest rise of two parts, by their roots, if joined: larger if they are in one
- * plane, so that gentle bends give no edges. */
+/* Greatest permitted rise (m) of the part made by joining two parts, given by their
+ * roots. The rise may be greater for parts in a common plane, since only bent parts are
+ * cut at a small rise. */
 static double rise_of(const struct mesh_triangle *a, const struct mesh_triangle *b)
 {
     return pp_vec_dot(a->normal, b->normal) > cos(PLANE_RAD) && a->is_plane
@@ -171,8 +176,8 @@ static double rise_of(const struct mesh_triangle *a, const struct mesh_triangle 
                : RISE_M;
 }
 
-/* Joins two parts unless their rise would be too great; the root of the larger part
- * remains. */
+/* Joins two parts, unless the rise of the result would be too great. The root of the
+ * larger part remains. */
 static void join_mesh_parts(struct mesh_parts *parts, const struct mesh_edge *pair)
 {
     int one = root_of(parts, pair[0].triangle), two = root_of(parts, pair[1].triangle);
@@ -190,7 +195,7 @@ static void join_mesh_parts(struct mesh_parts *parts, const struct mesh_edge *pa
     other->part = first ? one : two;
 }
 
-/* Number of edges from index i on that join the same two places. */
+/* Number of edges from index i that join the same two places. */
 static int run_of(const struct mesh_parts *parts, int i)
 {
     int count = 1;
@@ -220,7 +225,7 @@ static int to_of(const struct mesh_edge *edge)
     return edge->forwards ? edge->high : edge->low;
 }
 
-/* Sorts by part (stored in `triangle`), then by start and by end. */
+/* Compares by part (stored in `triangle`), then by start and end of the edge. */
 static int by_start(const void *left, const void *right)
 {
     const struct mesh_edge *a = left, *b = right;
@@ -257,8 +262,8 @@ static void add_shape_corner(struct pp_site_shape *shape, struct pp_vec3 at,
     shape->unseen[shape->count++] = unseen;
 }
 
-/* Adds an open edge of vertical triangles as a line. Leaves out vertical edges, and
- * edges with their triangle above them: its upper edge gives the line. */
+/* Adds an open edge of vertical triangles as a line. Omits vertical edges, and lower
+ * edges of a triangle, since its upper edge gives the line. */
 static enum pp_status add_line(struct pp_site_sheet *sheet,
                                const struct mesh_parts *parts,
                                const struct mesh_edge *edge, struct pp_error *err)
@@ -315,8 +320,8 @@ static enum pp_status find_bounds(struct pp_site_sheet *sheet, struct mesh_parts
     return status;
 }
 
-/* Leaves out corners of a shape's last ring that lie on the line between their
- * neighbours, if both edges are drawn, or neither is. */
+/* Omits corners of a shape's last ring that are on the line between their neighbours,
+ * if both edges are drawn or both are not. */
 static void straighten(struct pp_site_shape *shape, int first)
 {
     int kept = first;
@@ -341,7 +346,8 @@ static void straighten(struct pp_site_shape *shape, int first)
     shape->count = kept;
 }
 
-/* The next edge of a part that begins at a place and is not yet in a ring; -1: none. */
+/* Index of the next edge of a part that begins at a place and is not yet in a ring; -1:
+ * none. */
 static int find_next(const struct mesh_parts *parts, const bool *used, int first,
                      int end, int place)
 {
@@ -359,7 +365,7 @@ static int find_next(const struct mesh_parts *parts, const bool *used, int first
     return -1;
 }
 
-/* Adds the part whose edges are bounds[first] to bounds[end - 1]. */
+/* Adds a part as a shape. Its edges are bounds[first] to bounds[end - 1]. */
 static enum pp_status add_part(struct pp_site_sheet *sheet,
                                const struct mesh_parts *parts, bool *used, int first,
                                int end, struct pp_error *err)
@@ -401,7 +407,7 @@ static enum pp_status add_parts(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* Copies the mesh's triangles, in the building's axes. */
+/* Copies the triangles of the mesh, in the axes of the building. */
 static void take_triangles(struct mesh_parts *parts, const struct pp_world *world,
                            const struct pp_world_mesh *mesh)
 {

@@ -11,7 +11,7 @@
 #include "studies/site/garden_sun.h"
 #include "studies/site/mesh_shapes.h"
 
-/* Distance below which a corner before and a corner now count as the same. */
+/* Former and present corners closer than this (m) are treated as equal. */
 static const double same_m = 0.01;
 
 /* ---- windows ---- */
@@ -49,7 +49,7 @@ static enum pp_status add_window(struct pp_site_sheet *sheet,
     for (int i = 0; i < outline->count; i++)
         pp_bounds2_add(&box, pp_vec_dot(outline->vertices[i], opening->along),
                        outline->vertices[i].z);
-    /* Seen from outside, `along` points to the left. */
+    /* As seen from outside, `along` points to the left. */
     struct pp_vec3 middle = pp_polygon_middle(outline);
     double at = pp_vec_dot(middle, opening->along);
     middle.z = box.low[1];
@@ -89,7 +89,7 @@ static enum pp_status add_site_windows(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* True if window a is above window b, in about the same plane. */
+/* True if window a is above window b in about the same plane. */
 static bool is_above(const struct pp_site_window *a, const struct pp_site_window *b)
 {
     struct pp_vec3 along = pp_vec_sub(b->to, b->from);
@@ -106,7 +106,8 @@ static bool is_above(const struct pp_site_window *a, const struct pp_site_window
 
 static void count_storeys(struct pp_site_sheet *sheet)
 {
-    /* Works upwards from the lowest: one storey above the highest window below it. */
+    /* Numbers storeys upwards: a window is one storey above the highest window below
+     * it. */
     for (int pass = 0, changed = 1; changed && pass < sheet->window_count; pass++) {
         changed = 0;
         for (int i = 0; i < sheet->window_count; i++)
@@ -152,7 +153,7 @@ static enum pp_status add_shape(struct pp_site_sheet *sheet,
     return PP_OK;
 }
 
-/* Name of a surface; the side of a block has the block's name. */
+/* Name of a surface; for a side of a block, name of the block. */
 static const char *site_surface_name(const struct pp_world *world,
                                      const struct pp_surface *surface)
 {
@@ -206,7 +207,8 @@ static bool same_site_shape(const struct pp_site_shape *a,
     return false;
 }
 
-/* A shape sorted by the x of its middle, which is the same for equal shapes. */
+/* A shape and the x of its middle, by which shapes are sorted. Equal shapes have the
+ * same x. */
 struct shape_place {
     double x;
     int index;
@@ -226,7 +228,7 @@ static int by_x(const void *left, const void *right)
     return (a->x > b->x) - (a->x < b->x);
 }
 
-/* The first place with an x of `least` or more. */
+/* Index of the first entry whose x is at least `least`. */
 static int first_from(const struct shape_place *places, int count, double least)
 {
     int low = 0, high = count;
@@ -240,7 +242,8 @@ static int first_from(const struct shape_place *places, int count, double least)
     return low;
 }
 
-/* Marks the shapes of the sheet that equal the former one; false: there are none. */
+/* Marks the shapes of the sheet that are equal to a former shape. Returns false if
+ * there are none. */
 static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *places,
                       int count, const struct pp_site_shape *former)
 {
@@ -255,7 +258,7 @@ static bool mark_same(struct pp_site_sheet *sheet, const struct shape_place *pla
     return found;
 }
 
-/* Moves to the sheet a former shape that no longer exists. */
+/* Moves a former shape that no longer exists to the sheet. */
 static enum pp_status add_gone(struct pp_site_sheet *sheet,
                                struct pp_site_shape *former, struct pp_error *err)
 {
@@ -294,8 +297,8 @@ static enum pp_status compare_site_before(struct pp_site_sheet *sheet,
     return status;
 }
 
-/* Sorts objects by height, then rooms by height: rooms are drawn above all objects,
- * since their outlines are floors. */
+/* Compares by height; rooms come after all other objects. Rooms are drawn above all
+ * objects, since their outlines are floors. */
 static int by_height(const void *left, const void *right)
 {
     const struct pp_site_shape *a = left, *b = right;

@@ -8,10 +8,10 @@
 static const double share_tolerance[] = {
     [PP_RETAINED_SKY_VSC] = 1e-6, [PP_RETAINED_SKY_LIT_AREA] = 1e-4};
 static const double height_tolerance_m = 1e-5;
-static const double lowest_m = 0.002; /* height of the lowest block tried: almost
-                                       * none */
+static const double lowest_m = 0.002; /* height of the lowest block tried, which hides
+                                       * almost nothing */
 
-/* Changes the proposed building so that the block has that height. */
+/* Changes the proposed building so that the block has the given height. */
 static enum pp_status raise_block(const struct pp_block_height_task *task,
                                   double height_m, struct pp_error *err)
 {

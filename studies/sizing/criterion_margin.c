@@ -11,9 +11,11 @@
 
 enum { NAME_BYTES = 64 };
 
-static const double most_share = 1e6; /* ratio of an upper bound to a figure of 0 */
+static const double most_share = 1e6; /* ratio used for an upper limit if the figure is
+                                       * 0 */
 
-/* Standard errors between a figure and its one-sided limit of 95 % (PP_SURE). */
+/* Distance between a figure and its one-sided 95 % limit (PP_SURE), in standard
+ * errors. */
 static const double sure_errors = 1.6449;
 
 static const double just_below = 1e-6;
@@ -23,7 +25,7 @@ static void requirement_name(char name[NAME_BYTES], const char *words)
     snprintf(name, NAME_BYTES, "%.*s", (int)strcspn(words, ":"), words);
 }
 
-/* The text after the colon; empty if all findings count. */
+/* Text after the colon; empty if all findings are to be considered. */
 static const char *beginning_of(const char *words)
 {
     const char *colon = strchr(words, ':');
@@ -46,8 +48,8 @@ enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err
     return pp_assessment_choose(chosen, name, err);
 }
 
-/* True if a finding begins with these words; a hyphen also matches a blank:
- * "living-room". */
+/* True if the name of a finding begins with these words. A hyphen also matches a blank,
+ * as in "living-room". */
 static bool begins_with(const char *what, const char *beginning)
 {
     for (; *beginning; beginning++, what++)
@@ -56,8 +58,8 @@ static bool begins_with(const char *what, const char *beginning)
     return true;
 }
 
-/* Ratio of a figure to its bound; for a sampled figure, of its 95 % limit on the
- * unfavourable side, which is below 1 unless the verdict is met. */
+/* Ratio of a figure to its target. For a sampled figure, the 95 % limit on the
+ * unfavourable side is used; the ratio is then below 1 unless the verdict is "met". */
 static double finding_share(const struct pp_finding *finding)
 {
     double limit = finding->figure;
@@ -69,8 +71,8 @@ static double finding_share(const struct pp_finding *finding)
     return fmin(share, most_share);
 }
 
-/* Writes the message that no finding has this beginning, with a list of those that
- * exist. */
+/* Writes a message that no finding begins with these words, and lists the existing
+ * findings. */
 static void say_none(char *why, size_t why_bytes,
                      const struct pp_finding_list *findings, const char *beginning)
 {
@@ -87,7 +89,7 @@ static void say_none(char *why, size_t why_bytes,
                            findings->list[i].what);
 }
 
-/* The least ratio among the findings that count. */
+/* Finds the least ratio among the findings that are considered. */
 static void take_least(struct pp_reading *least, char *why, size_t why_bytes,
                        const struct pp_finding_list *findings, const char *beginning)
 {

@@ -1,7 +1,7 @@
-/* criterion_margin.h - margin by which a room meets a criterion: the least ratio of the
- * figures of its findings to their bounds (for upper bounds, of the bounds to the
- * figures). 1 or more: all findings are met. A sampled figure is replaced by its
- * one-sided 95 % limit. */
+/* criterion_margin.h - margin by which a room meets a criterion. The margin is the
+ * least ratio of figure to target over its findings; for upper limits the ratio is
+ * target to figure. All findings are met if the margin is 1 or more. A sampled figure
+ * is replaced by its one-sided 95 % limit. */
 #ifndef PP_STUDIES_SIZING_CRITERION_MARGIN_H
 #define PP_STUDIES_SIZING_CRITERION_MARGIN_H
 
@@ -13,16 +13,16 @@
 #include "studies/study_room.h"
 
 /* Checks the words of a request: the name of a criterion, optionally followed by a
- * colon and the beginning of the findings that count ("en17037:minimum"); without a
- * colon all findings count. PP_BAD_INPUT, with the valid names, if the words name no
- * criterion. */
+ * colon and the beginning of the names of findings to be considered
+ * ("en17037:minimum"). Without a colon, all findings are considered. PP_BAD_INPUT if
+ * there is no such criterion; the message lists the valid names. */
 enum pp_status pp_criterion_margin_check(const char *words, struct pp_error *err);
 
-/* Margin of `world`, the room or a changed one, on the same grid as assess.
- * traced: options for simulated daylight factors; NULL: by hand methods. No
- * value, with the reason in `why`, if a finding is not judged or none has a
- * bound, or if simulation is requested for a criterion without daylight
- * factors. */
+/* Calculates the margin of `world` (the room, or a changed copy of it) on the same grid
+ * as assess. traced: options for simulated daylight factors; NULL: hand methods. The
+ * reading has no value, and `why` is the reason, if a finding cannot be assessed or
+ * none has a target. The same applies if simulation is requested for a criterion
+ * without daylight factors. */
 enum pp_status pp_criterion_margin(struct pp_reading *reading, char *why,
                                    size_t why_bytes, const char *words,
                                    const struct pp_study_room *room,

@@ -1,5 +1,5 @@
-/* gain_changes.c - changes of finishes, glass, windows and surroundings, each made to a
- * copy of the room.
+/* gain_changes.c - changes finishes, glass, windows and surroundings. Each change is
+ * made to a copy of the room.
  */
 #include "studies/sizing/gain_changes.h"
 
@@ -14,15 +14,16 @@
 #include "studies/sizing/window_sizes.h"
 #include "model/light/glazings.h"
 
-/* Reflectances of light finishes: white paint, light walls, a light floor; chosen, not
- * measured. */
+/* Reflectances of light finishes: white ceiling paint, light walls, a light floor. The
+ * values were chosen, not measured. */
 static const double light_ceiling = 0.85, light_walls = 0.7, light_floor = 0.4;
 
 #define DESCRIBE(gain, ...) snprintf((gain)->change, sizeof(gain)->change, __VA_ARGS__)
 
 /* ---- Finishes ---- */
 
-/* Changes the darker faces of one role to the reflectance `wanted`. */
+/* Changes the faces of one role whose reflectance is lower than `wanted` to that
+ * reflectance. */
 static enum pp_status lighten(struct pp_room **changed, struct pp_gain *gain,
                               const struct pp_room *room, const struct pp_world *world,
                               enum pp_role role, double wanted, const char *name,
@@ -69,8 +70,8 @@ static enum pp_status lighter_floor(struct pp_room **changed, struct pp_gain *ga
 
 /* ---- Glass ---- */
 
-/* Least value of a member of struct pp_opening (a fraction at that offset) over all
- * openings. */
+/* Least value over all openings of a member of struct pp_opening (a fraction at
+ * `offset`). */
 static double least_of(const struct pp_world *world, size_t offset)
 {
     double least = 1.0;
@@ -111,8 +112,8 @@ static enum pp_status thinner_frames(struct pp_room **changed, struct pp_gain *g
     return status;
 }
 
-/* Name of the clear glazing that replaces the glass: single for one pane that is not
- * diffusing, else double. */
+/* Name of the clear glazing that replaces the glass: single if the glass is one pane
+ * and not diffusing, else double. */
 static const char *clear_of(const struct pp_glass *glass)
 {
     return glass->panes == 1 && !glass->diffusing ? "clear-single" : "clear-double";
@@ -149,7 +150,7 @@ static enum pp_status clearer_glazing(struct pp_room **changed, struct pp_gain *
 
 /* ---- Windows ---- */
 
-/* Lists the indices of all windows; the caller frees *windows. */
+/* Lists the indices of all windows. The caller frees *windows. */
 static enum pp_status windows_of(int **windows, int *count, const struct pp_room *room,
                                  struct pp_error *err)
 {
@@ -164,8 +165,8 @@ static enum pp_status windows_of(int **windows, int *count, const struct pp_room
     return PP_OK;
 }
 
-/* Enlarges all windows by that number of steps of one kind of change, or as far as
- * possible. *changed stays NULL if no window can grow. */
+/* Enlarges all windows by a number of steps of one kind of change, or as far as
+ * possible. *changed remains NULL if no window can be enlarged. */
 static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *room,
                               enum pp_size_change change, int steps,
                               struct pp_error *err)
@@ -186,8 +187,8 @@ static enum pp_status enlarge(struct pp_room **changed, const struct pp_room *ro
     return status;
 }
 
-/* Largest distance by which a head has moved up or, for any change except of heads, a
- * sill has moved down (m). */
+/* Greatest distance (m) by which a head has moved up, for a change of heads, or a sill
+ * has moved down, for any other change. */
 static double largest_move(const struct pp_room *room, const struct pp_room *changed,
                            enum pp_size_change change)
 {
@@ -216,8 +217,8 @@ static enum pp_status higher_heads(struct pp_room **changed, struct pp_gain *gai
     return status;
 }
 
-/* Lowers sills, at most to the working plane: glass below it adds little light
- * there. */
+/* Lowers sills, at most to the working plane, because glass below the working plane
+ * adds little light there. */
 static enum pp_status lower_sills(struct pp_room **changed, struct pp_gain *gain,
                                   const struct pp_room *room,
                                   const struct pp_world *world, struct pp_error *err)
@@ -261,7 +262,8 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
         if (opening.kind == PP_WINDOW)
             widest = fmax(widest, opening.place.width_m);
     }
-    /* Widens the widest window by a quarter, and the others in proportion. */
+    /* Widens the widest window by a quarter of its width, and the others in
+     * proportion. */
     enum pp_status status = enlarge(changed, room, PP_CHANGE_WIDTH,
                                     (int)round(widest / 4.0 / PP_SIZE_GRID_M), err);
     if (*changed)
@@ -271,7 +273,7 @@ static enum pp_status wider_windows(struct pp_room **changed, struct pp_gain *ga
     return status;
 }
 
-/* ---- One more window ---- */
+/* ---- an additional window ---- */
 
 /* Index of the window with the largest area; -1: the room has no window. */
 static int largest_window(const struct pp_room *room)
@@ -289,11 +291,12 @@ static int largest_window(const struct pp_room *room)
     return largest;
 }
 
-/* Places for one more window are tried along the wall at this spacing (m). */
+/* Spacing of the positions along the wall that are tried for an additional window
+ * (m). */
 static const double search_m = 0.1;
 
-/* Copies the room with one more window like the largest, in the first free place along
- * its wall; *changed is NULL if there is none. */
+/* Copies the room with an additional window like the largest, at the first free
+ * position along its wall. *changed is NULL if there is no free position. */
 static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *gain,
                                       const struct pp_room *room,
                                       const struct pp_world *world,
@@ -324,8 +327,8 @@ static enum pp_status one_more_window(struct pp_room **changed, struct pp_gain *
     return status;
 }
 
-/* Outer wall without openings whose direction is closest to the opposite of the given
- * face's, at least 120 degrees from it; -1 if there is none. */
+/* Index of the outer wall without openings that is most nearly opposite to the given
+ * face, by at least 120 degrees; -1: none. */
 static int opposite_wall(const struct pp_world *world, int face)
 {
     struct pp_vec3 n = world->surfaces[face].outline.normal;

@@ -14,12 +14,12 @@
 #include "model/base/text.h"
 #include "studies/study_report.h"
 
-/* A change that raises the average by a smaller share than this is left out; chosen,
- * not measured. */
+/* Changes that increase the average by a smaller fraction are omitted. The value was
+ * chosen, not measured. */
 static const double least_share = 0.002;
 
-/* Daylight factors of a world by the method: the average, and that of the darkest grid
- * point; NAN if the method has no value. */
+/* Calculates daylight factors of a world by the method: the average, and the value at
+ * the darkest grid point. NAN if the method has no value. */
 static enum pp_status evaluate_gain(struct pp_gain_values *values,
                                     const struct pp_world *world,
                                     const struct pp_outside_light *light,
@@ -44,10 +44,10 @@ static enum pp_status evaluate_gain(struct pp_gain_values *values,
     return status;
 }
 
-/* Largest relative standard error of a simulated average. */
+/* Target for the relative standard error of a simulated average. */
 static const double gain_error = 0.02;
 
-/* The same daylight factors by simulation; NAN if it is interrupted. */
+/* Simulates the same daylight factors; NAN if the simulation is interrupted. */
 static enum pp_status simulate_gain(struct pp_gain_values *values,
                                     const struct pp_world *world,
                                     const struct pp_outside_light *light,
@@ -75,8 +75,8 @@ static enum pp_status simulate_gain(struct pp_gain_values *values,
     return status;
 }
 
-/* The same daylight factors of a room: by simulation if `options` is not NULL, else by
- * the method. */
+/* Calculates the same daylight factors of a room: by simulation, or, if `options` is
+ * NULL, by the method. */
 static enum pp_status evaluate_room(struct pp_gain_values *values,
                                     const struct pp_room *room,
                                     const struct pp_outside_light *light,
@@ -89,7 +89,7 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     pp_mistakes_init(&mistakes, "the changed room");
     enum pp_status status = pp_world_create(&world, room, &mistakes, err);
     *values = (struct pp_gain_values){NAN, NAN};
-    /* A change that makes the room invalid has no values, and so no gain. */
+    /* A change that makes the room invalid has no values, and therefore no gain. */
     if (status == PP_BAD_INPUT)
         status = PP_OK;
     else if (status == PP_OK)
@@ -100,7 +100,7 @@ static enum pp_status evaluate_room(struct pp_gain_values *values,
     return status;
 }
 
-/* Inserts a gain by its average, largest first. */
+/* Inserts a gain into the list, which is in descending order of averages. */
 static void insert(struct pp_gains *gains, const struct pp_gain *gain)
 {
     int at = gains->count++;

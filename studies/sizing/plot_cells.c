@@ -7,11 +7,12 @@
 #include "model/room/placement.h"
 
 static const double least_cell_m = 1.0;
-static const double most_cells = 12.0; /* along the plot's longer extent */
+static const double most_cells = 12.0; /* number of cells along the longer extent of the
+                                        * plot */
 static const double inside_m = 1e-9;   /* distance inside a cell beyond which an edge
-                                        * cuts it */
+                                        * cuts the cell */
 
-/* A plot's outline in axes along its longest side. */
+/* Outline of a plot, in axes along and across its longest side. */
 struct plot {
     struct pp_vec3 *corners;
     int count;
@@ -72,7 +73,8 @@ static bool is_cut(struct pp_vec3 a, struct pp_vec3 b, const double low[2],
     return enter < leave;
 }
 
-/* True if the point is inside the outline: counts sides that a ray along x crosses. */
+/* True if the point is inside the outline. Counts the sides crossed by a ray along
+ * x. */
 static bool contains(const struct plot *plot, double x, double y)
 {
     bool inside = false;

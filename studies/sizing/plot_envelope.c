@@ -6,7 +6,8 @@
 
 #include "studies/sizing/root_bracket.h"
 
-static const double lowest_m = 0.002; /* height of the lowest cell tried: almost none */
+static const double lowest_m = 0.002; /* height of the lowest cell tried, which hides
+                                       * almost nothing */
 static const double share_tolerance = 1e-6;
 static const double angle_tolerance_rad = 1e-8, factor_tolerance = 1e-8;
 static const double steepest_rad = 89.0 * PP_RAD;
@@ -15,14 +16,14 @@ enum { DOUBLINGS_MOST = 20 };
 struct envelope_search {
     struct pp_plot_envelope *found;
     const struct pp_plot_envelope_task *task;
-    double *tangents; /* tan(a_i) of each window; INFINITY: the window sets no limit */
-    double *planes;   /* planes of the trial: the tangents times the factor, or a
-                       * single one */
-    int number;       /* index of the window whose plane is searched */
+    double *tangents; /* tan(a_i) for each window; INFINITY: the window sets no limit */
+    double *planes;   /* tangents of the planes in the present trial, for each window;
+                       * INFINITY: no plane */
+    int number;       /* index of the window whose a_i is searched */
 };
 
-/* Height z of a window's plane at the cell's nearest corner; INFINITY behind its
- * wall. */
+/* Height z of a window's plane above the nearest corner of a cell; INFINITY if the cell
+ * is behind the window's wall. */
 static double plane_over(const struct pp_retained_sky_place *due, double tangent,
                          const struct pp_building_cell *cell)
 {
@@ -38,7 +39,8 @@ static double plane_over(const struct pp_retained_sky_place *due, double tangent
     return due->middle.z + tangent * fmax(nearest, 0.0);
 }
 
-/* Makes the proposed building, with all cells as high as the trial's planes allow. */
+/* Makes the proposed building. All cells are as high as the planes of the trial
+ * allow. */
 static enum pp_status build_cells(const struct envelope_search *search,
                                   struct pp_error *err)
 {
@@ -66,7 +68,8 @@ static void set_planes(const struct envelope_search *search, double tangent)
         search->planes[i] = tangent;
 }
 
-/* Surplus of one window if only its own plane, at that altitude, limits the cells. */
+/* Surplus of one window if only its own plane limits the cells. altitude_rad: altitude
+ * of that plane. */
 static enum pp_status alone_at(void *context, double altitude_rad, double *value,
                                struct pp_error *err)
 {
@@ -84,7 +87,7 @@ static enum pp_status alone_at(void *context, double altitude_rad, double *value
     return status;
 }
 
-/* Least surplus of any window with the present planes. */
+/* Least surplus of all windows with the planes of the trial. */
 static enum pp_status surplus(const struct envelope_search *search, double *value,
                               struct pp_error *err)
 {
@@ -107,8 +110,8 @@ static enum pp_status together_at(void *context, double factor, double *value,
     return surplus(search, value, err);
 }
 
-/* Finds tan(a_i) of each window. A window that keeps its required value with all cells
- * at most_m sets no limit. */
+/* Finds tan(a_i) for each window. A window that has its required value even with all
+ * cells at most_m sets no limit. */
 static enum pp_status find_alone(struct envelope_search *search, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -132,7 +135,7 @@ static enum pp_status find_alone(struct envelope_search *search, struct pp_error
     return status;
 }
 
-/* Finds the factor s, and the envelope with it. */
+/* Finds the factor s and the corresponding envelope. */
 static enum pp_status find_together(struct envelope_search *search,
                                     struct pp_error *err)
 {
@@ -161,8 +164,8 @@ static enum pp_status find_together(struct envelope_search *search,
 static enum pp_status look_before(struct envelope_search *search, struct pp_error *err)
 {
     const struct pp_plot_envelope_task *task = search->task;
-    set_planes(search, 0.0); /* no cell is higher than the centre of a window, so no sky
-                              * is hidden */
+    set_planes(search, 0.0); /* with horizontal planes no cell is higher than the centre
+                              * of a window, so no sky is hidden */
     enum pp_status status =
         pp_building_has_states(task->building)
             ? pp_building_set_state(task->building, PP_STATE_EXISTING, err)
@@ -196,7 +199,7 @@ static enum pp_status search_all(struct envelope_search *search, struct pp_error
     return status == PP_OK ? find_together(search, err) : status;
 }
 
-/* Fills in the results from the cells and planes of the last trial. */
+/* Stores the results: the cells and planes of the last trial. */
 static void settle_plot_envelope(struct pp_plot_envelope *found,
                                  const struct envelope_search *search)
 {

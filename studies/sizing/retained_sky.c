@@ -12,8 +12,8 @@
 #include "studies/criteria/windows/vertical_sky.h"
 #include "studies/lit_line.h"
 
-static const double next_to_nothing = 1e-6; /* if the value before building is at most
-                                             * this, it counts as 0, and nothing need be
+static const double next_to_nothing = 1e-6; /* a value before building of at most this
+                                             * is treated as 0: nothing need be
                                              * retained */
 
 const char *const pp_retained_sky_words[] = {"vsc", "lit-area", NULL};
@@ -51,8 +51,8 @@ static bool is_called(const char *own, const char *wanted)
     return !wanted || (own && strcmp(own, wanted) == 0);
 }
 
-/* Adds the windows; if `only` is given, only the windows of the same line of the
- * file. */
+/* Adds windows to the list. only: consider only the windows on the same line of the
+ * file; NULL: all windows. */
 static enum pp_status add_retained_windows(struct pp_retained_sky *retained,
                                            const struct pp_retained_sky_rule *rule,
                                            const struct pp_retained_sky_place *only,
@@ -89,7 +89,8 @@ static enum pp_status add_lit_area(struct pp_retained_sky *retained,
     return status;
 }
 
-/* Adds the windows of one room that count, or its lit area, if the room counts. */
+/* Adds the windows of a room that the rule selects, or the room's lit area if the rule
+ * selects the room. */
 static enum pp_status add_room(struct pp_retained_sky *retained,
                                const struct pp_retained_sky_rule *rule,
                                const struct pp_retained_sky_place *only,
@@ -140,9 +141,9 @@ enum pp_status pp_retained_sky_list(struct pp_retained_sky *retained,
                : pp_fail(err, PP_BAD_INPUT, "no room has a vertical window");
 }
 
-/* Stores the values of the building in its present state in the list, as before or as
- * after; 0 for a window that does not exist. The list and the building have rooms and
- * lines in the same order, and the windows of one line in the same sequence. */
+/* Stores the values for the present state of the building in the list, as `before` or
+ * as `after`; 0 for a window that does not exist. Rooms and lines have the same order
+ * in the list and in the building, and so have the windows on a line. */
 static enum pp_status measure_retained_sky(struct pp_retained_sky *retained,
                                            bool before,
                                            const struct pp_retained_sky_rule *rule,
@@ -188,7 +189,7 @@ enum pp_status pp_retained_sky_after_one(struct pp_retained_sky *retained, int n
 {
     struct pp_retained_sky_place *due = &retained->list[number];
     struct pp_retained_sky then = {0};
-    int alike = 0; /* number of earlier windows of the same line */
+    int alike = 0; /* number of earlier windows on the same line */
     while (alike < number && due[-alike - 1].place == due->place
            && due[-alike - 1].line == due->line)
         alike++;

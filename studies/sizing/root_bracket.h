@@ -1,7 +1,8 @@
-/* root_bracket.h - the largest argument at which a falling function is 0 or more.
+/* root_bracket.h - the largest argument at which a decreasing function is at least 0.
  *
- * Method: the Illinois variant of false position. If the function jumps from above 0 to
- * below 0, the interval shrinks to the jump, and its lower end is the result.
+ * The method is the Illinois variant of false position. If the function jumps from a
+ * positive to a negative value, the interval shrinks to the jump, and its lower end is
+ * the result.
  */
 #ifndef PP_STUDIES_SIZING_ROOT_BRACKET_H
 #define PP_STUDIES_SIZING_ROOT_BRACKET_H
@@ -12,13 +13,15 @@ typedef enum pp_status pp_root_bracket_value(void *context, double at, double *v
                                              struct pp_error *err);
 
 struct pp_root_bracket_range {
-    double low, at_low;   /* an argument, and its value, which is not below 0 */
-    double high, at_high; /* a greater argument, and its value, which is below 0 */
-    double near_value;    /* values within this of 0 count as 0 */
-    double near_argument; /* arguments that differ by at most this count as equal */
+    double low, at_low;   /* an argument with a value of at least 0 */
+    double high, at_high; /* a greater argument with a value below 0 */
+    double near_value;    /* a value whose distance from 0 is at most this is treated as
+                           * 0 */
+    double near_argument; /* arguments whose difference is at most this are treated as
+                           * equal */
 };
 
-/* Finds the argument. The last call of the function is at *found. */
+/* Finds the argument. The function is called last at *found. */
 enum pp_status pp_root_bracket_find(double *found,
                                     const struct pp_root_bracket_range *range,
                                     pp_root_bracket_value *value_at, void *context,

@@ -1,5 +1,5 @@
-/* size.c - the search of size.h: a scan of the whole range, bisection between the two
- * sizes that enclose the target, and finer steps at the end.
+/* size.c - the search described in size.h: a scan of the whole range, bisection between
+ * the two sizes that enclose the target, and finer steps at the end.
  */
 #include "studies/sizing/size.h"
 
@@ -7,31 +7,32 @@
 
 #include "model/room/building.h"
 
-/* The numbers of sizes, and all tolerances below except that for rounding, were chosen
- * by trial. */
+/* The numbers of sizes, and all tolerances below except the one for rounding, were
+ * chosen by trial. */
 enum {
-    SCANNED = 9,         /* sizes scanned over the whole range, both ends included */
-    SCANNED_SAMPLED = 4, /* the same for sampled values, which take longer */
-    REFINED_MOST = 3,    /* most refinements of the grid: down to a micrometre */
+    SCANNED = 9,         /* number of sizes in the scan of the whole range, including
+                          * both ends */
+    SCANNED_SAMPLED = 4, /* the same for sampled values, which take more time */
+    REFINED_MOST = 3,    /* maximum number of grid refinements: down to a micrometre */
 };
 
-/* A value within this relative distance above the target ends the search, unless it is
- * a count or sampled. */
+/* The search ends if the value exceeds the target by at most this fraction, unless it
+ * is a count or sampled. */
 static const double near_share = 0.0025;
 
-/* A sampled value within this number of standard errors of the target ends the
- * search. */
+/* The search ends if the difference between a sampled value and the target is at most
+ * this number of standard errors. */
 static const double near_errors = 0.5;
 
-/* The lower limit of a sampled value within this relative distance above the target
- * ends the search. */
+/* The search ends if the lower limit of a sampled value exceeds the target by at most
+ * this fraction. */
 static const double near_limit = 0.01;
 
-/* A value below the target by at most this relative distance counts as equal to it: the
- * difference is rounding. */
+/* A value that is below the target by at most this fraction is treated as equal to it,
+ * since the difference is due to rounding. */
 static const double rounding_share = 1e-9;
 
-/* The value at one size. */
+/* A size that was tried, and its value. */
 struct size_trial {
     int step;
     struct pp_reading reading;
@@ -43,8 +44,8 @@ struct search {
     struct pp_size_answer *answer;
 };
 
-/* Makes the world of a changed room. If the room is invalid, its mistakes become the
- * error message. */
+/* Makes the world of a changed room. If the room is invalid, the errors found in it
+ * become the error message. */
 static enum pp_status world_of(struct pp_world **world, const struct pp_room *room,
                                struct pp_error *err)
 {
@@ -90,7 +91,7 @@ static bool reaches(const struct search *search, const struct size_trial *trial)
     return trial->reading.value >= (1.0 - rounding_share) * search->task->target;
 }
 
-/* True if a sampled value is near enough to the target. */
+/* True if the value is near enough to the target for the search to end. */
 static bool is_near(const struct search *search, const struct size_trial *trial)
 {
     if (search->task->sampled)
@@ -101,9 +102,9 @@ static bool is_near(const struct search *search, const struct size_trial *trial)
                   <= near_errors * trial->reading.std_error;
 }
 
-/* Next size to evaluate between two: the middle or, for sampled values, where a
- * straight line through both reaches the target, but at least a tenth of the interval
- * from either. */
+/* Next size to be evaluated between two sizes: the middle one. For sampled values, the
+ * size where a straight line through both values reaches the target, but at least a
+ * tenth of the interval from either end. */
 static int size_between(const struct search *search, const struct size_trial *below,
                         const struct size_trial *above)
 {
@@ -121,8 +122,8 @@ static int size_between(const struct search *search, const struct size_trial *be
                                  : step;
 }
 
-/* Narrows the interval down to neighbouring sizes, or until the value at one size is
- * near the target; that size is then `above`. */
+/* Narrows the interval until its ends are neighbouring sizes, or until the value of a
+ * size is near the target; `above` is then that size. */
 static enum pp_status narrow(const struct search *search, struct size_trial *below,
                              struct size_trial *above, struct pp_error *err)
 {
@@ -142,8 +143,8 @@ static enum pp_status narrow(const struct search *search, struct size_trial *bel
     return PP_OK;
 }
 
-/* Repeats the bisection on a finer grid while the value is not close to the target, for
- * values that are neither counted nor sampled. */
+/* Repeats the bisection on a finer grid until the value is near the target. Values that
+ * are counts or sampled are not refined. */
 static enum pp_status refine(const struct search *search, struct size_trial *below,
                              struct size_trial *above, struct pp_error *err)
 {
@@ -155,8 +156,8 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
             || above->reading.value <= (1.0 + near_share) * task->target)
             break;
         pp_window_sizes_refine(search->sizes);
-        /* A finer grid rounds edges less, so a window is slightly larger than before at
-         * the same step: `below` may now reach the target. */
+        /* A finer grid rounds edges less, so that a window is slightly larger at the
+         * same size. `below` may therefore reach the target on the finer grid. */
         above->step *= 10;
         below->step *= 10;
         for (int back = 10;; back *= 10) {
@@ -172,8 +173,8 @@ static enum pp_status refine(const struct search *search, struct size_trial *bel
     return status;
 }
 
-/* Evaluates the present room, and sizes over the whole range; *count: number of trials,
- * which are sorted by size. */
+/* Evaluates the present room, and sizes over the whole range. *count is set to the
+ * number of trials, which are sorted by size. */
 static enum pp_status scan_range(const struct search *search, struct size_trial *trials,
                                  int *count, struct pp_error *err)
 {
@@ -202,7 +203,7 @@ static enum pp_status scan_range(const struct search *search, struct size_trial 
     return status;
 }
 
-/* Searches for the smallest sufficient number of windows: tries every number in
+/* Searches for the smallest sufficient number of windows. Tries all numbers in
  * ascending order, since there are few. */
 static enum pp_status search_numbers(const struct search *search,
                                      struct size_trial *found, struct pp_error *err)

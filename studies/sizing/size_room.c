@@ -1,5 +1,5 @@
-/* size_room.c - chooses method and openings, searches the size, and lists the edits of
- * the room file. */
+/* size_room.c - chooses method and openings, searches for the size, and lists the edits
+ * to the room file. */
 #include "studies/sizing/size_room.h"
 
 #include <math.h>
@@ -23,8 +23,8 @@ struct valuation {
     const struct pp_size_request *request;
     const struct pp_study_room *room;
     struct pp_room_value by_hand;
-    bool is_traced;    /* the size is searched by simulated values */
-    int by_hand_count; /* number of values found by hand in the present search */
+    bool is_traced;    /* the search uses simulated values */
+    int by_hand_count; /* number of values computed by hand in the present search */
 };
 
 enum pp_gives pp_size_room_gives(const char *by)
@@ -33,8 +33,9 @@ enum pp_gives pp_size_room_gives(const char *by)
     return method ? method->gives : PP_GIVES_WHOLE;
 }
 
-/* Simulated reading at a point (-1: the average), of the components that the method
- * gives. Errors of two components are added, since they may be correlated. */
+/* Simulated reading, at a point or (point -1) the average, of the components that the
+ * method gives. The errors of two components are added, since they may be
+ * correlated. */
 static struct pp_reading traced_at(const struct pp_report *report, enum pp_gives gives,
                                    int point)
 {
@@ -64,7 +65,8 @@ static enum pp_status margin_of(struct valuation *valuation,
                                &valuation->request->grid, traced, err);
 }
 
-/* Simulates the average, the lowest of the points, or the margin of a criterion. */
+/* Simulates the average, the lowest value at the points, or the margin of a
+ * criterion. */
 static enum pp_status trace_sized_room(struct valuation *valuation,
                                        const struct pp_world *world,
                                        struct pp_reading *reading, struct pp_error *err)
@@ -104,7 +106,8 @@ static enum pp_status value_by_hand(struct valuation *valuation,
                : pp_room_value(&valuation->by_hand, world, reading, err);
 }
 
-/* Reports progress, since a value of a room with diffusing panes can take a second. */
+/* Reports progress, since computing the value of a room with diffusing panes can take a
+ * second. */
 static enum pp_status look_on(struct valuation *valuation, struct pp_error *err)
 {
     static const double USUAL_COUNT = 28.0, MOST_SHOWN = 0.95;
@@ -125,7 +128,7 @@ static enum pp_status sized_room_value(void *data, const struct pp_world *world,
     return status == PP_OK ? value_by_hand(valuation, world, reading, err) : status;
 }
 
-/* True if the opening may be changed. */
+/* True if the request allows changes to this opening. */
 static bool is_chosen(const struct pp_size_request *request,
                       const struct pp_room_opening *opening, enum pp_opening_kind kind)
 {
@@ -135,9 +138,8 @@ static bool is_chosen(const struct pp_size_request *request,
            && (!request->wall || strcmp(opening->wall, request->wall) == 0);
 }
 
-/* Indices of the openings that change: that of the requested line, else the windows (of
- * the requested wall), or the rooflights if there are no windows. Fails if there are
- * none. */
+/* Lists the openings that change: those of the requested line, or else the windows (in
+ * the requested wall), or else the rooflights. Fails if there are none. */
 static enum pp_status choose_sized_openings(int *openings, int *count,
                                             const struct pp_size_request *request,
                                             const struct pp_room *room,
@@ -178,7 +180,7 @@ static bool is_by_counts(const char *by)
     return (direct && direct->counts) || (internal && internal->counts);
 }
 
-/* ---- Changes of the openings ---- */
+/* ---- changes of the openings ---- */
 
 static bool same_opening_place(struct pp_opening_place a, struct pp_opening_place b)
 {
@@ -186,8 +188,8 @@ static bool same_opening_place(struct pp_opening_place a, struct pp_opening_plac
            && a.height_m == b.height_m;
 }
 
-/* Lists the differences between the openings of the sized room and of the room;
- * `openings`: those that could change. */
+/* Lists the differences between the openings of the sized room and the present room.
+ * openings: indices of the openings that could change. */
 static enum pp_status set_down_edits(struct pp_size_room_result *result,
                                      const int *openings, int count,
                                      struct pp_error *err)
@@ -215,7 +217,7 @@ static enum pp_status set_down_edits(struct pp_size_room_result *result,
     return PP_OK;
 }
 
-/* Stores the text of the room's file. */
+/* Stores a pointer to the text of the room's file. */
 static void find_text(struct pp_size_room_result *result)
 {
     struct pp_building *building = result->room->building;
@@ -223,9 +225,9 @@ static void find_text(struct pp_size_room_result *result)
     result->file_opening = pp_building_openings_before(building, result->room->index);
 }
 
-/* ---- The room ---- */
+/* ---- the room ---- */
 
-/* Finds whether the method's average for the present room is reliable. */
+/* Determines whether the method's average for the present room is reliable. */
 static enum pp_status find_reliability(struct pp_size_room_result *result,
                                        const struct valuation *valuation,
                                        struct pp_error *err)
@@ -242,8 +244,8 @@ static enum pp_status find_reliability(struct pp_size_room_result *result,
     return status;
 }
 
-/* Band of a daylight factor in the report: of the average, or of the lowest of the
- * points. */
+/* Band of a daylight factor in the report: of the average, or of the lowest value at
+ * the points. */
 static struct pp_band_ends band_in(const struct pp_report *report, const char *method)
 {
     const struct pp_column *column = pp_report_find(report, PP_DF, method);
@@ -282,7 +284,7 @@ static enum pp_status find_band(struct pp_size_room_result *result,
     return status;
 }
 
-/* Chooses the requested method, or else the room's default pair. */
+/* Chooses the requested method, or else the default pair for the room. */
 static void choose_method(struct valuation *valuation)
 {
     struct pp_room_value *by_hand = &valuation->by_hand;
@@ -295,7 +297,7 @@ static void choose_method(struct valuation *valuation)
                 .name;
 }
 
-/* Simulates the room; also computes its value by hand if by_hand is not NULL. */
+/* Simulates the room. If by_hand is not NULL, also computes its value by hand. */
 static enum pp_status trace_room(struct pp_reading *reading, struct pp_reading *by_hand,
                                  const struct pp_room *room,
                                  struct valuation *valuation, struct pp_error *err)
@@ -313,7 +315,7 @@ static enum pp_status trace_room(struct pp_reading *reading, struct pp_reading *
     return status;
 }
 
-/* True if the value is below the target by more than the noise. */
+/* True if the value is below the target by more than two standard errors. */
 static bool falls_short(const struct pp_reading *traced, double target)
 {
     double noise = traced->std_error > 0.0 ? 2.0 * traced->std_error : 0.0;
@@ -334,8 +336,8 @@ static enum pp_status find_size(struct pp_size_answer *answer,
     return status;
 }
 
-/* Repeats the search with simulated values, after a result by hand was not
- * confirmed. */
+/* Repeats the search with simulated values, after simulation did not confirm a result
+ * by hand. */
 static enum pp_status search_traced(struct pp_size_room_result *result,
                                     struct pp_size_task *task,
                                     struct valuation *valuation, struct pp_error *err)
@@ -349,10 +351,10 @@ static enum pp_status search_traced(struct pp_size_room_result *result,
     return status;
 }
 
-/* Searches again by hand with a corrected target, higher or lower by the ratio of the
- * simulated margin to the requirement, until the simulated margin exceeds it by 2 % or
- * less (after some tries, by any amount). If that fails, searches by simulation
- * alone. */
+/* Searches again by hand with a corrected target, multiplied or divided by the ratio of
+ * the simulated margin to the requirement. Ends when the simulated margin exceeds the
+ * requirement by at most 2 % or, after some tries, by any amount. If this fails,
+ * searches by simulation only. */
 static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
                                             struct pp_size_task *task,
                                             struct valuation *valuation,
@@ -385,10 +387,10 @@ static enum pp_status repeat_until_it_holds(struct pp_size_room_result *result,
                                        : search_traced(result, task, valuation, err);
 }
 
-/* Checks an answer by simulation. If it is not confirmed, the largest size is simulated
- * too: if that misses the target, the target is out of reach, and the largest size
- * becomes the answer. For a criterion the search is repeated instead, until the answer
- * holds. */
+/* Checks a result by simulation. If it is not confirmed, the largest size is also
+ * simulated. If the largest size misses the target, the target is out of reach, and the
+ * largest size becomes the result. For a criterion the search is repeated instead,
+ * until the result is confirmed. */
 static enum pp_status check_by_simulation(struct pp_size_room_result *result,
                                           struct pp_size_task *task,
                                           struct valuation *valuation,

@@ -1,5 +1,5 @@
-/* window_number.c - places windows at equal distances along their wall, and tests which
- * numbers the room accepts. */
+/* window_number.c - places windows at equal distances along their wall, and finds the
+ * numbers of windows that are valid for the room. */
 #include "studies/sizing/window_number.h"
 
 #include <math.h>
@@ -8,12 +8,12 @@
 
 #include "model/room/building.h"
 
-/* Most windows tried in one wall, so that the search ends soon; chosen, not
- * measured. */
+/* Maximum number of windows tried in a wall, which limits the duration of the search.
+ * The value was chosen, not measured. */
 enum { NUMBER_MOST = 200 };
 
-/* PP_BAD_INPUT unless the windows are in one wall and have the same size and sill
- * height. */
+/* Checks the windows: PP_BAD_INPUT unless they are in the same wall and have the same
+ * size and sill height. */
 static enum pp_status check_alike(const struct pp_room *room, const int *openings,
                                   int opening_count, struct pp_error *err)
 {
@@ -52,7 +52,7 @@ double pp_window_number_wall_length(const struct pp_world *world, int opening)
     return high - low;
 }
 
-/* Length of a wall of a room for which no world has been made yet. */
+/* Length of a wall, for a room whose world does not exist yet. */
 static enum pp_status wall_length(double *length_m, const struct pp_room *room,
                                   int index, struct pp_error *err)
 {
@@ -67,7 +67,7 @@ static enum pp_status wall_length(double *length_m, const struct pp_room *room,
     return status;
 }
 
-/* Distance of the i-th of `number` windows from the start of the wall, rounded to the
+/* Distance of window i of `number` windows from the start of the wall (m), rounded to a
  * millimetre. */
 static double left_of(int i, int number, double width_m, double wall_m)
 {

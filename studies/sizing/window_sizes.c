@@ -1,6 +1,5 @@
-/* window_sizes.c - finds the stations between the smallest and the largest
- * size at which edges of windows are blocked, and interpolates sizes between
- * them. */
+/* window_sizes.c - finds the sizes at which edges of windows are blocked (stations),
+ * from the smallest to the largest size, and interpolates the sizes between them. */
 #include "studies/sizing/window_sizes.h"
 
 #include <math.h>
@@ -10,42 +9,42 @@
 #include "studies/sizing/window_number.h"
 #include "model/base/array.h"
 
-/* An edge that cannot move by this distance is blocked (m). It exceeds the gap that
- * rounding to the grid leaves between adjoining windows. */
+/* An edge that cannot be moved by this distance (m) is blocked. The distance exceeds
+ * the gap that rounding to the grid leaves between adjoining windows. */
 static const double blocked_m = 0.0035;
 
-/* Lengths that differ by at most this are equal except for rounding (m). */
+/* Lengths whose difference (m) is at most this are equal except for rounding. */
 static const double slack_m = 1e-6;
 
 struct pp_window_sizes {
-    struct pp_room *room; /* the present room */
+    struct pp_room *room; /* present room */
     enum pp_size_change change;
-    int *openings; /* openings that change */
+    int *openings; /* indices of the openings that change */
     int opening_count;
 
-    /* For all changes except PP_CHANGE_NUMBER: positions of the edges at stations from
-     * the smallest size to the largest. Edge 2 i is the lower (or left) edge of opening
-     * i, edge 2 i + 1 its upper (or right) one. */
-    bool upright;      /* true: sill and head move; false: the sides */
-    double **stations; /* 2 opening_count edges each */
+    /* For all changes except PP_CHANGE_NUMBER: positions of the edges at each station,
+     * from the smallest size to the largest. Edge 2 i is the lower (or left) edge of
+     * opening i; edge 2 i + 1 is its upper (or right) edge. */
+    bool upright;      /* true: sill and head move; false: left and right edges move */
+    double **stations; /* stations, with 2 opening_count edges each */
     int station_count;
-    int fineness; /* steps per millimetre of the grid */
+    int fineness; /* number of steps per millimetre */
 
-    /* For PP_CHANGE_NUMBER: the numbers of windows that fit in the wall, ascending. */
+    /* For PP_CHANGE_NUMBER: possible numbers of windows in the wall, ascending. */
     int *numbers;
     int number_count;
 };
 
-/* ---- Edges of openings ---- */
+/* ---- edges of openings ---- */
 
-/* Place of the i-th opening with these edges. */
+/* Position and size of the i-th opening with these edges. */
 static struct pp_opening_place sized_opening_place(const struct pp_window_sizes *sizes,
                                                    int i, const double *edges)
 {
     struct pp_opening_place place =
         pp_room_opening_at(sizes->room, sizes->openings[i]).place;
     double low = edges[2 * i], high = edges[2 * i + 1];
-    /* The length of an opening that does not move stays identical bit for bit. */
+    /* If an edge has not moved, the length remains identical bit for bit. */
     double *first = sizes->upright ? &place.sill_m : &place.left_m;
     double *length = sizes->upright ? &place.height_m : &place.width_m;
     if (low != *first || high != *first + *length) {
@@ -55,7 +54,7 @@ static struct pp_opening_place sized_opening_place(const struct pp_window_sizes 
     return place;
 }
 
-/* Reads the edges of the room's openings. */
+/* Reads the edges of the present openings. */
 static void read_edges(const struct pp_window_sizes *sizes, double *edges)
 {
     for (int i = 0; i < sizes->opening_count; i++) {
@@ -75,18 +74,18 @@ static void set_edges(const struct pp_window_sizes *sizes, struct pp_room *room,
                           sized_opening_place(sizes, i, edges));
 }
 
-/* The edge rounded to the grid, towards the window's inside. */
+/* Rounds an edge to the grid, towards the inside of the window. */
 static double on_grid(double edge_m, bool high, double grid_m)
 {
     double n =
         high ? floor((edge_m + slack_m) / grid_m) : ceil((edge_m - slack_m) / grid_m);
-    /* Divides, since 0.001 is not exact in binary, and 1000 is. */
+    /* Divides, because 1000 is exact in binary and 0.001 is not. */
     return n / round(1.0 / grid_m) + 0.0;
 }
 
-/* ---- How far the edges can move ---- */
+/* ---- how far edges can move ---- */
 
-/* Appends a station; the caller fills *edges. */
+/* Appends a station. The caller sets *edges. */
 static enum pp_status add_station(double **edges, struct pp_window_sizes *sizes,
                                   struct pp_error *err)
 {
@@ -102,7 +101,7 @@ static enum pp_status add_station(double **edges, struct pp_window_sizes *sizes,
     return status;
 }
 
-/* True if the room is valid with these edges. */
+/* Sets *possible to true if the room is valid with these edges. */
 static enum pp_status is_possible(bool *possible, const struct pp_window_sizes *sizes,
                                   struct pp_room *trial, const double *edges,
                                   struct pp_error *err)
@@ -111,7 +110,7 @@ static enum pp_status is_possible(bool *possible, const struct pp_window_sizes *
     return pp_room_is_sound(possible, trial, err);
 }
 
-/* moved = edges + by * way */
+/* Sets moved = edges + by * way, for `count` edges. */
 static void move_edges(double *moved, const double *edges, const double *way, double by,
                        int count)
 {
@@ -119,9 +118,9 @@ static void move_edges(double *moved, const double *edges, const double *way, do
         moved[e] = edges[e] + by * way[e];
 }
 
-/* Finds the largest `by`, the movement of the fastest edge (m), by which all edges can
- * move together: by doubling and halving, to within slack_m. `moved` is working
- * space. */
+/* Finds the greatest movement of all edges together at which the room is valid, by
+ * doubling and halving, to within slack_m. *by is the movement of the fastest edge (m).
+ * moved: working memory. */
 static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
                                struct pp_room *trial, const double *edges,
                                const double *way, double *moved, struct pp_error *err)
@@ -149,8 +148,8 @@ static enum pp_status farthest(double *by, const struct pp_window_sizes *sizes,
     return PP_OK;
 }
 
-/* Sets to 0 the speed of each edge that cannot move even on its own; *stopped: number
- * of these edges. */
+/* Sets to 0 the speed of each edge that cannot move even alone. *stopped is set to the
+ * number of these edges. */
 static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *sizes,
                                    struct pp_room *trial, const double *edges,
                                    double *way, double *moved, struct pp_error *err)
@@ -174,8 +173,8 @@ static enum pp_status stop_blocked(int *stopped, const struct pp_window_sizes *s
     return PP_OK;
 }
 
-/* Adds the next station, at which the first of the moving edges is blocked. *done: no
- * edge can move. */
+/* Adds the next station, at which one of the moving edges is blocked. *done is set to
+ * true if no edge can move. */
 static enum pp_status advance_sizes(bool *done, struct pp_window_sizes *sizes,
                                     struct pp_room *trial, double *way, double *moved,
                                     struct pp_error *err)
@@ -204,9 +203,9 @@ static enum pp_status advance_sizes(bool *done, struct pp_window_sizes *sizes,
     return status;
 }
 
-/* Outward speed of each edge in part `leg` of the change; 0 for an edge that stays.
- * False if there is no such part: a change of height has two (head and sill), every
- * other change one. */
+/* Gets the outward speed of each edge in part `leg` of the change; 0 for an edge that
+ * does not move. Returns false if there is no such part. A change of height has two
+ * parts (first head, then sill); any other change has one. */
 static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
 {
     double widest = 0.0;
@@ -232,7 +231,7 @@ static bool way_of(const struct pp_window_sizes *sizes, int leg, double *way)
     return leg == 0 || (height && leg == 1);
 }
 
-/* Edges of the smallest size, from which moving edges move outwards. */
+/* Finds the edges of the smallest size, from which edges move outwards. */
 static void shrink(const struct pp_window_sizes *sizes, const double *now,
                    const double *way, double *least)
 {
@@ -250,8 +249,8 @@ static void shrink(const struct pp_window_sizes *sizes, const double *now,
     }
 }
 
-/* Stations of the change: the smallest size, the present room, and each size at which
- * an edge is blocked. */
+/* Finds the stations of the change: the smallest size, the present room, and each size
+ * at which an edge is blocked. */
 static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_error *err)
 {
     int count = 2 * sizes->opening_count;
@@ -285,9 +284,9 @@ static enum pp_status find_stations(struct pp_window_sizes *sizes, struct pp_err
     return status;
 }
 
-/* ---- Steps ---- */
+/* ---- steps ---- */
 
-/* Length by which an opening grows from a station to the next (m). */
+/* Length (m) by which an opening grows from a station to the next station. */
 static double growth(const struct pp_window_sizes *sizes, int station, int opening)
 {
     const double *from = sizes->stations[station] + 2 * opening;
@@ -295,8 +294,8 @@ static double growth(const struct pp_window_sizes *sizes, int station, int openi
     return fabs(to[0] - from[0]) + fabs(to[1] - from[1]);
 }
 
-/* Number of steps between a station and the next: the largest growth of an opening,
- * divided by the grid's width. */
+/* Number of steps between a station and the next station: the greatest growth of an
+ * opening divided by the grid spacing. */
 static int steps_between(const struct pp_window_sizes *sizes, int station)
 {
     double most = 0.0;
@@ -328,7 +327,8 @@ void pp_window_sizes_refine(struct pp_window_sizes *sizes)
     sizes->fineness *= 10;
 }
 
-/* The edges at that step: interpolated between two stations and rounded to the grid. */
+/* Finds the edges at a step, interpolated between two stations and rounded to the
+ * grid. */
 static void edges_at(const struct pp_window_sizes *sizes, int step, double *edges)
 {
     int station = 0, steps = 0;
@@ -344,7 +344,7 @@ static void edges_at(const struct pp_window_sizes *sizes, int step, double *edge
         edges[e] = step == steps ? to[e] : from[e];
         if (step == 0 || step == steps || from[e] == to[e])
             continue;
-        /* If both edges move, each moves by half a step. */
+        /* If both edges of an opening move, each of them moves by half a step. */
         bool both = from[e ^ 1] != to[e ^ 1];
         double grid_m = PP_SIZE_GRID_M / sizes->fineness / (both ? 2.0 : 1.0);
         edges[e] = on_grid(from[e] + u * (to[e] - from[e]), e % 2, grid_m);
@@ -371,9 +371,9 @@ enum pp_status pp_window_sizes_room(struct pp_room **room,
     return status;
 }
 
-/* ---- Create ---- */
+/* ---- creation ---- */
 
-/* PP_BAD_INPUT if the opening does not allow this change. */
+/* Returns PP_BAD_INPUT if the opening does not allow this change. */
 static enum pp_status check_opening(const struct pp_room *room, int index,
                                     enum pp_size_change change, struct pp_error *err)
 {

@@ -170,8 +170,8 @@ static enum pp_status close_windows(struct pp_annual_work *work, struct pp_error
     return status;
 }
 
-/* Stores direct and reflected light of each point by patch, and by the ground's
- * luminance. */
+/* Stores the direct and reflected light of each point from each patch and from the
+ * ground, per unit of their luminance. */
 static enum pp_status keep_coefficients(struct pp_annual_work *work,
                                         struct pp_error *err)
 {

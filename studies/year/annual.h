@@ -51,7 +51,8 @@ struct pp_annual_options {
     bool measure;      /* measure the error of patches and cells */
     bool exact_sky;    /* without patches and cells: slow, for reference */
     int lighting_count;
-    struct pp_lighting_control lighting[PP_LIGHTING_CONTROLS_MOST]; /* electric light */
+    struct pp_lighting_control lighting[PP_LIGHTING_CONTROLS_MOST]; /* controls of the
+                                                                     * electric light */
     uint64_t seed;
     int threads;
     struct pp_year_store
@@ -73,7 +74,8 @@ enum pp_status pp_annual_of_room(
     int receiver_count, bool is_grid, const struct pp_weather_year *year,
     const struct pp_annual_options *options, struct pp_error *err);
 
-/* The same for the points of a study room, which are a grid if they form a lattice. */
+/* As pp_annual_of_room, for the points of a study room; they are a grid if they form a
+ * lattice. */
 enum pp_status pp_annual_of_study_room(struct pp_annual_sheet *sheet,
                                        const struct pp_study_room *room,
                                        const struct pp_weather_year *year,

@@ -14,9 +14,9 @@
 
 enum { POINTS_MOST = 8, HOURS_MOST = 16, PATHS = 256 };
 
-/* Light of a sample point in a sample hour, by batch: from sky and ground (with the
- * true sky, and by patches), and all but direct sun (by the reference, and by the
- * year). */
+/* Light of a sample point in a sample hour, by batch. sky, by_patch: from sky and
+ * ground, with the true sky and by patches. all, of_year: all light except direct sun,
+ * of the reference and of the year. */
 struct sampled_light {
     double sky[PP_YEAR_BATCHES], by_patch[PP_YEAR_BATCHES], all[PP_YEAR_BATCHES],
         of_year[PP_YEAR_BATCHES];

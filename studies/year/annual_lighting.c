@@ -9,13 +9,14 @@
 #include "studies/lighting/lighting_year.h"
 #include "studies/year/year_metrics.h"
 
-/* Series of illuminances: means of all batches, then those without each of them. */
+/* Series of illuminances: means over all batches, then means with each batch left out
+ * in turn. */
 enum { SERIES = 1 + PP_YEAR_BATCHES };
 
 struct pp_annual_lighting {
     struct pp_annual_sheet *sheet;
     int workers;
-    bool has_short_records; /* records shorter than an hour */
+    bool has_short_records; /* true: some records are shorter than an hour */
     float *series;          /* [worker][record]: illuminances of one point */
     float *control;         /* [worker][control][series][record]: least illuminance of
                              * the control points */

@@ -1,8 +1,8 @@
 /* annual_lighting.h - electric light saved by daylight in a simulated year, with standard
  * errors.
  *
- * Points are added by any number of threads. The results are the same in any order,
- * because the darkest point of an hour does not depend on it.
+ * Points are added by any number of threads. The results do not depend on the order of
+ * the points, because the darkest point of an hour is the same in any order.
  */
 #ifndef PP_STUDIES_YEAR_ANNUAL_LIGHTING_H
 #define PP_STUDIES_YEAR_ANNUAL_LIGHTING_H
@@ -22,8 +22,9 @@ enum pp_status pp_annual_lighting_create(struct pp_annual_lighting **lighting,
 void pp_annual_lighting_destroy(
     struct pp_annual_lighting *lighting); /* NULL: allowed */
 
-/* Adds illuminances of point x, indexed by sky (lx), with open blinds and as in LM-83.
- * without: number of the batch that these means leave out; -1: none. */
+/* Adds illuminances of point x (lx, indexed by sky), with open blinds and with the
+ * blinds of LM-83. without: number of the batch that these means leave out; -1:
+ * none. */
 void pp_annual_lighting_add(struct pp_annual_lighting *lighting, int worker, int x,
                             int without, const float *open, const float *blinds);
 

@@ -1,4 +1,4 @@
-/* annual_plane.c - means over the points, and shares of the points. */
+/* annual_plane.c - means over the points, and fractions of the points. */
 #include "studies/year/annual_plane.h"
 
 #include <math.h>
@@ -23,8 +23,8 @@ static double figure_of(const struct figures_of_points *all, int point, int inde
 #define FIGURE(name)                                                                   \
     ((int)(offsetof(struct pp_annual_figures, name) / sizeof(struct pp_annual_value)))
 
-/* Share of the points with a figure of at least `least`, or, if `above`, greater than
- * that. */
+/* Fraction of the points with a figure of at least `least` or, if `above`, greater than
+ * `least`. */
 static double share(const struct figures_of_points *all, int index, double least,
                     bool above)
 {

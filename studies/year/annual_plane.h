@@ -1,4 +1,4 @@
-/* annual_plane.h - the figures of all points together, with standard errors from the
+/* annual_plane.h - the figures of all points together. Standard errors come from the
  * points' figures with each randomisation left out in turn. */
 #ifndef PP_STUDIES_YEAR_ANNUAL_PLANE_H
 #define PP_STUDIES_YEAR_ANNUAL_PLANE_H

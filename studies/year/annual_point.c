@@ -197,7 +197,8 @@ static void judge(struct pp_annual_work *work, struct pp_annual_space *space, in
 
     /* Figures without each of the batches. */
     double *without = work->without + (size_t)x * PP_YEAR_BATCHES * PP_ANNUAL_FIGURES;
-    float *open = space->sky, *blinds = space->sun; /* used up */
+    float *open = space->sky, *blinds = space->sun; /* the space is no longer needed and
+                                                     * is used again */
     values.open = open;
     values.blinds = work->sheet->has_blinds ? blinds : NULL;
     for (int b = 0; b < PP_YEAR_BATCHES; b++) {

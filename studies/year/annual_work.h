@@ -39,10 +39,11 @@ struct pp_annual_work {
                                    * step */
     pp_thread_pool_work *function; /* of each block of points */
     int blocks;
-    bool stopped;                   /* the watch has stopped the computation */
-    double *group_light;            /* [receiver][group][1 + batch], lx h */
-    struct pp_annual_space *spaces; /* by worker */
-    enum pp_status *status;         /* by receiver */
+    bool stopped;                   /* true: the watch has stopped the computation */
+    double *group_light;            /* [receiver][group][1 + batch]: light of the year,
+                                     * lx h */
+    struct pp_annual_space *spaces; /* indexed by worker */
+    enum pp_status *status;         /* indexed by receiver */
 };
 
 /* Shows the share that is done of the current step; false if the computation shall

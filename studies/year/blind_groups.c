@@ -28,7 +28,7 @@ static bool is_alike(const struct pp_opening *a, const struct pp_opening *b,
     return grouping == PP_BLIND_GROUPS_ALL_PLAIN || a->face == b->face;
 }
 
-/* False if there are too many groups. */
+/* Assigns the openings to groups. Returns false if there are too many groups. */
 static bool divide(struct pp_blind_groups *groups, const struct pp_world *world,
                    enum pp_blind_grouping grouping)
 {

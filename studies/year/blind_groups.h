@@ -16,17 +16,18 @@ enum { PP_BLIND_GROUPS_MOST = 16 };
  * grouped with less detail. */
 enum pp_blind_grouping {
     PP_BLIND_GROUPS_BY_KIND,
-    PP_BLIND_GROUPS_BY_FACE,   /* those of one face are a group */
-    PP_BLIND_GROUPS_ALL_PLAIN, /* all are one group */
+    PP_BLIND_GROUPS_BY_FACE,   /* openings of one face form a group */
+    PP_BLIND_GROUPS_ALL_PLAIN, /* openings of all faces form one group */
 };
 
 struct pp_blind_groups {
     int count;
     enum pp_blind_grouping grouping;
-    int *of_opening;                            /* owned */
+    int *of_opening;                            /* group of each opening; owned */
     int first[PP_BLIND_GROUPS_MOST];            /* index of one opening of each group */
-    double transmittance[PP_BLIND_GROUPS_MOST]; /* of panes and devices for even light,
-                                                 * without LM-83's blinds: mean by area */
+    double transmittance[PP_BLIND_GROUPS_MOST]; /* area-weighted mean transmittance of
+                                                 * panes and devices for uniform light,
+                                                 * without the blinds of LM-83 */
 };
 
 /* On success the caller clears *groups. PP_BAD_INPUT if there are too many kinds of
@@ -36,8 +37,8 @@ enum pp_status pp_blind_groups_of_world(struct pp_blind_groups *groups,
                                         struct pp_error *err);
 void pp_blind_groups_clear(struct pp_blind_groups *groups);
 
-/* True if the group is closed in an hour in which more than 2 % of the points have
- * direct sun of 1000 lx or more through it; sunlit_points: their number. */
+/* True if the group is closed in an hour: if more than 2 % of the points have direct
+ * sun of 1000 lx or more through it. sunlit_points: number of such points. */
 bool pp_blind_groups_closes(int sunlit_points, int points);
 
 #endif

@@ -15,12 +15,13 @@ struct pp_moment {
     struct pp_month_day date;           /* month 0: none */
     double clock_h;                     /* local standard time */
     const struct pp_weather_year *year; /* year of the record; not owned; NULL: none */
-    char words[PP_ANNUAL_WORDS];        /* on sky and sun, without a record */
+    char words[PP_ANNUAL_WORDS];        /* sentence on sky and sun if there is no
+                                         * record */
     const char *sky_name;               /* "perez", "iso-12", ... */
 };
 
 /* The moment in a record of the file. PP_BAD_INPUT if the hour is dark or unknown. year
- * must outlive it. */
+ * must outlive *moment. */
 enum pp_status pp_moment_of_weather(struct pp_moment *moment,
                                     const struct pp_weather_year *year,
                                     struct pp_month_day date, double clock_h,
@@ -28,7 +29,7 @@ enum pp_status pp_moment_of_weather(struct pp_moment *moment,
 
 /* A sky given by irradiances, and its sun. */
 struct pp_moment_irradiances {
-    double direct_w_m2, diffuse_w_m2;         /* normal, horizontal */
+    double direct_w_m2, diffuse_w_m2;         /* direct normal, diffuse horizontal */
     double sun_altitude_rad, sun_bearing_rad; /* NAN: from time and place */
     int year;
     struct pp_month_day date;
@@ -48,7 +49,7 @@ struct pp_moment_standard {
     const char *name; /* "overcast", "uniform", "iso-12"; NULL: not given */
     int iso;          /* 1 to 15; 0: overcast or uniform */
     double sun_altitude_rad, sun_bearing_rad;
-    double direct_lx, diffuse_lx; /* normal, horizontal */
+    double direct_lx, diffuse_lx; /* direct normal, diffuse horizontal */
 };
 
 /* PP_BAD_INPUT for a sky without diffuse light, and for direct light with the sun at
@@ -57,13 +58,13 @@ enum pp_status pp_moment_of_standard(struct pp_moment *moment,
                                      const struct pp_moment_standard *of,
                                      struct pp_error *err);
 
-/* Where the moment of any room comes from: a record of a weather file, irradiances, or
- * a standard sky. */
+/* Source of the moment for any room: a record of a weather file, irradiances, or a
+ * standard sky. */
 struct pp_moment_source {
     const char *when;                   /* as typed; NULL: no time is given */
     const struct pp_weather_year *year; /* not owned; NULL: irradiances */
-    struct pp_moment_irradiances of;    /* with the time, in either case; its place is
-                                         * not used */
+    struct pp_moment_irradiances of;    /* contains the time, also for a weather file;
+                                         * the place in it is not used */
     struct pp_moment_standard standard; /* instead of irradiances, if it has a name */
 };
 

@@ -15,7 +15,8 @@ enum { SUB = PP_MOMENT_PLAN_SUB };
 static const double CELL_M = 0.25;
 static const double CELLS_MOST = 600.0;
 
-/* Factor on the error for cells: their values are smoothed by interpolation. */
+/* Ratio of the error of a cell to the error of a point. Cells may have larger errors,
+ * since their values are smoothed by interpolation. */
 static const double ERROR_OF_CELLS = 4.0;
 
 /* ---- cells ---- */
@@ -98,11 +99,12 @@ struct parts_work {
     struct pp_moment_plan *plan;
     const struct pp_world *world;
     struct pp_perez_sky sky; /* in the room's axes */
-    enum pp_status *status;  /* by row of cells */
+    enum pp_status *status;  /* indexed by row of cells */
     const struct pp_watch *watch;
 };
 
-/* True if a straight line in the plane meets neither its border nor a fitting. */
+/* True if a straight line in the plane crosses neither the plane's border nor a
+ * fitting. */
 static bool is_clear(const struct parts_work *work, const double from[2],
                      const double to[2])
 {
@@ -120,8 +122,8 @@ static bool is_clear(const struct parts_work *work, const double from[2],
     return true;
 }
 
-/* Value of the nearest cell that a part without neighbours sees, as in an acute corner;
- * NAN: it sees none. */
+/* Value of the nearest cell that is visible from a part without neighbours, as in an
+ * acute corner; NAN: no cell is visible. */
 static double nearest(const struct parts_work *work, const double at[2])
 {
     const struct pp_moment_plan *plan = work->plan;
@@ -174,7 +176,8 @@ static enum pp_status light_part(struct parts_work *work, int column, int row)
     return PP_OK;
 }
 
-/* Worker 0 is the calling thread, which watches. */
+/* Worker 0 is the calling thread, which reports progress and checks for
+ * interruption. */
 static bool light_row(void *data, int worker, int row)
 {
     struct parts_work *work = data;

@@ -9,9 +9,9 @@
 
 /* Fills a plan with cells of 0.25 m, or larger ones in a plane above 37 m2. options:
  * paths or the error of the room's own points; cells have four times that error. The
- * room must outlive *plan, which the caller clears, after a failure too.
- * PP_BAD_INPUT if the room has no working plane; PP_INTERRUPTED if the watch stopped it:
- * there is then no plan. */
+ * room must outlive *plan. The caller clears *plan, even after a failure. PP_BAD_INPUT
+ * if the room has no working plane; PP_INTERRUPTED if the watch stopped the
+ * computation, in which case there is no plan. */
 enum pp_status pp_moment_plan_study_make(struct pp_moment_plan *plan,
                                          const struct pp_study_room *room,
                                          const struct pp_moment *moment,

@@ -1,10 +1,10 @@
-/* sun_closure.h - the time within a record for which a weather file gives the sun's
- * position, found from its radiation.
+/* sun_closure.h - the time within a record to which the sun in a weather file belongs,
+ * found from the file's radiation.
  *
  * In most files global horizontal = direct normal x sin(altitude) + diffuse horizontal
  * by construction. The sun is placed at the middle of each record plus a shift. The
- * shift with the least root mean square of the difference, over records with direct
- * light, is that of the file.
+ * shift of the file is the one with the least root mean square of the difference, over
+ * records with direct light.
  */
 #ifndef PP_STUDIES_YEAR_SUN_CLOSURE_H
 #define PP_STUDIES_YEAR_SUN_CLOSURE_H
@@ -24,10 +24,12 @@ enum pp_sun_closure_finding {
 
 struct pp_sun_closure {
     enum pp_sun_closure_finding finding;
-    int records;               /* with direct light and all three irradiances */
-    double best_h;             /* -1 to 1 */
+    int records;               /* number of records with direct light and all three
+                                * irradiances */
+    double best_h;             /* hours, -1 to 1 */
     double rms_best, rms_0;    /* W/m2 */
-    double summer_h, winter_h; /* best shifts of April to September, of the rest */
+    double summer_h, winter_h; /* best shifts from April to September, and in the rest
+                                * of the year */
 };
 
 struct pp_sun_closure pp_sun_closure_of_epw(const struct pp_epw *epw);

@@ -26,8 +26,8 @@ static struct pp_sun sun_at(const struct pp_weather_year *year,
     return pp_sun_at(n, epw->latitude_rad, epw->longitude_rad);
 }
 
-/* The mean direction of the sun over the part of the record in which it is up, by
- * minutes; false: it is down. */
+/* Mean direction of the sun over the part of the record in which the sun is up, from
+ * minute to minute. Returns false if the sun is down throughout. */
 static bool mean_risen_sun(const struct pp_weather_year *year,
                            const struct pp_epw_record *record, double middle_h,
                            struct pp_vec3 *mean)

@@ -1,11 +1,11 @@
 /* weather_year.h - sky and sun of every hour of a weather file.
  *
- * They are calculated for the middle of a record plus the sun shift (sun_closure.h). If
- * the sun's centre is below the horizon then, but the record has direct light, the sun
- * is at the mean of its positions above the horizon within the record; without such a
- * position the direct light is left out. Records of 29 February are left out unless
- * `leap_day` keeps them. A record without direct or diffuse irradiance is unknown and
- * left out of all counts of hours.
+ * Sky and sun are calculated for the middle of a record plus the sun shift
+ * (sun_closure.h). If the sun's centre is below the horizon then, but the record has
+ * direct light, the sun is at the mean of its positions above the horizon within the
+ * record; without such a position the direct light is left out. Records of 29 February
+ * are left out unless `leap_day` keeps them. A record without direct or diffuse
+ * irradiance is unknown and left out of all counts of hours.
  */
 #ifndef PP_STUDIES_YEAR_WEATHER_YEAR_H
 #define PP_STUDIES_YEAR_WEATHER_YEAR_H
@@ -20,25 +20,25 @@ struct pp_weather_hour {
     double start_h, length_h; /* local standard time */
     double direct_w_m2;       /* direct normal irradiance; NAN: not known */
     bool known;
-    bool lit;           /* true if it has a sky or a sun */
+    bool lit;           /* true: the hour has a sky or a sun */
     int sky;            /* index in skies; -1: dark, or not known */
-    double cloud_cover; /* share of the sky covered by clouds; NAN: not known */
+    double cloud_cover; /* fraction of the sky covered by clouds; NAN: not known */
 };
 
 struct pp_weather_options {
-    double sun_shift_h; /* NAN: from the file's own radiation */
+    double sun_shift_h; /* hours; NAN: found from the file's radiation */
     bool leap_day;
 };
 
 struct pp_weather_year {
-    const struct pp_epw *epw; /* not owned; NULL: skies without a file */
-    const char *words;        /* sentence on skies without a file */
+    const struct pp_epw *epw; /* not owned; NULL: the skies are not from a file */
+    const char *words;        /* sentence on skies that are not from a file */
     int count;
     struct pp_weather_hour *hours;
     int sky_count;
     struct pp_perez_sky *skies; /* axes: x east, y north, z up */
     struct pp_sun_closure closure;
-    double sun_shift_h; /* in use */
+    double sun_shift_h; /* sun shift in use, hours */
     int sun_year;       /* year of all sun positions */
 
     int leap_records;  /* records of 29 February that were left out */
@@ -55,17 +55,17 @@ struct pp_weather_year {
                                 * quantity */
 };
 
-/* PP_BAD_INPUT if the file covers less than a year, or has no light. file: its name,
- * for that message. On success the caller clears *year. */
+/* PP_BAD_INPUT if the file covers less than a year, or has no light. file: the file's
+ * name, for that message. On success the caller clears *year. */
 enum pp_status pp_weather_year_of_epw(struct pp_weather_year *year,
                                       const struct pp_epw *epw,
                                       const struct pp_weather_options *options,
                                       const char *file, struct pp_error *err);
 void pp_weather_year_clear(struct pp_weather_year *year);
 
-/* The sky of one moment of the file, given by date and clock time (h): that of the
- * record that contains the moment. PP_BAD_INPUT if there is no such record, or if it is
- * unknown. */
+/* The sky at a moment of the file, given by date and clock time (h): the sky of the
+ * record that contains the moment. PP_BAD_INPUT if there is no such record, or if its
+ * sky is unknown. */
 enum pp_status pp_weather_year_moment(struct pp_perez_sky *sky,
                                       const struct pp_weather_year *year,
                                       struct pp_month_day date, double clock_h,

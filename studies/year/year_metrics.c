@@ -96,7 +96,7 @@ void pp_year_clock_clear(struct pp_year_clock *clock)
 
 /* ---- a point ---- */
 
-/* Value of that rank, counted from 0 in descending order: quickselect. */
+/* Value with that rank in descending order, counted from 0, by quickselect. */
 static float value_of_rank(float *values, int count, int rank)
 {
     int low = 0, high = count - 1;

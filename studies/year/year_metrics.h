@@ -2,8 +2,9 @@
  *
  * Occupied hours include those after dark. Useful daylight illuminance after
  * Mardaljevic: below 100, 100 to 300, 300 to 3000 (both included), above 3000 lx. The
- * median is that of EN 17037, method 2: reached in 2190 of the 4380 hours with the
- * highest diffuse horizontal illuminance. Direct sun counts above 1000 lx [LM83].
+ * median is the one of EN 17037, method 2: the illuminance reached in 2190 of the 4380
+ * hours with the highest diffuse horizontal illuminance. Direct sun counts if it is
+ * above 1000 lx [LM83].
  */
 #ifndef PP_STUDIES_YEAR_YEAR_METRICS_H
 #define PP_STUDIES_YEAR_YEAR_METRICS_H
@@ -19,8 +20,8 @@ struct pp_year_clock {
     double *occupied_h, *length_h;
     bool *is_daylight;     /* true in the 4380 brightest hours */
     double all_occupied_h; /* hours of darkness included */
-    int median_rank;       /* rank of the median among the daylight values, falling;
-                            * there may be fewer values */
+    int median_rank;       /* rank of the median among the daylight values, in
+                            * descending order; it may exceed the number of values */
     double diffuse_median_lx;
 };
 
@@ -32,7 +33,7 @@ enum pp_status pp_year_clock_init(struct pp_year_clock *clock,
                                   struct pp_error *err);
 void pp_year_clock_clear(struct pp_year_clock *clock);
 
-/* Illuminances of a point (lx), indexed by sky. */
+/* Illuminances of a point (lx). Arrays are indexed by sky. */
 struct pp_year_values {
     const float *open;                      /* all light, without blinds */
     const float *sky, *sun, *sun_reflected; /* parts of `open` */

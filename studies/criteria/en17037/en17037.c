@@ -7,7 +7,7 @@
  *   D = E / E_v,d,med
  *
  * E_v,d,med is the site's median diffuse illuminance (capitals.h). Illuminances to be
- * reached over a share of the reference plane:
+ * reached over a fraction of the reference plane:
  *
  *   windows (table A.1)       minimum 300 lx over 50 % and 100 lx over 95 %,
  *                             medium 500 and 300 lx, high 750 and 500 lx
@@ -34,11 +34,11 @@ struct target {
     const char *who; /* the level or the kind of room: "minimum", "bedroom" */
     double lux;
     double part; /* part of the plane, a fraction */
-    int level;   /* 0: of no level */
+    int level;   /* level of the standard, from 1; 0: not part of a level */
 };
 
-/* Adds the finding on one target, by the daylight factors in `column`; not judged if
- * there is a reason `why`. */
+/* Adds the finding on one target, from the daylight factors in `column`; not assessed
+ * if there is a reason `why`. */
 static enum pp_status add_target(const struct pp_inquiry *inquiry,
                                  const struct target *target,
                                  const struct pp_column *column, const char *why,
@@ -68,8 +68,8 @@ static const struct pp_column *grid_factors(const struct pp_inquiry *inquiry,
                                             struct pp_finding_list *findings,
                                             const char **why)
 {
-    /* Checked first: no option of the command changes the sky, whereas a missing median
-     * can be given. */
+    /* The sky is checked first: no option of the command changes the sky, but a missing
+     * median can be given as an option. */
     *why = pp_factors_refuse(inquiry);
     if (!*why && isnan(inquiry->median.lux))
         *why = inquiry->median.how;

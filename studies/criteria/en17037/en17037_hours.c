@@ -2,10 +2,11 @@
  * method: illuminances of every hour of a year.
  *
  * The targets are those of the first method (en17037.c): 300, 500, 750 lx over half of
- * the plane and 100, 300, 500 lx over 95 %, or the higher ones over 95 % under
- * rooflights, each in half of the daylight hours: 2190 of the 4380 hours with the
- * greatest diffuse illuminance outside (studies/year/annual.h). A point counts if its
- * own illuminance is reached in that many hours. Blinds are open.
+ * the plane and 100, 300, 500 lx over 95 %; under rooflights 300, 500, 750 lx over 95
+ * %. Each target must be reached in half of the daylight hours, that is, in 2190 of the
+ * 4380 hours with the greatest diffuse illuminance outside (studies/year/annual.h). A
+ * point counts if it reaches the illuminance in that many hours; these hours may differ
+ * from point to point. Blinds are open.
  */
 #include <stdio.h>
 #include <string.h>

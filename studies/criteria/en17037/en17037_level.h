@@ -17,13 +17,13 @@ extern const double pp_en17037_level_minimum_lx[PP_EN17037_HIGH + 1];
 extern const double pp_en17037_level_half, pp_en17037_level_nearly_all;
 
 struct pp_en17037_level {
-    int reached; /* highest level all of whose findings are met, with all lower ones */
+    int reached; /* highest level for which all findings of that level and of all lower
+                  * levels are met */
     int perhaps; /* highest level that undecided findings do not exclude; >= reached */
     bool judged; /* false: no finding of a level has a verdict */
 };
 
-/* The level that the findings reach by their own levels. A level without findings is not
- * reached. */
+/* The level that the findings reach. A level without findings is not reached. */
 struct pp_en17037_level pp_en17037_level_of(const struct pp_finding_list *findings);
 
 /* The level in words: "minimum, perhaps medium". */

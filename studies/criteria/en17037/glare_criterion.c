@@ -3,9 +3,9 @@
  *
  *   minimum 0.45, medium 0.40, high 0.35
  *
- * For every view of the room file, at 8 to 18 h on all days. The windows have no
- * blinds, while the standard assesses a room with its blinds as used: the level is that
- * of the unshaded room.
+ * Calculated for every view of the room file, at 8 to 18 h on all days. The windows are
+ * assumed to have no blinds. The standard assesses a room with its blinds in use,
+ * whereas the level here is that of the unshaded room.
  */
 #include <stdio.h>
 

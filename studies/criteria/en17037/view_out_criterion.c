@@ -35,7 +35,7 @@ static int descending(const void *a, const void *b)
     return (*x < *y) - (*x > *y);
 }
 
-/* Value that the share `part` of the points reaches; sorts the values. */
+/* Value that the fraction `part` of the points reaches; sorts the values. */
 static double value_reached(double *values, int count)
 {
     qsort(values, (size_t)count, sizeof *values, descending);
@@ -101,7 +101,7 @@ static struct pp_finding layer_finding(const struct pp_view_out *views, double *
                          "layers visible through one opening");
 }
 
-/* Finding on the share of points that reach a level; its bound is `part`. */
+/* Finding on the fraction of points that reach a level; the bound is `part`. */
 static struct pp_finding level_finding(const struct pp_view_out *views, int count,
                                        enum pp_view_level level)
 {

@@ -15,10 +15,11 @@
 
 struct pp_grid_error {
     double level; /* error of pp_plane_share's level */
-    double over;  /* error of the share of the plane that reaches the target */
+    double over;  /* error of the fraction of the plane that reaches the target */
 };
 
-/* Errors, 0 or more, of a grid of one point or more, all with values. */
+/* Calculates the errors (0 or more) of a grid of at least one point, all points with
+ * values. */
 enum pp_status pp_grid_error(struct pp_grid_error *error,
                              const struct pp_plane_grid *grid,
                              const struct pp_reading *points, double part,

@@ -1,11 +1,11 @@
 /* plane_share.c - the Poisson binomial distribution of the number of points that reach
  * a level, and levels of given probability by bisection.
  *
- * The median of 2 m points is half way between the m-th and the next value. It reaches
- * a level if m + 1 points reach the level. It also does if m points reach the level and
- * the gap from the level up to the least of them is no less than the gap down to the
- * greatest of the others. The joint distribution of the two gaps comes from the same
- * sums, with two levels in place of one.
+ * The median of 2 m points is half way between the m-th and the next value. The median
+ * reaches a level if m + 1 points reach the level. It also reaches the level if m
+ * points do, and the gap from the level up to the lowest of these points is not less
+ * than the gap down to the highest of the other points. The joint distribution of the
+ * two gaps comes from the same sums, with two levels in place of one.
  */
 #include "studies/criteria/grid/plane_share.h"
 
@@ -23,7 +23,8 @@ static const double surely = 1e-12;
  * side of the level: normal_below(-7.04) = 0.96e-12. */
 static const double surely_off = 7.04;
 
-/* Values and targets are computed: a smaller relative difference is due to rounding. */
+/* Relative difference that is attributed to rounding when a value is compared with a
+ * target. */
 static const double rounding = 1e-9;
 
 /* Most points near the figure for which the distribution is computed exactly: the time
@@ -36,9 +37,9 @@ static int compare_falling(const void *a, const void *b)
     return (x < y) - (x > y);
 }
 
-/* Points, the correlated share of their variance, and the root of the uncorrelated
- * rest. The figure is the wanted-th largest value, or half way between that and the
- * next. */
+/* Points, the correlated fraction of the variance of their values, and the square root
+ * of the uncorrelated rest. The figure is the wanted-th largest value, or half way
+ * between that and the next. */
 struct plane_points {
     struct pp_reading *list;
     int count, wanted;
@@ -109,7 +110,7 @@ static double gaps_probability(const struct plane_points *points, double level,
 }
 
 /* Probability that the second gap is in the square's range and the first is greater. If
- * both are in the range, half of the probability counts; the square is halved until
+ * both are in the range, half of the probability is counted; the square is halved until
  * that case is rare. */
 static double gap_above_is_greater(const struct plane_points *points, double level,
                                    double shift, const struct gap_square *square,
@@ -136,8 +137,8 @@ static double gap_above_is_greater(const struct plane_points *points, double lev
 }
 
 /* Probability that exactly the wanted number of points reach the level, and that the
- * middle between the least of these and the next value also reaches it. `reach`: an
- * upper bound on gaps. */
+ * figure also reaches it. The figure is half way between the lowest of these points and
+ * the next value. `reach`: an upper bound on gaps. */
 static double tie_probability(const struct plane_points *points, double level,
                               double shift, double *odds)
 {
@@ -148,7 +149,7 @@ static double tie_probability(const struct plane_points *points, double level,
             point->std_error > 0.0 ? (8.0 + fabs(shift)) * point->std_error : 0.0;
         reach = fmax(reach, fabs(point->value - level) + spread);
     }
-    reach *= 1.0 + 4.0 * rounding; /* no gap equals a corner */
+    reach *= 1.0 + 4.0 * rounding; /* so that no gap equals a corner */
     struct gap_square all = {0.0, reach, {{0.0}}};
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)
@@ -164,8 +165,8 @@ static double normal_below(double z)
 }
 
 /* Probability that the figure reaches the level, given the shift, if many points are
- * uncertain: the number that reach it is approximated by a normal distribution, with a
- * correction of half a point. */
+ * uncertain. The number of points that reach the level is approximated by a normal
+ * distribution, with a correction of half a point. */
 static double probability_of_many(const struct plane_points *points, double level,
                                   double shift)
 {
@@ -197,7 +198,7 @@ static double probability_with(const struct plane_points *points, double level,
     return fmin(sum, 1.0);
 }
 
-/* Largest shift, in standard deviations, and finest step. */
+/* Largest shift, and smallest step, in standard deviations. */
 static const double shift_most = 4.0, shift_least = 0.01;
 
 /* Probabilities rise with the shift; an interval over which they rise by more than this
@@ -221,7 +222,7 @@ static struct shifted at_shift(const struct shifting *by, double z)
                             probability_with(by->points, by->level, shift, by->odds)};
 }
 
-/* Part of the mean over all shifts that belongs to the interval between two. */
+/* Contribution to the mean over all shifts of the interval between two shifts. */
 static double mean_between(const struct shifting *by, struct shifted low,
                            struct shifted high)
 {
@@ -257,8 +258,9 @@ static double upper_end(const struct pp_reading *point)
     return point->value + (point->std_error > 0.0 ? 8.0 * point->std_error : 0.0);
 }
 
-/* Level that the figure reaches with the given probability, by bisection between a
- * level that all points reach and one that none reaches: 8 standard errors off. */
+/* Level that the figure reaches with the given probability. Found by bisection between
+ * two levels 8 standard errors away, one that all points reach and one that none
+ * reaches. */
 static double level_of(const struct plane_points *points, double probability,
                        double *odds)
 {
@@ -278,8 +280,9 @@ static double level_of(const struct plane_points *points, double probability,
     return 0.5 * (low + high);
 }
 
-/* Standard error of the share of points that reach the target. Their number is a sum of
- * Bernoulli variables with a common share `common` of the variance. */
+/* Standard error of the fraction of points that reach the target. Their number is a sum
+ * of Bernoulli variables; the fraction `common` of the variance is common to all
+ * points. */
 static double share_error(const struct plane_points *points, double target)
 {
     double sum = 0.0, squares = 0.0;

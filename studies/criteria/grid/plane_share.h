@@ -1,4 +1,4 @@
-/* plane_share.h - share of the plane on which a daylight factor is reached, with
+/* plane_share.h - fraction of the plane on which a daylight factor is reached, with
  * probabilities, from points that were computed or sampled. */
 #ifndef PP_STUDIES_CRITERIA_GRID_PLANE_SHARE_H
 #define PP_STUDIES_CRITERIA_GRID_PLANE_SHARE_H
@@ -11,25 +11,26 @@ struct pp_plane_share {
                         * one half, the median (of an even number, the mean of the
                         * middle two) */
     double std_error;  /* error of level; NAN if nothing was sampled */
-    double over;       /* share of the points that reach the target */
+    double over;       /* fraction of the points that reach the target */
     double over_error; /* standard error of `over`; NAN if nothing was sampled */
     double probability; /* probability that the given part of the points reaches the
                          * target; NAN if nothing was sampled */
 };
 
-/* Share of `count` points (1 or more), all with values, that reach `target`. `part`
- * (above 0, at most 1) is the part that should: k points, the least number that is that
- * part or more. For a part of 0.5 the target is compared with the median.
+/* Fraction of `count` points (1 or more, all with values) that reach `target`. `part`
+ * (above 0, at most 1) is the fraction that should reach the target: k points, rounded
+ * up. For a part of 0.5 the target is compared with the median.
  *
- * Points are normally distributed with their standard errors. The share `common` of
- * their variance is common to all (common_error.h), the rest is independent. Given the
- * common error, the number of points that reach a level has the Poisson binomial
- * distribution (a sum of unlike coin tosses). It is computed exactly for up to 200
- * uncertain points and approximated as normal, to 0.002, for more. The integral over
- * the common error has steps that are finer where the integrand is steep. `level` is
- * the k-th largest value, or the median; its standard error is half the distance
- * between the levels that are reached with probabilities of 16 and 84 %. The error due
- * to the grid's spacing is not included. */
+ * The values of points are normally distributed with their standard errors. The
+ * fraction `common` of the variance is due to an error that all points have in common
+ * (common_error.h); the rest is independent. Given the common error, the number of
+ * points that reach a level has the Poisson binomial distribution (a sum of independent
+ * events with different probabilities). This distribution is computed exactly for up to
+ * 200 uncertain points, and approximated by a normal distribution, to 0.002, for more.
+ * The integral over the common error has steps that are finer where the integrand is
+ * steep. `level` is the k-th largest value, or the median; its standard error is half
+ * the distance between the levels that are reached with probabilities of 16 and 84 %.
+ * The error due to the grid's spacing is not included. */
 enum pp_status pp_plane_share(struct pp_plane_share *share,
                               const struct pp_reading *points, int count, double common,
                               double part, double target, struct pp_error *err);

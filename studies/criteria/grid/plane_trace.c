@@ -1,5 +1,5 @@
-/* plane_trace.c - simulates with a large error per point, computes the error of
- * the plane's figures, and simulates again with the error per point that they
+/* plane_trace.c - simulates with a large error per point, and computes the error of the
+ * plane's figures. Then simulates again with the error per point that these figures
  * need. */
 #include "studies/criteria/grid/plane_trace.h"
 

@@ -9,13 +9,13 @@
 struct pp_share_target {
     enum pp_figure kind;
     double wanted; /* level; NAN: the figure is only stated */
-    double part;   /* part of the plane on which it is to be reached, a fraction */
+    double part;   /* fraction of the plane on which the level is to be reached */
 };
 
-/* Compares the level that the part of the plane reaches with the wanted one. The column
- * has a value at each of `count` points (1 or more); grid: its points are these; NULL:
- * no grid, and no error due to it. Bands of the column, if any, can make the verdict
- * undecided. */
+/* Compares the level that the part of the plane reaches with the target. The column has
+ * a value at each of `count` points (1 or more). grid: the grid of these points; NULL:
+ * no grid, and no error due to a grid. Bands of the column, if any, can make the
+ * verdict undecided. */
 enum pp_status pp_share_finding(struct pp_finding *finding,
                                 const struct pp_share_target *target,
                                 const struct pp_column *column, int count,

@@ -1,5 +1,6 @@
-/* rule_factors.c - rules on daylight factors in the room: their mean over the working
- * plane, at points, over a part of the plane, and their uniformity. */
+/* rule_factors.c - rules on daylight factors in the room: the mean over the working
+ * plane, the value at points, the level over a part of the plane, and the
+ * uniformity. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,7 +17,7 @@ static enum pp_status add_unjudged(struct pp_finding_list *findings, const char 
     return pp_finding_list_add(findings, &finding, err);
 }
 
-/* Adds the finding on one daylight factor: a mean, or that of a point. */
+/* Adds the finding on one daylight factor: the mean, or the value at a point. */
 static enum pp_status add_factor(const struct pp_rule *rule,
                                  const struct pp_reading *reading,
                                  struct pp_band_ends band, const char *what,
@@ -44,7 +45,7 @@ static enum pp_status judge_mean(const struct pp_rule *rule,
                   : add_unjudged(findings, why, what, err);
 }
 
-/* The darkest of the points decides. */
+/* Assesses the point with the lowest daylight factor. */
 static enum pp_status judge_point(const struct pp_rule *rule,
                                   const struct pp_inquiry *inquiry, const char *what,
                                   struct pp_finding_list *findings,
@@ -103,14 +104,15 @@ static enum pp_status judge_share(const struct pp_rule *rule,
     int count = inquiry->factors->receiver_count;
     bool over = strcmp(rule->bound, "over") == 0, open = isnan(rule->share);
     double part = open ? 0.5 : 0.01 * rule->share;
-    if (over) /* the least number of points that is more than the share */
+    if (over) /* smallest number of points that exceeds the required fraction */
         part = (floor(part * count + 1e-9) + 1.0) / count;
     const struct pp_share_target target = {PP_FIGURE_FACTOR, 0.01 * rule->threshold,
                                            fmin(part, 1.0)};
     struct pp_finding finding;
     enum pp_status status =
         pp_share_finding(&finding, &target, column, count, inquiry->grid, what, err);
-    if (status == PP_OK && open) { /* no share is established: the share is stated */
+    if (status == PP_OK && open) { /* the rule states no fraction: only the figure is
+                                    * stated */
         double over_share = finding.reached_over, error = finding.over_error;
         finding =
             pp_finding_of(PP_FIGURE_SHARE, over_share, NAN, false,

@@ -1,5 +1,5 @@
-/* rule_quantity.h - the quantities of rules: each makes the findings of a row of the
- * table (rule_table.h). */
+/* rule_quantity.h - the quantities of rules. Each quantity produces the findings for
+ * the rows of the table (rule_table.h) that use it. */
 #ifndef PP_STUDIES_CRITERIA_RULES_RULE_QUANTITY_H
 #define PP_STUDIES_CRITERIA_RULES_RULE_QUANTITY_H
 
@@ -9,8 +9,8 @@
 struct pp_rule_quantity {
     const char *name; /* as in the table */
 
-    /* Adds one finding or more, called `what` ("W1, south: " before it for one of a
-     * window), without notes on the rule's source. */
+    /* Adds one or more findings named `what` (for a window, with "W1, south: " in
+     * front), without notes on the rule's source. */
     enum pp_status (*evaluate)(const struct pp_rule *rule,
                                const struct pp_inquiry *inquiry, const char *what,
                                struct pp_finding_list *findings, struct pp_error *err);

@@ -1,8 +1,8 @@
 /* rule_set.c - see rule_set.h.
  *
- * Each row that applies to the room has its findings. Rows of kind "or1", "or2" are
- * alternatives: their findings are optional, and one more finding counts the
- * alternatives all of whose rows are met.
+ * Each row that applies to the room gives its own findings. Rows of kind "or1" and
+ * "or2" are alternatives: their findings are optional, and one more finding counts the
+ * alternatives that meet all of their rows.
  */
 #include "studies/criteria/rules/rule_set.h"
 
@@ -185,7 +185,7 @@ static bool is_quantity(const struct pp_rule *rule, const struct pp_rule_quantit
     return strcmp(rule->quantity, of->name) == 0;
 }
 
-/* Adds what a row that is judged needs. */
+/* Adds the requirements of a rule that can be assessed. */
 static void add_rule(struct pp_rule_set *set, const struct pp_rule *rule)
 {
     bool of_year = is_quantity(rule, &pp_rule_sda) || is_quantity(rule, &pp_rule_ase)

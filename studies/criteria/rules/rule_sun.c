@@ -1,9 +1,10 @@
 /* rule_sun.c - rules on the hours of sun that a room has on every day of a period,
  * through any of its openings (methods/exact/sunlit_hours.h).
  *
- * The day with the fewest hours decides. Breaks: with none permitted, the longest
- * interval counts; with one, the two longest. A least angle in plan between sun and
- * glass hides the directions beyond two vertical planes.
+ * The day with the fewest hours decides. If no break is permitted, only the longest
+ * interval of sun counts; if one is permitted, the two longest intervals count. If a
+ * rule has a least angle in plan between sun and glass, directions beyond two vertical
+ * planes count as hidden.
  */
 #include <math.h>
 #include <stdio.h>
@@ -25,8 +26,9 @@ static struct pp_vec3 rule_point(const struct pp_rule *rule,
     return pp_exposure_point(opening, rule->above_m, rule->sill_m);
 }
 
-/* Hides the sun at less than an angle in plan to the glass: with the outward normal o
- * and a along the wall, u.(-cos(angle) o +- sin(angle) a) >= 0. */
+/* Hides the sun where its angle in plan to the glass is less than angle_rad. With the
+ * outward normal o and a along the wall, the hidden directions have u.(-cos(angle) o +-
+ * sin(angle) a) >= 0. */
 static enum pp_status hide_grazing(struct pp_hidden_cones *cones,
                                    const struct pp_opening *opening, double angle_rad,
                                    struct pp_error *err)
@@ -114,7 +116,8 @@ static enum pp_status find_worst_day(double *least, struct pp_month_day *worst,
         }
         if (pp_month_day_is_before(to, date))
             return PP_OK;
-        if (date.month == 2 && date.day == 29) /* the sun is that of 2025 */
+        if (date.month == 2 && date.day == 29) /* the sun's path is that of 2025, which
+                                                * has no such day */
             continue;
         struct pp_sunlit_day day = {0};
         enum pp_status status = PP_OK;

@@ -50,7 +50,7 @@ bool pp_rule_table_is_judged(const struct pp_rule *rule)
 static const struct {
     const char *word;
     unsigned uses;
-    const char *label; /* before the quantity; NULL: none */
+    const char *label; /* text before the quantity; NULL: none */
 } use_words[] = {
     {"any", NOT(0), NULL},
     {"dwelling", HABITABLE | USE(KITCHEN), NULL},
@@ -74,7 +74,7 @@ bool pp_rule_table_has_use(const struct pp_rule *rule, enum pp_room_use use)
     return false;
 }
 
-/* "21 March" of "03-21". */
+/* Converts "03-21" to "21 March". */
 static const char *day_words(char *words, size_t room, const char *text)
 {
     struct pp_month_day date = {0};

@@ -23,14 +23,15 @@ struct pp_rule {
 /* Row by index, in the order of the table; NULL past the last. */
 const struct pp_rule *pp_rule_table_at(int index);
 
-/* Name by index, each once, in the order of the table; NULL past the last. */
+/* Name of a set of rules by index, in the order of the table; NULL past the last. Each
+ * name occurs once. */
 const char *pp_rule_table_name(int index);
 
-/* True if the row can be judged: its numbers were seen in a public source, and its
- * quantity is calculated. */
+/* True if the row can be assessed: its numbers were seen in a public source, and the
+ * program calculates its quantity. */
 bool pp_rule_table_is_judged(const struct pp_rule *rule);
 
-/* True if the row applies to rooms of that use; each row does to those of unknown
+/* True if the row applies to rooms of that use. Every row applies to rooms of unknown
  * use. */
 bool pp_rule_table_has_use(const struct pp_rule *rule, enum pp_room_use use);
 

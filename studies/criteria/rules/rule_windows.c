@@ -1,5 +1,5 @@
-/* rule_windows.c - rules on windows: the vertical daylight factor of each, and the area
- * of their glass over that of the floor. */
+/* rule_windows.c - rules on windows: the vertical daylight factor of each window, and
+ * the ratio of glass area to floor area. */
 #include <math.h>
 
 #include "methods/allowance.h"
@@ -10,10 +10,11 @@
 #include "studies/criteria/windows/opening_words.h"
 #include "studies/criteria/windows/vertical_sky.h"
 
-/* The illuminance at the centre of the window's outside from the sky, from obstructions
- * and from the ground, over Eh. An obstruction has a fixed share of the luminance of the
- * sky that it hides, and the ground is lit as in the open. Both are too bright between
- * high buildings, so only light from the sky can show that the rule is met. */
+/* Assesses the illuminance at the centre of the window's outside from the sky, from
+ * obstructions and from the ground, over Eh. An obstruction has a fixed fraction of the
+ * luminance of the sky that it hides, and the ground is lit as in the open. Between
+ * high buildings both assumptions give too much light, so only light from the sky can
+ * show that the rule is met. */
 static enum pp_status judge_vertical(const struct pp_rule *rule,
                                      const struct pp_inquiry *inquiry, const char *what,
                                      struct pp_finding_list *findings,

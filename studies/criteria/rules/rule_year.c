@@ -65,7 +65,7 @@ static enum pp_status add_missing_year(const struct pp_inquiry *inquiry,
     return pp_finding_list_add(findings, &none, err);
 }
 
-/* Adds the points of the year to the basis of the findings, once. */
+/* Names the points of the year in the basis of the findings, once. */
 static void add_year_basis(const struct pp_inquiry *inquiry,
                            struct pp_finding_list *findings)
 {
@@ -80,7 +80,7 @@ static void add_year_basis(const struct pp_inquiry *inquiry,
                                   findings->basis[0] ? "; " : "", words);
 }
 
-/* Adds a finding made by `value`, a share of the points by LM-83. */
+/* Adds the finding on `value`, a fraction of the points as defined by LM-83. */
 static enum pp_status add_lm83(const struct pp_rule *rule,
                                const struct pp_inquiry *inquiry,
                                const struct pp_annual_value *value, bool at_most,
@@ -147,8 +147,8 @@ static double lux_of_hour(const struct pp_annual_sheet *year, int hour, bool lea
     return least ? low : sum / year->receiver_count;
 }
 
-/* Hours of the year in which the mean, or the least, of the points reaches a level; a
- * small slack for the rounding of single-precision illuminances. */
+/* Hours of the year in which the mean, or the least, of the points reaches a level,
+ * with a small tolerance for the rounding of single-precision illuminances. */
 static double hours_reaching(const struct pp_annual_sheet *year, double lux, bool least)
 {
     double hours = 0.0;
@@ -158,8 +158,8 @@ static double hours_reaching(const struct pp_annual_sheet *year, double lux, boo
     return hours;
 }
 
-/* Relative standard error of the illuminances: of the mean, or the largest of a point,
- * by their sums over the year. */
+/* Relative standard error of the year's sum of illuminance: of the mean over the points
+ * or, if `least`, the largest error of a point. */
 static double year_noise(const struct pp_annual_sheet *year, bool least)
 {
     double worst = 0.0;
@@ -174,8 +174,9 @@ static double year_noise(const struct pp_annual_sheet *year, bool least)
     return worst;
 }
 
-/* Noise shifts all hours alike: the error of the hours is half the difference between
- * those at levels of one standard error more and less. */
+/* Noise shifts the illuminances of all hours alike. The error of the hours is therefore
+ * half the difference between the hours at two levels, one standard error below and
+ * above lux. */
 static enum pp_status add_hours(const struct pp_rule *rule,
                                 const struct pp_inquiry *inquiry, bool least,
                                 const char *what, struct pp_finding_list *findings,

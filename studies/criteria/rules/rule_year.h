@@ -6,16 +6,17 @@
 #include "studies/criteria/criterion.h"
 #include "studies/criteria/finding.h"
 
-/* Finding on a share of the points, by its standard error. */
+/* Finding on a fraction of the points, with its standard error. */
 struct pp_finding pp_rule_year_share(const struct pp_annual_value *value, double wanted,
                                      bool at_most, const char *what);
 
-/* Reason why figures of the year are not known; NULL: they are. */
+/* Reason why figures of the year are not known; NULL if they are known. */
 const char *pp_rule_year_missing(const struct pp_inquiry *inquiry);
 
 /* Finding on the illuminance that a part of the plane reaches in half of the daylight
- * hours, at the year's points. The noise of all points counts as common to them, which
- * overestimates its effect. lux NAN: only stated. */
+ * hours, from the points of the simulated year. The noise is assumed to be common to
+ * all points, which overestimates its effect. lux NAN: the illuminance is only
+ * stated. */
 enum pp_status pp_rule_year_level(struct pp_finding *finding,
                                   const struct pp_inquiry *inquiry, double lux,
                                   double part, const char *what, struct pp_error *err);

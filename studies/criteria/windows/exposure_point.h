@@ -5,9 +5,9 @@
 
 #include "model/room/world.h"
 
-/* Point at the middle of the opening's width: of a vertical opening at least
- * above_floor_m over the floor and above_sill_m over its sill, but no higher than its
- * head; of sloping glass, its centre. */
+/* Point at the middle of the opening's width. For a vertical opening, the point is at
+ * least above_floor_m over the floor and above_sill_m over the sill, but no higher than
+ * the head. For sloping glass, the point is the centre. */
 struct pp_vec3 pp_exposure_point(const struct pp_opening *opening, double above_floor_m,
                                  double above_sill_m);
 

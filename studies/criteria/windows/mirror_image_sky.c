@@ -1,6 +1,6 @@
-/* mirror_image_sky.c - light left by a new building, compared with that left by the old
- * building's mirror image at the boundary ([BR209] appendix F, from memory, as the text
- * was not at hand):
+/* mirror_image_sky.c - light that remains beside a new building, compared with the
+ * light that would remain beside the old building's mirror image at the boundary
+ * ([BR209] appendix F, from memory, as the text was not available):
  *
  *   VSC proposed >= VSC with the mirror image             at each vertical window
  *   area that sees sky, proposed >= with the mirror image

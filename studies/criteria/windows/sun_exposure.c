@@ -6,11 +6,11 @@
  * The day is 21 March. The sun counts if it reaches the reference point of any opening:
  * at the middle of its width on the inside of its wall, 1.2 m above the floor and at
  * least 0.3 m above the sill (for sloping glass, its centre). The standard ignores the
- * sun below an altitude that it states for each country. Its table was not at hand;
- * Germany's 11 degrees and the Czech Republic's 13 are known from secondary sources.
- * Elsewhere a level is met if the sun above 20 degrees suffices, and not met if the sun
- * above 5 degrees does not. Otherwise it is undecided, and the altitude at which the
- * verdict changes is stated.
+ * sun below an altitude, which is stated for each country. The standard's table was not
+ * available; Germany's 11 degrees and the Czech Republic's 13 are known from secondary
+ * sources. For other countries, a level is met if there is enough sun above 20 degrees,
+ * and not met if there is not enough sun above 5 degrees. Otherwise the level is
+ * undecided, and the altitude at which the verdict changes is stated.
  */
 #include <math.h>
 #include <string.h>

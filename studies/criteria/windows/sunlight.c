@@ -11,9 +11,9 @@
  *
  * [BR209] counts probable hours, which are reduced by average cloud. A weather file
  * gives the probability of sunshine (studies/climate/sunshine.h). Without one, each
- * hour with the sun above the horizon counts. These possible hours
- * (methods/exact/sunlit_hours.h), a larger share of which is in winter, are stated and
- * not judged. The sky of the room does not matter.
+ * hour with the sun above the horizon counts. Such possible hours
+ * (methods/exact/sunlit_hours.h) are stated but not assessed; the winter fraction of
+ * possible hours is larger than that of probable hours. The room's sky has no effect.
  */
 #include <math.h>
 
@@ -49,7 +49,7 @@ static bool faces_noon(const struct pp_world *world, const struct pp_opening *op
     return (world->latitude_rad < 0.0 ? -south : south) >= -slack;
 }
 
-/* Shares of the hours of sun of a year on open ground. */
+/* Hours of sun, as fractions of the hours in a year on open ground. */
 static enum pp_status find_shares(struct pp_sunlit_year *shares,
                                   const struct pp_world *world,
                                   const struct pp_opening *opening,
@@ -76,7 +76,7 @@ static enum pp_status find_shares(struct pp_sunlit_year *shares,
     return status;
 }
 
-/* True if enough of the former hours is left. */
+/* True if enough of the former hours remains. */
 static bool is_kept(const struct pp_sunlit_year *now, const struct pp_sunlit_year *then)
 {
     return (now->all >= FORMER_SHARE * then->all

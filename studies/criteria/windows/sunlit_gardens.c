@@ -3,8 +3,8 @@
  *   S >= 1/2                    of the area has two hours of sun or more on 21 March
  *   S >= 1/2  or  S >= 0.8 S before
  *
- * Possible hours over a level horizon (studies/site/garden_sun.h). A building's gardens
- * are judged with one of its rooms.
+ * The hours are possible hours over a level horizon (studies/site/garden_sun.h). A
+ * building's gardens are assessed with one of its rooms.
  */
 #include <math.h>
 

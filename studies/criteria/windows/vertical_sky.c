@@ -8,8 +8,8 @@
  * The vertical sky component VSC is the illuminance of the wall's plane from the sky
  * alone over that of a horizontal plane under the open CIE overcast sky, whatever the
  * room's own sky; without obstructions it is 39.6 %. An endless obstruction of 25
- * degrees leaves 27.3 %: a window that meets the 25 degree rule has enough vertical sky
- * component too, and where the angle is larger the component decides.
+ * degrees leaves 27.3 %. A window that meets the 25 degree rule therefore also meets
+ * VSC >= 27 %; where the angle is larger, the vertical sky component decides.
  */
 #include "studies/criteria/windows/vertical_sky.h"
 
@@ -38,8 +38,8 @@ bool pp_vertical_sky_is_upright(const struct pp_opening *opening)
     return fabs(opening->slope_rad - PP_PI / 2.0) < 1.0 * PP_RAD;
 }
 
-/* True if the window is judged at height french_m: it reaches from near the floor to
- * above that height. */
+/* True if the window is assessed at the height french_m: it extends from near the floor
+ * to above that height. */
 static bool is_french(const struct pp_opening *opening, double french_m)
 {
     double low = INFINITY, high = -INFINITY;
@@ -96,9 +96,9 @@ static bool take_shades_off(struct pp_world *bare, const struct pp_world *world)
 }
 
 /* Vertical sky component without the overhangs, fins, balconies and shelves of the
- * room's own windows and of other rooms in the same front. These hide sky whatever is
- * opposite: [BR209] requires both values to be stated (from memory). NAN: there are
- * none. */
+ * room's own windows and of other rooms in the same front. Such shades hide sky
+ * whatever is opposite; [BR209] requires both values to be stated (from memory). NAN:
+ * there are no shades. */
 static enum pp_status find_unshaded(double *share, const struct pp_world *world,
                                     const struct pp_opening *opening, double french_m,
                                     struct pp_error *err)
@@ -116,12 +116,12 @@ static enum pp_status find_unshaded(double *share, const struct pp_world *world,
 static const char without[] =
     "without the overhangs and balconies of the window's own building";
 
-/* Least difference of two shares that is worth a note: half a unit of the last printed
- * digit. */
+/* Least difference of two vertical sky components (fractions) that is worth a note:
+ * half a unit of the last printed digit. */
 #define SHARE_STATED 0.0005
 
-/* Adds a finding for each opening: made by `find` for vertical ones, not judged for all
- * others. */
+/* Adds a finding for each opening: made by `find` for vertical openings, not assessed
+ * for all others. */
 static enum pp_status for_each_window(
     const struct pp_inquiry *inquiry, struct pp_finding_list *findings,
     enum pp_status (*find)(struct pp_finding *, const struct pp_inquiry *, int opening,

@@ -11,12 +11,12 @@ bool pp_vertical_sky_is_upright(const struct pp_opening *opening);
 /* Point on a window's outside at which its component is calculated: its centre. If the
  * window begins within 0.2 m of the room's floor (chosen) and ends above french_m (m
  * over that floor), the point is at that height instead, midway across. french_m 0:
- * always the centre. 1.6 m for French windows and patio doors is recalled from practice
- * with [BR209], of which no text is at hand. */
+ * always the centre. The height of 1.6 m for French windows and patio doors is from
+ * memory of practice with [BR209]; its text was not available. */
 struct pp_vec3 pp_vertical_sky_point(const struct pp_opening *opening, double french_m);
 
-/* The illuminance of the wall's plane there from the overcast sky alone, over Eh: 0 to
- * 0.3962. */
+/* The illuminance of the wall's plane at that point from the overcast sky alone, over
+ * Eh: 0 to 0.3962. */
 enum pp_status pp_vertical_sky_at_point(double *share, const struct pp_world *world,
                                         const struct pp_opening *opening,
                                         double french_m, struct pp_error *err);

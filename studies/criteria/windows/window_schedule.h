@@ -10,7 +10,8 @@ struct pp_schedule_change {
     double existing, proposed, cumulative;
 };
 
-/* Share of the existing value that is lost (negative: gained), and the ratio. */
+/* Fraction of the existing value that is lost (negative: gained), and the ratio of
+ * proposed to existing value. */
 double pp_schedule_loss(struct pp_schedule_change change);
 double pp_schedule_ratio(struct pp_schedule_change change);
 
@@ -24,12 +25,13 @@ enum pp_schedule_quantity {
                          * the building itself; unknown if there are none */
 };
 
-/* Factor from a stored value to one in that unit. */
+/* Factor from a stored value to the unit of the quantity's title. */
 double pp_schedule_scale(enum pp_schedule_quantity quantity);
 
 struct pp_schedule_row {
     const struct pp_assessment *room; /* not owned */
-    const char *window;               /* label; in the room's world */
+    const char *window;               /* label of the window, a string of the room's
+                                       * world */
     double level_m;                   /* level of the room's floor in its building */
     struct pp_schedule_change changes[PP_SCHEDULE_CHANGES];
     enum pp_verdict verdict; /* verdict on the sky, by [BR209]; PP_NOT_JUDGED without
@@ -39,12 +41,12 @@ struct pp_schedule_row {
 struct pp_window_schedule {
     struct pp_schedule_row *rows;
     int count;
-    bool has_cumulative; /* the site has a cumulative state */
+    bool has_cumulative; /* true: the site has a cumulative state */
     bool probable; /* true: sunlight hours are probable ones; false: possible ones */
 };
 
 /* A line for each window whose sky or sunlight was assessed, in the order of rooms. The
- * caller clears it in any case. */
+ * caller clears the schedule, even after a failure. */
 enum pp_status pp_window_schedule_of(struct pp_window_schedule *schedule,
                                      const struct pp_assessment *rooms, int count,
                                      struct pp_error *err);

@@ -6,8 +6,8 @@
 #include "studies/glare/glare_study.h"
 #include "studies/lighting/lighting_control.h"
 
-/* True if a criterion needs the year at points of the plane: the rules', or that of
- * the plane's hours, unless another one needs it at the room's own points. */
+/* True if the year is needed at points of the plane: for the rules, or for a criterion
+ * of_plane_year. False if a criterion needs the year at the room's own points. */
 static bool needs_year_of_plane(const bool chosen[PP_CRITERIA_MOST],
                                 const struct pp_assess_options *options)
 {
@@ -21,8 +21,8 @@ static bool needs_year_of_plane(const bool chosen[PP_CRITERIA_MOST],
     return of_plane;
 }
 
-/* Simulates the room's year if it is wanted, or a chosen criterion needs it, and
- * there is a weather file. */
+/* Simulates the room's year if there is a weather file, and the year is requested or a
+ * chosen criterion needs it. */
 static enum pp_status simulate_points(struct pp_assessment *assessment,
                                       const bool chosen[PP_CRITERIA_MOST], bool needed,
                                       const struct pp_assess_options *options,

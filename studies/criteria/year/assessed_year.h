@@ -5,8 +5,8 @@
 
 #include "studies/criteria/assessment.h"
 
-/* Simulates what the chosen criteria need, if there is a weather file. needed: a
- * criterion needs the year at the room's own points. */
+/* Simulates the year's data that the chosen criteria need, if there is a weather file.
+ * needed: a criterion needs the year at the room's own points. */
 enum pp_status pp_assessed_year_simulate(struct pp_assessment *assessment,
                                          const bool chosen[PP_CRITERIA_MOST],
                                          bool needed,

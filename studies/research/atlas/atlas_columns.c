@@ -1,4 +1,5 @@
-/* atlas_columns.c - names and rows as CSV. */
+/* atlas_columns.c - lists the columns of an atlas, and writes their names and the rows
+ * as CSV. */
 #include "studies/research/atlas/atlas_columns.h"
 
 #include <math.h>
@@ -20,7 +21,7 @@ enum pp_status pp_atlas_columns_of(struct pp_atlas_columns *columns,
         return pp_fail_memory(err);
     for (int i = 0; i < report->column_count; i++) {
         const struct pp_column *column = &report->columns[i];
-        /* An average over all surfaces is left out, since the simulated value is over
+        /* Leaves out an average over all surfaces, since the simulated average is over
          * the working plane. */
         if (column->of_all_surfaces || strcmp(column->name, "traced") == 0)
             continue;

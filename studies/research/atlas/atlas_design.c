@@ -1,5 +1,5 @@
-/* atlas_design.c - converts coordinates of the sweep to dimensions, and these to a room
- * file. */
+/* atlas_design.c - converts coordinates of the sweep to the dimensions of a room, and
+ * writes the room file. */
 #include "studies/research/atlas/atlas_design.h"
 
 #include <math.h>
@@ -64,8 +64,8 @@ static void face(struct pp_atlas_layout *room, const char *role, const char *nam
     face(room, role, name, (const double[][3]){__VA_ARGS__},                           \
          sizeof(const double[][3]){__VA_ARGS__} / sizeof(double[3]))
 
-/* Writes the faces of a room whose ceiling has a single slope, rising from the south
- * wall to the north wall. */
+/* Writes the faces of a room whose ceiling slopes upwards from the south wall to the
+ * north wall. */
 static void put_mono_pitch(struct pp_atlas_layout *room, double w, double d, double low,
                            double high)
 {
@@ -129,7 +129,7 @@ static void put_shape(struct pp_atlas_layout *room)
     PP_SAY(room, "  </envelope>\n");
     if (room->roof == PP_ATLAS_MONO_PITCH)
         room->lowest[PP_ATLAS_NORTH] = fmin(high, 3.5);
-    else /* the height of the gable at half of its width */
+    else /* height of the gable at half of its width */
         room->lowest[PP_ATLAS_SOUTH] = room->lowest[PP_ATLAS_NORTH] =
             0.5 * (room->eaves + high);
 }
@@ -146,7 +146,7 @@ static void put_finishes(struct pp_atlas_layout *room)
 
 /* ---- openings ---- */
 
-/* Frame or maintenance factor: 1 if u is below 0.15, else a value in the room's
+/* Frame or maintenance factor: 1 if u is below 0.15; otherwise a value in the room's
  * range. */
 static double clean(const struct pp_atlas_layout *room, double u)
 {

@@ -16,9 +16,9 @@
  *                at the level of the room or up to five storeys below it
  *     points     eight, spread over the working plane to 0.25 m from the walls
  *
- * Half of the rooms are ordinary, the other half unusual: atlas_ranges.h has the ranges
- * of both. The frequencies of features are estimates of what occurs in practice, with
- * rare features raised so that there are enough of them.
+ * Half of the rooms are ordinary, the other half unusual; atlas_ranges.h contains the
+ * ranges of both. The frequencies of features are estimates of their frequencies in
+ * practice, increased for rare features so that there are enough examples.
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_DESIGN_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_DESIGN_H
@@ -35,8 +35,8 @@ enum pp_atlas_sky {
 
 enum {
     PP_ATLAS_POINTS = 8,
-    PP_ATLAS_MOST = 1 << 24, /* rooms of a sweep */
-    PP_ATLAS_XML = 8192,     /* bytes that a room's text needs at most */
+    PP_ATLAS_MOST = 1 << 24, /* most rooms of a sweep */
+    PP_ATLAS_XML = 8192,     /* most bytes of a room's text */
 };
 
 struct pp_atlas_design {

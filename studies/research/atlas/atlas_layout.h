@@ -1,4 +1,4 @@
-/* atlas_layout.h - a room of the sweep while it is laid out, and the numbers of the
+/* atlas_layout.h - a room of the sweep during its layout, and the numbers of the
  * sequence that it uses. Inside studies/research/atlas/ only. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_LAYOUT_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_LAYOUT_H
@@ -41,11 +41,12 @@ struct pp_atlas_layout {
 
     enum pp_atlas_roof roof;
     double width, depth;
-    double eaves;  /* height of the walls; of the lowest one under slopes */
-    double slope;  /* rise of the ceiling over run */
+    double eaves;  /* height of the walls; under a sloping ceiling, of the lowest
+                    * wall */
+    double slope;  /* rise of the ceiling divided by its horizontal run */
     double plane;  /* height of the working plane */
     double ground; /* z of the ground outside */
-    double lowest[PP_ATLAS_WALLS]; /* height available for a window in that wall */
+    double lowest[PP_ATLAS_WALLS]; /* height available for windows, by wall */
     double head;                   /* head of the highest window in the south wall */
 };
 
@@ -76,8 +77,8 @@ static inline double pp_scaled_ends(const double ends[2], double u)
     return pp_scaled(ends[0], ends[1], u);
 }
 
-/* Chooses an index with these probabilities, which sum to 1; u becomes a new uniform
- * number in (0, 1). */
+/* Chooses an index with the probabilities `shares`, which sum to 1. u becomes a new
+ * uniform number in (0, 1). */
 static inline int pp_one_of(const double *shares, int count, double *u)
 {
     int chosen = 0;

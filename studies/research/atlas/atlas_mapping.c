@@ -1,12 +1,12 @@
-/* atlas_mapping.c - sorts the rows of an atlas into the classes of a map, and computes
- * the quantiles of each class. */
+/* atlas_mapping.c - sorts the rows of an atlas into the classes of a map, and
+ * calculates the quantiles of each class. */
 #include "studies/research/atlas/atlas_mapping.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A simulated value with a larger relative standard error than this is not used. */
+/* Simulated values with a larger relative standard error than this are not used. */
 static const double known_to = 0.1;
 
 const char *const pp_atlas_mapping_names[PP_MAP_KINDS] = {
@@ -17,8 +17,8 @@ const char *const pp_atlas_mapping_names[PP_MAP_KINDS] = {
     [PP_MAP_OBSTRUCTION] = "obstruction",
 };
 
-/* Horizontal axis of each map: its column ("" for the share of ERC, which is computed),
- * and its classes. */
+/* Horizontal axis of each map: its column and classes. The column is "" for the
+ * fraction of ERC, which is calculated. */
 static const struct mapping_side {
     const char *column;
     struct pp_atlas_scale scale;
@@ -60,8 +60,8 @@ struct mapping_columns {
     int sky, outside;
 };
 
-/* Column of a method: if `method` is a full heading, the column of that heading; else
- * the first of the method's components that the table has. -1: none. */
+/* Index of a method's column. If `method` is a full heading, the column with this
+ * heading; otherwise the first of the method's components in the table. -1: none. */
 static int find_method(const struct pp_atlas_table *table, const char *method)
 {
     static const char *const components[] = {"df", "irc", "sc", "erc"};
@@ -80,8 +80,8 @@ static int find_method(const struct pp_atlas_table *table, const char *method)
     return -1;
 }
 
-/* The column "BEFORE.COMPONENT", with the component of a column such as "df.exact+bre";
- * -1: none. */
+/* Index of the column "BEFORE.COMPONENT", with the component of another column such as
+ * "df.exact+bre"; -1: none. */
 static int find_of_component(const struct pp_atlas_table *table, const char *before,
                              const char *column)
 {
@@ -125,7 +125,7 @@ static enum pp_status find_columns(struct mapping_columns *at,
 /* ---- rows into classes ---- */
 
 /* Class of a value; -1: outside all classes. A value on an edge belongs to the class
- * above; on the last edge, to the last class. */
+ * above the edge; a value on the last edge, to the last class. */
 static int class_of(const struct pp_atlas_scale *scale, double value)
 {
     if (!(value >= scale->edges[0] && value <= scale->edges[scale->count]))
@@ -173,8 +173,8 @@ static int by_ratio(const void *a, const void *b)
     return (p->room > q->room) - (p->room < q->room);
 }
 
-/* Gives each room a weight of 1 in every cell, shared equally by its points there, and
- * counts the rooms of each cell. */
+/* Gives each room a weight of 1 in every cell, divided equally among its points in the
+ * cell, and counts the rooms of each cell. */
 static void weigh_room_points(struct mapped_ratio *list, int count,
                               struct pp_atlas_quantiles *cells)
 {
@@ -189,9 +189,10 @@ static void weigh_room_points(struct mapped_ratio *list, int count,
 }
 
 /* Weighted quantile of ratios in ascending order: the least ratio for which the ratios
- * up to it have at least that share of the weight. If they have exactly that share, it
- * is the mean of that ratio and the next, so that the median of an even number of rooms
- * is the mean of the middle two. Sums of weights have rounding errors. */
+ * up to it have at least the fraction `share` of the weight. If they have exactly this
+ * fraction, the quantile is the mean of this ratio and the next. The median of an even
+ * number of rooms is therefore the mean of the middle two. Comparisons allow for
+ * rounding errors of the sums. */
 static double quantile(const struct mapped_ratio *list, int count, int rooms,
                        double share)
 {
@@ -224,9 +225,9 @@ static void take_quantiles(struct mapped_ratio *list, int count,
 
 /* ---- a map ---- */
 
-/* Lists the ratios of figure to true value in that column, at points or of averages.
- * *blind: number of rows left out because the true value is too uncertain. The true
- * value in a method's own world is assumed to be as accurate as the room's. */
+/* Lists the ratios of calculated to true value in this column, at points or of
+ * averages. *blind: number of rows left out because the true value is too uncertain.
+ * The true value in a method's own world is assumed to be as accurate as the room's. */
 static int gather_mapped_ratios(struct mapped_ratio *list, int *blind,
                                 const struct pp_atlas_map *map,
                                 const struct pp_atlas_table *table,

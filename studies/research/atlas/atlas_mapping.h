@@ -1,4 +1,4 @@
-/* atlas_mapping.h - maps of a method's error over two properties of rooms, made from
+/* atlas_mapping.h - maps of a method's error against two properties of rooms, made from
  * the table of an atlas. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_MAPPING_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_MAPPING_H
@@ -6,10 +6,11 @@
 #include "model/results/atlas_map.h"
 #include "studies/research/atlas/atlas_table.h"
 
-/* Quantity by which errors are mapped. */
+/* Quantity against which errors are mapped. */
 enum pp_atlas_mapping_kind {
-    PP_MAP_DEPTH,       /* depth of the point, and the room's depth over its width */
-    PP_MAP_ERC,         /* share of the externally reflected component in the direct
+    PP_MAP_DEPTH,       /* depth of the point, and ratio of the room's depth to its
+                         * width */
+    PP_MAP_ERC,         /* fraction of the externally reflected component in the direct
                          * light */
     PP_MAP_GROUND,      /* reflectance of the ground */
     PP_MAP_REFLECTANCE, /* mean reflectance inside */
@@ -20,12 +21,12 @@ enum pp_atlas_mapping_kind {
 /* "depth", "erc", "ground", "reflectance", "obstruction". */
 extern const char *const pp_atlas_mapping_names[PP_MAP_KINDS];
 
-/* Makes the map of a method ("exact+bre") or of a column ("erc.exact"). For a method
- * the map is of its daylight factor, or else of the component that it gives. It is at
- * points, or of averages if the method gives only averages. A ratio counts if the
- * standard error of the simulated value is at most a tenth of that value. All points of
- * a room in a class together count as one. The map refers to the table. PP_BAD_INPUT if
- * the table has no such method, or lacks the columns of the axes. */
+/* Makes the map of a method ("exact+bre") or of a column ("erc.exact"). The map of a
+ * method shows its daylight factor or, if the method gives none, its component. The map
+ * is at points; if the method gives only averages, it is of averages. A ratio counts if
+ * the standard error of the simulated value is at most a tenth of that value. All
+ * points of a room in a class together count as one. The map refers to the table.
+ * PP_BAD_INPUT if the table has no such method, or lacks the columns of the axes. */
 enum pp_status pp_atlas_mapping_of(struct pp_atlas_map *map,
                                    const struct pp_atlas_table *table,
                                    enum pp_atlas_mapping_kind kind, const char *method,

@@ -1,9 +1,10 @@
 /* atlas_ranges.h - the ranges from which the rooms of the sweep are drawn. Inside
  * studies/research/atlas/ only.
  *
- * One half of the rooms are ordinary: rooms as architects design them for offices,
- * schools and homes. The other half extends to the limits of the use of hand methods.
- * Values are uniform in their range, or in its logarithm if stated; shares add up to 1.
+ * One half of the rooms are ordinary rooms of offices, schools and homes. The other
+ * half extends to the limits within which hand methods are used. Values are uniform in
+ * their range, or in its logarithm if stated. The elements of `roofs`, `places`,
+ * `styles`, `panes` and `surroundings` are probabilities and add up to 1.
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_RANGES_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_RANGES_H
@@ -56,31 +57,32 @@ enum pp_atlas_surroundings {
 
 struct pp_atlas_ranges {
     double area_m2[2]; /* floor area, uniform in the logarithm */
-    double ratio[2];   /* width over depth, logarithm */
+    double ratio[2];   /* width divided by depth, uniform in the logarithm */
     double roofs[PP_ATLAS_ROOFS];
     double height_m[2]; /* height of a flat ceiling; 5 mm are added for each m2 of
                          * floor */
     double floor[2], walls[2], ceiling[2]; /* reflectances */
 
     double places[PP_ATLAS_PLACES];
-    double rooflights; /* share of the rooms with windows in walls that also have
+    double rooflights; /* fraction of the rooms with windows in walls that also have
                         * rooflights */
     double styles[PP_ATLAS_STYLES];
     double sill_m[2];
     double least_m;  /* least height of a window */
-    double share[2]; /* share of a wall's length occupied by windows */
+    double share[2]; /* fraction of a wall's length occupied by windows */
     double panes[PP_ATLAS_PANES];
     double transmittance[2];
-    double clean[2]; /* frame factor and maintenance factor, where they are not 1 */
+    double clean[2]; /* frame factor and maintenance factor, if they are not 1 */
     double reveal_m[2];
 
     double surroundings[PP_ATLAS_SURROUNDINGS];
     double far_deg[2];             /* angle of a skyline without a distance */
     double near_deg[2], near_m[2]; /* skyline with a distance; the distance is
                                     * uniform in the logarithm */
-    double street_m[2], street[2]; /* width, logarithm; height over width */
-    double ground[2];              /* reflectance */
-    double snow;                   /* share of rooms with snow on the ground */
+    double street_m[2], street[2]; /* width of the street, uniform in the logarithm;
+                                    * height divided by width */
+    double ground[2];              /* reflectance of the ground */
+    double snow;                   /* fraction of rooms with snow on the ground */
 };
 
 static const struct pp_atlas_ranges pp_atlas_ordinary = {

@@ -1,5 +1,5 @@
 /* atlas_renewal.c - combines the simulated values of an existing table with newly
- * computed figures of the methods. */
+ * calculated results of the methods. */
 #include "studies/research/atlas/atlas_renewal.h"
 
 #include <math.h>
@@ -44,7 +44,7 @@ static double value_at(const struct kept *kept, int point, const char *name)
                                   pp_atlas_table_find(kept->table, name));
 }
 
-/* pp_atlas_truth_of */
+/* a pp_atlas_truth_of */
 static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
 {
     static const char *const names[PP_COMPONENT_COUNT][2] = {
@@ -62,7 +62,7 @@ static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
         truth->own[i] = 0.01 * pp_atlas_table_value(kept->table, row, kept->own_at[i]);
 }
 
-/* True if two methods have a daylight factor and assume the same worlds. */
+/* True if both methods give a daylight factor and assume the same worlds. */
 static bool are_alike(const struct kept *kept, int one, int other)
 {
     const struct pp_column *a =
@@ -100,7 +100,7 @@ static void find_own(struct kept *kept)
     }
 }
 
-/* Checks that the points in the table equal those of the room, to the printed
+/* Checks that the points in the table are the points of the room, to the printed
  * digits. */
 static enum pp_status check_points(const struct kept *kept, int index,
                                    struct pp_error *err)

@@ -45,8 +45,8 @@ static double own_value(const struct pp_own_worlds *worlds,
     const struct pp_report *of[3];
     for (int c = PP_SC; c <= PP_IRC; c++)
         of[c] = pp_own_world_of(worlds, column, (enum pp_component)c);
-    /* If all components are from one world, its daylight factor is used: it has a
-     * smaller error than their sum. */
+    /* If all components are from one world, the daylight factor of this world is used,
+     * which has a smaller error than the sum of the components. */
     if (of[PP_SC] == of[PP_ERC] && of[PP_ERC] == of[PP_IRC])
         return traced_reading(of[PP_SC], PP_DF, point).value;
     double sum = 0.0;
@@ -55,7 +55,7 @@ static double own_value(const struct pp_own_worlds *worlds,
     return sum;
 }
 
-/* pp_atlas_truth_of */
+/* a pp_atlas_truth_of */
 static void truth_of(const void *data, int point, struct pp_atlas_truth *truth)
 {
     const struct traced *traced = data;

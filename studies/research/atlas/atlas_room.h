@@ -1,5 +1,5 @@
-/* atlas_room.h - computes one room of the atlas: figures of every hand method, and
- * simulated values of the room and of the world that each method assumes. */
+/* atlas_room.h - calculates one room of the atlas: the results of every hand method,
+ * and simulated values of the room and of the world that each method assumes. */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ATLAS_ROOM_H
 #define PP_STUDIES_RESEARCH_ATLAS_ATLAS_ROOM_H
 

@@ -65,13 +65,14 @@ static bool read_field_number(double *value, const char *field, const char *end)
     return behind == end && isfinite(*value);
 }
 
-/* True for a whole number from `least` up that is an int. */
+/* True if the value is a whole number of at least `least` that an int can hold. */
 static bool is_number_from(double value, int least)
 {
     return value >= least && value <= INT_MAX && value == floor(value);
 }
 
-/* Rooms are counted from 0, points from 0; point -1 is the average. */
+/* Checks the numbers of a row's room and point: both are counted from 0, and point -1
+ * is the average. */
 static enum pp_status check_numbers(const struct table_reading *reading, int row,
                                     struct pp_error *err)
 {

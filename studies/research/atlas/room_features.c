@@ -1,5 +1,5 @@
-/* room_features.c - sums over the openings of a room, and over their parts visible from
- * a point. */
+/* room_features.c - calculates the features from sums over the openings of a room, and
+ * over their parts visible from a point. */
 #include "studies/research/atlas/room_features.h"
 
 #include <math.h>
@@ -35,8 +35,8 @@ const char *const pp_room_feature_names[PP_ROOM_FEATURES] = {
 
 static const double upright_rad = 75.0 * PP_RAD;
 
-/* Least height of an opening above the working plane, over the room's height; a smaller
- * height is replaced by this one. */
+/* Least height of an opening's head above the working plane, relative to the room's
+ * height; smaller heights are raised to this value. */
 static const double height_least = 0.02;
 
 static double glass_m2(const struct pp_opening *opening)
@@ -54,8 +54,8 @@ static struct pp_bounds3 polygon_bounds(const struct pp_polygon *outline)
 
 /* ---- proportions ---- */
 
-/* The opening with the largest area of glass; upright: among vertical ones only. NULL:
- * there is none. */
+/* The opening with the largest area of glass; NULL: there is none. upright: only among
+ * vertical openings. */
 static const struct pp_opening *largest(const struct pp_world *world, bool upright)
 {
     const struct pp_opening *found = NULL;
@@ -280,7 +280,7 @@ static double room_side_of_point(const struct pp_world *world, struct pp_vec3 po
     return least / world->height_m;
 }
 
-/* Most vertices of an outline that are used; further ones are ignored. */
+/* Most vertices of an outline that are used; the others are ignored. */
 enum { VERTICES = 64 };
 
 static double view_of(const struct pp_world *world, struct pp_vec3 point)

@@ -1,40 +1,43 @@
-/* room_features.h - dimensionless properties of a room and of a point in it that are
- * known without simulation, and on which the errors of hand methods depend.
+/* room_features.h - dimensionless properties of a room, and of a point in it, that are
+ * known without simulation and on which the errors of hand methods depend.
  *
- * They do not change if all lengths of the room are scaled by the same factor. Openings
- * count with the area of their glass.
+ * The features do not change if all lengths of the room are scaled by the same factor.
+ * Openings count with the area of their glass. Features of a room:
  *
- *     glass-floor     area of glass over that of the floor
- *     glass-inside    the same over the area of all inside surfaces, W/A
+ *     glass-floor     area of glass divided by floor area
+ *     glass-inside    area of glass divided by the area of all inside surfaces, W/A
  *     reflectance     R, the area-weighted mean of all inside surfaces
- *     floor, ceiling  reflectances of these
- *     depth-head      depth of the room from its largest vertical opening over the height
- *                     of that opening's head above the working plane; without one, the
- *                     square root of the floor's area over the mean height of the
- *                     openings above the plane
- *     depth-width     depth over width of the room, seen from that opening
- *     below           share of the openings' area below the working plane
- *     upright         share of the openings' area that is vertical (from 75 degrees)
+ *     floor, ceiling  reflectance of the floor, of the ceiling
+ *     depth-head      depth of the room from its largest vertical opening, divided by
+ *                     the height of that opening's head above the working plane;
+ *                     without one, the square root of the floor area divided by the
+ *                     mean height of the openings above the plane
+ *     depth-width     depth divided by width of the room, seen from that opening
+ *     below           fraction of the openings' area below the working plane
+ *     upright         fraction of the openings' area that is vertical (75 degrees or
+ *                     more)
  *     walls           number of faces that have openings
- *     spread          area of the largest opening over that of all
- *     reveal          depth of the openings over the square root of their area, mean
- *     pane            diffuse transmittance over the normal one, mean
- *     obstruction     degrees: mean angle of the infinitely long skylines that replace all
- *                     obstructions (methods/reflected/obstruction.h)
- *     things          0: nothing outside or skylines; 1: blocks, surfaces, facades or other
- *                     parts of the building
+ *     spread          area of the largest opening divided by that of all openings
+ *     reveal          mean of the openings' depth divided by the square root of area
+ *     pane            mean of diffuse divided by normal transmittance
+ *     obstruction     degrees: mean angle of the infinitely long skylines that replace
+ *                     all obstructions (methods/reflected/obstruction.h)
+ *     things          0: nothing or only skylines outside; 1: blocks, surfaces, facades
+ *                     or other parts of the building
  *     ground          reflectance of the ground
- *     facing          illuminance of the open sky on the openings' planes, mean, over Eh
- *     opposite        the same on planes that face the openings, such as the facades
+ *     facing          mean illuminance of the openings' planes from the open sky,
+ *                     divided by Eh
+ *     opposite        the same for planes that face the openings, such as facades
  *                     across a street
- *     ordinary        1: an ordinary room: the properties above from glass-floor to ground
- *                     are in the ranges of offices, schools and homes; else 0
+ *     ordinary        1: the properties above from glass-floor to ground are in the
+ *                     ranges of offices, schools and homes; otherwise 0
  *
- * and of a point, NAN for a room as a whole:
+ * Features of a point, which are NAN for a room as a whole:
  *
- *     depth           horizontal distance from the nearest part of an opening over that
- *                     opening's height above the point, the least of all openings
- *     side            distance to the nearest wall over the height of the room
+ *     depth           least value, over all openings, of the horizontal distance from
+ *                     the nearest part of the opening, divided by the height of the
+ *                     opening's head above the point
+ *     side            distance to the nearest wall divided by the height of the room
  *     view            configuration factor of the openings' inner outlines
  */
 #ifndef PP_STUDIES_RESEARCH_ATLAS_ROOM_FEATURES_H
@@ -63,7 +66,7 @@ enum pp_room_feature {
     PP_ROOM_FACING,
     PP_ROOM_OPPOSITE,
     PP_ROOM_ORDINARY,
-    PP_ROOM_OF_POINTS, /* the following ones are of a point */
+    PP_ROOM_OF_POINTS, /* features of a point begin here */
     PP_ROOM_DEPTH = PP_ROOM_OF_POINTS,
     PP_ROOM_SIDE,
     PP_ROOM_VIEW,
@@ -73,15 +76,15 @@ enum pp_room_feature {
 /* Names as above. */
 extern const char *const pp_room_feature_names[PP_ROOM_FEATURES];
 
-/* Features of a room with openings; those of points are NAN. Takes the time of the
- * obstruction angles: microseconds, or a millisecond with blocks before the windows.
- * Without openings all are NAN. */
+/* Features of a room with openings; the features of points are set to NAN. Takes
+ * microseconds, or a millisecond with blocks in front of the windows, mainly for the
+ * obstruction angles. Without openings all features are NAN. */
 enum pp_status pp_room_features(double features[PP_ROOM_FEATURES],
                                 const struct pp_world *world,
                                 const struct pp_outside_light *light,
                                 struct pp_error *err);
 
-/* Fills in the features of a point, which faces up. */
+/* Fills in the features of a point that faces upwards. */
 void pp_room_features_at(double features[PP_ROOM_FEATURES],
                          const struct pp_world *world, struct pp_vec3 point);
 

@@ -1,5 +1,5 @@
 /* cause_search.c - first estimates the effect of every set of causes from its parts.
- * Simulates the sets that may be likely, and evaluates all sets again after each
+ * Then simulates the sets that may be likely, and reassesses all sets after each
  * simulation. */
 #include "studies/research/compare/cause_search.h"
 
@@ -10,15 +10,15 @@
 #include "model/base/array.h"
 #include "studies/research/compare/set_effects.h"
 
-/* Prior probability that a cause of one kind is present, and that a common factor is.
- * Many errors act like a common factor; it therefore counts as a cause only if the fit
- * is close. */
+/* Prior probability that a cause of one kind is present, and that a common factor is
+ * present. Many errors act like a common factor, which therefore counts as a cause only
+ * if the fit is close. */
 static const double AT_WORK = 0.12, FACTOR_AT_WORK = 0.4;
-/* Differences in log posterior density from the best simulated set. A set farther
- * behind than FAR_BEHIND is not simulated. A set farther behind than FAR_FROM_LIKELY
- * with white noise is excluded, without an evaluation with correlated noise. */
+/* Differences in log posterior density from the best simulated set. A set farther below
+ * than FAR_BEHIND is not simulated. A set farther below than FAR_FROM_LIKELY with white
+ * noise is excluded, without an evaluation with correlated noise. */
 static const double FAR_BEHIND = 4.0, FAR_FROM_LIKELY = 12.0;
-/* Number of trial values, from -1 to 1, for the deviation of a set that is not
+/* Number of trial values, from -1 to 1, of a deviation: that of a set that is not
  * simulated from the sum of its parts. */
 enum { OFF_STEPS = 9 };
 static const double LEAST_PROBABILITY = 0.001;
@@ -69,7 +69,7 @@ static struct pp_supposition supposed(const struct cause_search *search,
     return supposition;
 }
 
-/* Computes a candidate's log density with white noise only. For a set that is not
+/* Calculates a candidate's log density with white noise only. For a set that is not
  * simulated, uses the deviation that fits best. */
 static void judge_roughly(struct cause_search *search,
                           struct cause_candidate *candidate)
@@ -102,7 +102,7 @@ static void judge_roughly(struct cause_search *search,
     }
 }
 
-/* Computes a candidate's log density with all kinds of noise. */
+/* Calculates a candidate's log density with all kinds of noise. */
 static enum pp_status judge_fully(struct cause_search *search,
                                   struct cause_candidate *candidate,
                                   struct pp_error *err)
@@ -172,7 +172,7 @@ static double odds(const struct cause_search *search, int cause)
     return log(at_work / (1.0 - at_work) / alike);
 }
 
-/* Adds the set, and all sets that extend it by causes later in the list. */
+/* Adds the set, and all sets that contain it and causes later in the list. */
 static enum pp_status add_sets(struct cause_search *search,
                                const struct cause_candidate *from, struct pp_error *err)
 {
@@ -223,8 +223,8 @@ static void end(struct cause_search *search)
     free(search->candidates);
 }
 
-/* The most likely set that is not yet simulated and is at most FAR_BEHIND behind the
- * best one; NULL: none. */
+/* The most likely set that is not yet simulated and is at most FAR_BEHIND below the
+ * best set; NULL: none. */
 static const struct cause_candidate *to_trace(const struct cause_search *search)
 {
     const struct cause_candidate *next = NULL;
@@ -238,9 +238,10 @@ static const struct cause_candidate *to_trace(const struct cause_search *search)
     return next;
 }
 
-/* Replaces a set to be simulated by a part of it, if simulating the part first tells
- * more. For three causes this is the pair, not yet simulated, whose effect may deviate
- * most from the sum. Otherwise the set stays as it is. Returns the number of causes. */
+/* Replaces a set to be simulated by a part of the set, if the simulation of the part is
+ * more useful first. For three causes, this part is the pair, not yet simulated, whose
+ * effect may deviate most from the sum. Otherwise the set is unchanged. Returns the
+ * number of causes. */
 static int first_to_trace(const struct cause_search *search,
                           int causes[PP_CAUSE_SEARCH_MOST], int count, double level)
 {

@@ -1,12 +1,12 @@
 /* cause_shares.c - Shapley values, as sums over the subsets without a given member. A
- * subset of s of the other members has the weight s! (n - s - 1)! / n!: the share of
- * all orders of n members in which exactly this subset precedes the given member. */
+ * subset of s other members has the weight s! (n - s - 1)! / n!. This is the fraction
+ * of all orders of n members in which exactly this subset precedes the given member. */
 #include "studies/research/compare/cause_shares.h"
 
 static double weight(int before, int count)
 {
-    double weight = 1.0 / count; /* divided by binomial(count - 1, number of members
-                                  * before) */
+    double weight = 1.0 / count; /* to be divided by binomial(count - 1, number of
+                                  * members before) */
     for (int i = 0; i < before; i++)
         weight *= (i + 1.0) / (count - 1.0 - i);
     return weight;

@@ -104,8 +104,8 @@ static bool has_colours(const struct pp_compare_subject *subject)
     return false;
 }
 
-/* True if a plane at z_m differs from the subject's points: none is at this height, all
- * face up, and z_m is below the ceiling. */
+/* True if a horizontal plane at z_m is a possible mistake: it is at the height of no
+ * point, all points face up, and z_m is below the ceiling. */
 static bool is_off(const struct pp_compare_subject *subject, double z_m)
 {
     bool off = !subject->room || z_m < subject->room->world->height_m;

@@ -1,9 +1,9 @@
-/* causes.h - list of possible mistakes in another program's input or settings. Each has
- * a description and a switch of our own simulation that imitates it (room_variant.h).
+/* causes.h - list of possible mistakes in another program's input or settings. Each
+ * mistake has a description, and a switch of our own simulation that imitates it
+ * (room_variant.h).
  *
- * Causes of one kind exclude each other. A cause with a fitted value has no given
- * value: the best-fitting one is used. These are a common factor of all values, and the
- * reflectance of the ground.
+ * Causes of one kind exclude each other. Two causes have no given value, but the
+ * best-fitting one: a common factor of all values, and the reflectance of the ground.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
 #define PP_STUDIES_RESEARCH_COMPARE_CAUSES_H
@@ -11,7 +11,7 @@
 #include "studies/research/compare/compare_subject.h"
 
 struct pp_cause {
-    const char *word;   /* "bounces=2"; "ground" where the value is fitted */
+    const char *word;   /* "bounces=2"; "ground" if the value is fitted */
     const char *kind;   /* causes of one kind exclude each other */
     const char *action; /* what the other program does, as the end of a sentence */
     const char *remedy; /* how to correct it in the other program */
@@ -38,7 +38,7 @@ const char *pp_causes_missing_at(int index);
 #define PP_CAUSES_VALUE_MOST 0.8
 bool pp_causes_is_fitted(const struct pp_cause *cause);
 
-/* Adds the cause's switch to those already set. value: that of a fitted cause. Not for
+/* Adds the cause's switch to those already set. value: value of a fitted cause. Not for
  * a common factor. */
 enum pp_status pp_causes_set_variant(struct pp_room_variant *variant,
                                      const struct pp_cause *cause, double value,

@@ -1,6 +1,6 @@
 /* compare.c - simulates our values without causes, and with sets of causes when the
- * search needs them. Computes what remains after the most likely set, and the effect of
- * each of its causes. */
+ * search needs them. Calculates the remainder after the most likely set, and the effect
+ * of each of its causes. */
 #include "studies/research/compare/compare.h"
 
 #include <math.h>
@@ -10,10 +10,11 @@
 #include "model/base/array.h"
 #include "studies/research/compare/cause_shares.h"
 
-/* The constant c in f(v) = ln(v + c), over the mean of our values: it gives darker
- * points less weight. */
+/* The constant c in f(v) = ln(v + c), relative to the mean of our values. c gives less
+ * weight to darker points. */
 static const double DARK_SHARE = 0.005;
-/* Sets are listed, the most likely first, until their probabilities add up to this. */
+/* Sets are listed, the most likely first, until the sum of their probabilities reaches
+ * this value. */
 static const double LISTED = 0.98;
 static const double SURE = 0.98;
 enum { TRACED_MOST = 40 };
@@ -59,8 +60,8 @@ static enum pp_status trace_cause_set(struct pp_compare *compare,
     return status;
 }
 
-/* Sets *set to our values with a set of causes, without common factors; simulates them
- * if necessary. Valid until the next call. */
+/* Sets *set to our values with a set of causes, without common factors; simulates the
+ * values if necessary. *set is valid until the next call. */
 static enum pp_status set_of(struct pp_compare *compare, const int *causes, int count,
                              double value, const struct traced_set **set,
                              struct pp_error *err)
@@ -127,7 +128,7 @@ static double squares(const double *list, int count)
     return sum;
 }
 
-/* Effect of those causes of the set whose bits are 1 in `subset`. */
+/* Effect of those causes of the set whose bits are set in `subset`. */
 static enum pp_status subset_effect(struct pp_compare *compare,
                                     const struct pp_cause_set *set, int subset,
                                     double *effect, double *variance,

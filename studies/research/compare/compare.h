@@ -35,15 +35,16 @@ struct pp_compared {
      * ones, up to a total probability of 98 % or as many as fit. */
     int listed;
 
-    double gap;               /* mean logarithm of their values over ours, both with c
-                               * added (likelihood.h) */
-    double gap_rms;           /* root mean square of the same logarithms */
-    double left, left_rms;    /* the same for their values over `explained` */
+    double gap;               /* mean of ln((their value + c)/(our value + c)), for c
+                               * see likelihood.h */
+    double gap_rms;           /* root mean square of these logarithms */
+    double left, left_rms;    /* the same with `explained` in place of our values */
     struct pp_left_over over; /* test of the remainder against the other program's
                                * noise */
     /* Effects of the causes of the most likely set, averaged over the orders in which
-     * they can be added: each one's effect on the mean (logarithm), and its share of
-     * the gap's sum of squares. The shares, with that of the remainder, add up to 1. */
+     * causes can be added. effects: effect of each cause on the mean (logarithm).
+     * shares: its share of the gap's sum of squares; the shares, including that of the
+     * remainder, add up to 1. */
     double effects[PP_CAUSE_SEARCH_MOST], shares[PP_CAUSE_SEARCH_MOST];
     double factor; /* the common factor of the most likely set; 1 if it has none */
 };
@@ -70,15 +71,15 @@ enum pp_status pp_compare_explain(struct pp_compared *compared,
                                   struct pp_error *err);
 void pp_compare_clear(struct pp_compared *compared);
 
-/* Limit (logarithm) on the other program's noise: if the noise is larger, no cause is
- * certain. A cause is certain only if the remainder without it is larger than this.
- * Unlisted mistakes in reflectances or dimensions can be this large; smaller
+/* Limit (logarithm) of the other program's noise. If the noise is larger, no cause is
+ * certain. A cause is certain only if the remainder without it is larger than this
+ * limit. Unlisted mistakes in reflectances or dimensions can be this large; smaller
  * differences between sets of causes therefore prove nothing. */
 #define PP_COMPARE_HIDES 0.05
 
-/* True if the cause (its index in the list) is certain. Its probability is then at
- * least 98 %, the other program's noise is below PP_COMPARE_HIDES and explains the
- * remainder, and every set without the cause leaves more than PP_COMPARE_HIDES. */
+/* True if the cause (index in the list) is certain. Its probability is then at least 98
+ * %. The other program's noise is below PP_COMPARE_HIDES and explains the remainder.
+ * Every set without the cause leaves a remainder of more than PP_COMPARE_HIDES. */
 bool pp_compare_is_sure(const struct pp_compared *compared, int cause);
 
 #endif

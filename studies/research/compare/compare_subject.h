@@ -8,7 +8,7 @@
 #include "studies/study_room.h"
 
 struct pp_compare_subject {  /* owns nothing */
-    const char *file, *name; /* name NULL: it has none */
+    const char *file, *name; /* name: NULL if it has none */
     const struct pp_receiver *points;
     int count;
     const struct pp_study_room *room;         /* NULL: a scene */
@@ -18,9 +18,9 @@ struct pp_compare_subject {  /* owns nothing */
 /* The subject of a room, at the room's receivers. */
 struct pp_compare_subject pp_compare_subject_of_room(const struct pp_study_room *room);
 
-/* Simulates our values at the subject's points, with the switches of a variant:
- * fractions, with their standard errors. PP_BAD_INPUT if a switch is not possible for
- * the subject; PP_INTERRUPTED if `look` returns false. */
+/* Simulates our values (fractions) at the subject's points, with the switches of a
+ * variant, and their standard errors. PP_BAD_INPUT if a switch is not possible for the
+ * subject; PP_INTERRUPTED if `look` returns false. */
 enum pp_status pp_compare_subject_values(double *values, double *errors,
                                          const struct pp_compare_subject *subject,
                                          const struct pp_room_variant *variant,

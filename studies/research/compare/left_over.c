@@ -1,5 +1,5 @@
-/* left_over.c - fits the smooth part by polynomials made orthogonal over the points by
- * the Gram-Schmidt method. */
+/* left_over.c - fits the smooth part by polynomials, which the Gram-Schmidt method
+ * makes orthogonal over the points. */
 #include "studies/research/compare/left_over.h"
 
 #include <math.h>
@@ -9,11 +9,11 @@ enum { TERMS = 10 };
 /* Relative error that both programs are assumed to share. */
 static const double COMMON = 0.005;
 static const double QUANTILE = 3.0;
-/* Noise is estimated only with at least this many degrees of freedom: points minus
- * polynomials, n - p. */
+/* Noise is estimated only with at least this many degrees of freedom: n - p, the number
+ * of points less the number of polynomials. */
 enum { FREE_LEAST = 6 };
-/* If the norm of a polynomial falls below this share when the others are subtracted, it
- * depends linearly on them at these points, and is left out. */
+/* If subtracting the others reduces the norm of a polynomial below this fraction, the
+ * polynomial depends linearly on them at these points, and is left out. */
 static const double DEPENDENT = 1e-6;
 
 static double dot(const double *a, const double *b, int count)

@@ -1,5 +1,5 @@
 /* left_over.h - tests whether a remaining difference is larger than the other program's
- * noise explains (a lack-of-fit test).
+ * noise can explain (a lack-of-fit test).
  *
  * The remainder r at n points is split into its smooth part and the scatter about it.
  * The smooth part s is the least squares fit by p polynomials of the second order in x,
@@ -10,12 +10,12 @@
  *     limit^2 = 3 p/n noise^2 + common^2                                          (2)
  *
  * Independent noise of the points has equal variance in each of the p components of s
- * and in each of the n - p others. Both parts are independent: with 18 points and p =
- * 6, left exceeds limit by chance in 5 % of cases (3 is the quantile of F). Mistakes in
- * a room vary smoothly over it. They are in left, and hardly change noise, so the noise
- * estimate does not contain the misfit that is tested. Noise that is correlated at
- * neighbouring points, as in an interpolated cache, cannot be distinguished from a
- * mistake, and counts as one.
+ * and in each of the n - p other components. Both parts are independent. With 18 points
+ * and p = 6, left exceeds limit by chance in 5 % of cases (3 is the quantile of F). The
+ * effect of a mistake varies smoothly over the room. It is contained in left, and
+ * hardly changes noise. The noise estimate therefore does not contain the misfit that
+ * is tested. Noise that is correlated at neighbouring points, as in an interpolated
+ * cache, cannot be distinguished from a mistake, and counts as one.
  *
  * If the noise is known, it replaces (1), and r replaces s:
  *
@@ -32,7 +32,7 @@
 struct pp_left_over {
     double noise;       /* standard deviation (logarithm); NAN: there are too few points
                          * to estimate it */
-    double left, limit; /* both NAN if noise is */
+    double left, limit; /* both NAN if noise is NAN */
 };
 
 /* known_noise: stated standard deviation (logarithm); 0: not stated. */

@@ -9,12 +9,12 @@ enum { SIGMAS = 20 };
 static const double SIGMA_LEAST = 0.003, SIGMA_MOST = 0.6;
 static const double ALIKE = 0.9;                  /* k */
 static const double REACH_M[] = {0.0, 0.6, 1.8};  /* l; 0: k is 0 */
-static const double BEFORE[] = {0.5, 0.25, 0.25}; /* prior probabilities of these
+static const double BEFORE[] = {0.5, 0.25, 0.25}; /* prior probabilities of the
                                                    * reaches */
 enum { KINDS = sizeof REACH_M / sizeof REACH_M[0] };
 
-/* Standard deviations of theta: of an error common to all programs; of a common factor,
- * small or large. */
+/* Standard deviations of theta: COMMON for an error common to all programs; FACTOR for
+ * a common factor, small or large. */
 static const double COMMON = 0.005, FACTOR[] = {0.1, 0.7};
 
 static double sigma_at(int i)
@@ -28,15 +28,15 @@ struct forms {
     double log_det;     /* logarithm of the covariance's determinant */
 };
 
-/* ln(exp(a) + exp(b)), without overflow. */
+/* Calculates ln(exp(a) + exp(b)) without overflow. */
 static double log_sum(double a, double b)
 {
     double most = fmax(a, b);
     return most + log(exp(a - most) + exp(b - most));
 }
 
-/* Logarithm of density (1), with theta normally distributed about 0 with this standard
- * deviation. *theta: its expected value, 1' V r / (1' V 1 + 1/s^2). */
+/* Logarithm of density (1), with theta normally distributed about 0 with the standard
+ * deviation s = `deviation`. *theta: its expected value, 1' V r / (1' V 1 + 1/s^2). */
 static double density_of(const struct forms *forms, int count, double deviation,
                          double *theta)
 {

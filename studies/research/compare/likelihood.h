@@ -1,4 +1,5 @@
-/* likelihood.h - how well an assumed cause explains a difference of values at points.
+/* likelihood.h - likelihood of the differences between two programs' values at points,
+ * for an assumed cause.
  *
  * The gap at point i is g_i = f(theirs) - f(ours), f(v) = ln(v + c); a supposition
  * predicts e_i with variance s_i^2. The remainder is noise:
@@ -9,10 +10,10 @@
  * sigma is unknown: its logarithm is uniform from ln 0.003 to ln 0.6. Independent noise
  * has k = 0; the noise of an interpolated cache is correlated at neighbouring points, k
  * = 0.9 with a reach l of 0.6 or 1.8 m. Prior probabilities are 1/2, 1/4 and 1/4. theta
- * is the logarithm of a common factor, normal about 0, with a standard deviation of
- * 0.005, the size of common errors of the two programs; if a common factor is assumed,
- * of 0.1 or 0.7, equally likely. The likelihood is the density of g by (1), integrated
- * over all of these.
+ * is the logarithm of a common factor, normally distributed about 0. Its standard
+ * deviation is 0.005, the size of common errors of the two programs. If a common factor
+ * is assumed, its standard deviation is 0.1 or 0.7, equally likely. The likelihood is
+ * the density of g by (1), integrated over all of these.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_LIKELIHOOD_H
 #define PP_STUDIES_RESEARCH_COMPARE_LIKELIHOOD_H
@@ -34,10 +35,10 @@ struct pp_supposition {
 
 struct pp_likelihood {
     double log_density;
-    double sigma; /* expected */
+    double sigma; /* expected value */
     double near;  /* probability that the noise of neighbouring points is correlated, 0
                    * to 1 */
-    double theta; /* expected */
+    double theta; /* expected value */
 };
 
 /* Log density with white noise only: fast, for a first selection. */

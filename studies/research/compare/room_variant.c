@@ -87,7 +87,7 @@ static enum pp_status read_colour(struct pp_room_variant *variant, const char *t
                            text);
 }
 
-/* Reads a sky type. If it has a sun, the sun's position is that of the room's sun. */
+/* Reads a sky type. A sky with a sun gets the position of the room's sun. */
 static enum pp_status read_sky(struct pp_room_variant *variant, const char *text,
                                struct pp_error *err)
 {
@@ -105,7 +105,7 @@ static enum pp_status read_sky(struct pp_room_variant *variant, const char *text
                            text);
 }
 
-/* Reads a setting that has a single possible value. */
+/* Reads a setting that has only one possible value. */
 static enum pp_status read_only(bool *place, const char *name, const char *text,
                                 const char *value, struct pp_error *err)
 {

@@ -1,15 +1,15 @@
-/* room_variant.h - switches that change our simulation as another program may have
- * changed the room or scene.
+/* room_variant.h - switches by which our simulation imitates changes that another
+ * program may have made to the room or scene.
  *
  *     bounces=N              at most N reflections between surfaces on a path. The
- *                            ground is not one of them: it emits its light
+ *                            ground does not count: it emits its light
  *     ab=N                   as in Radiance with the ground as a surface: at most
- *                            N-1 reflections, the ground's included. ab=0: only direct
+ *                            N-1 reflections, including the ground's. ab=0: only direct
  *                            light of concentrated sources
  *     glass=normal           the transmittance at normal incidence for all angles
- *     glass=transmissivity   the transmittance, taken for Radiance's transmissivity
+ *     glass=transmissivity   the transmittance is used as Radiance's transmissivity
  *     glass=none             openings without glass
- *     panes=1                only one of the panes
+ *     panes=1                only one of several panes
  *     frame=none  dirt=none  no frames; clean glass
  *     plane=Z                points at the height Z (m)
  *     sky=WORD               a sky of the room file format, or gensky: overcast,
@@ -18,7 +18,7 @@
  *     outside=none           no obstructions outside
  *     colour=WORD            in a coloured scene: grey, materials are replaced by grey
  *                            ones of equal luminance; mean, the result is the mean of
- *                            red, green and blue; green, it is the green channel
+ *                            red, green and blue; green, the green channel alone
  *     factor=F               all values multiplied by F
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_ROOM_VARIANT_H
@@ -45,7 +45,7 @@ enum pp_room_variant_colour {
 
 struct pp_room_variant {
     int bounces;        /* -1: unlimited */
-    bool ground_counts; /* the ground's reflection counts as one of them */
+    bool ground_counts; /* reflections by the ground count as bounces */
     bool dark;          /* ab=0 */
     enum pp_room_variant_glass glass;
     enum pp_room_variant_colour colour;
@@ -77,7 +77,7 @@ struct pp_variant_tracing {
     double error; /* target relative standard error, above 0 */
     uint64_t seed;
     int threads; /* 0: one for each processor */
-    /* Returns whether to continue; done: 0 to 1. NULL: not called. */
+    /* Returns true to continue. done: 0 to 1. NULL: not called. */
     bool (*look)(void *data, double done);
     void *data;
 };

@@ -1,4 +1,5 @@
-/* set_effects.c - effects of sets: simulated, or predicted from their parts. */
+/* set_effects.c - effects of sets of causes: simulated, or predicted from their
+ * parts. */
 #include "studies/research/compare/set_effects.h"
 
 #include <math.h>
@@ -13,22 +14,23 @@ struct pp_known_set {
     bool makes_sense;
     double *effect, *variance;
     /* For a cause with a fitted value: effects in the middle and at the upper end of
-     * its range; `effect` is that at the lower end. NULL: no such cause. */
+     * its range; `effect` is at the lower end. NULL: no such cause. */
     double *middle, *most;
 };
 
-/* Uncertainty of the effect of a pair of causes that is not simulated, as shares of the
- * smaller of both effects. OFF_SHARE: greatest deviation, up or down, from the sum of
- * both; it is about equal at all points. OFF_SHARE_AT_A_POINT: further deviation at
- * single points; also the deviation of three causes from the sum of their pairs. */
+/* Uncertainty of the effect of a pair of causes that is not simulated, as fractions of
+ * the smaller effect of the two. OFF_SHARE: greatest deviation, up or down, from the
+ * sum of both effects; it is about equal at all points. OFF_SHARE_AT_A_POINT: further
+ * deviation at single points; also the deviation of three causes from the sum of their
+ * pairs. */
 static const double OFF_SHARE = 0.6, OFF_SHARE_AT_A_POINT = 0.1;
 /* Causes with a smaller effect (root mean square of logarithms) are not considered. */
 static const double LEAST_EFFECT = 0.001;
-/* Added, as a standard deviation, to the noise from which the uncertainty of a fitted
- * value is computed. */
+/* Standard deviation that is added to the noise when the uncertainty of a fitted value
+ * is calculated. */
 static const double LEAST_NOISE = 0.003;
-/* Steps of the golden section search for a fitted value, and number of levels to which
- * it is rounded, about a thousandth of its range apart. */
+/* Number of steps of the golden section search for a fitted value, and number of levels
+ * to which the value is rounded, about a thousandth of its range apart. */
 enum { FIT_STEPS = 16, LEVELS = 800 };
 static const struct pp_known_set *find_known_set(const struct pp_set_effects *effects,
                                                  const int *causes, int count)
@@ -56,8 +58,8 @@ bool pp_set_effects_has_fitted(const struct pp_set_effects *effects, const int *
     return false;
 }
 
-/* True if a single cause has an effect; for a fitted value, if the ends of its range
- * have different effects. */
+/* True if a single cause has an effect. A cause with a fitted value has one if the
+ * effects at the ends of its range differ. */
 static bool is_felt(const struct pp_known_set *known, int points)
 {
     double sum = 0.0;
@@ -123,7 +125,7 @@ static double smaller(double a, double b)
 }
 
 /* Deviation of a pair's effect at a point from the sum of both effects, simulated or
- * assumed. Adds its uncertainty to *slack. */
+ * assumed. Adds the uncertainty of this deviation to *slack. */
 static double together(const struct pp_set_effects *effects,
                        const struct pp_known_set *a, const struct pp_known_set *b,
                        int point, double off, double level, double *slack)
@@ -226,8 +228,8 @@ double pp_set_effects_fit(struct pp_set_effects *effects, const int *causes, int
         else
             low = high - inner;
     }
-    /* The standard error of the level: a deviation by one standard error raises the sum
-     * of squares by the variance s^2 of the noise. */
+    /* The standard error of the level is the deviation that raises the sum of squares
+     * by the variance s^2 of the noise. */
     double level = fmin(fmax(0.5 * (low + high), step), 1.0 - step);
     double least = pp_set_effects_left(effects, causes, count, has_factor, level);
     double bend =

@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-/* Transmittance at normal incidence of a pane of transmissivity t, the share
- * transmitted in one passage through the glass. Each face reflects rho, with n = 1.52:
- * (1 - rho)^2 t / (1 - rho^2 t^2) [WS98]. */
+/* Transmittance at normal incidence of a pane of transmissivity t, the fraction
+ * transmitted in one passage through the glass. Each face reflects rho, for a
+ * refractive index of 1.52: (1 - rho)^2 t / (1 - rho^2 t^2) [WS98]. */
 static double of_transmissivity(double t)
 {
     double rho = (1.52 - 1.0) / (1.52 + 1.0);
@@ -21,7 +21,7 @@ static struct pp_glass by_normal_alone(struct pp_glass glass)
 }
 
 /* One pane of several. If only the transmittance of the whole glazing was given, all
- * panes get the same factor, and the product of the factors is glass.scale. */
+ * panes get the same factor; the product of these factors is glass.scale. */
 static struct pp_glass one_of(struct pp_glass glass)
 {
     struct pp_glass pane = pp_glass_panes(1, glass.n, glass.kl);

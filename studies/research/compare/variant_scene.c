@@ -1,5 +1,5 @@
 /* variant_scene.c - changes a copy of the scene's materials, and simulates the scene
- * with it. */
+ * with the copy. */
 #include "studies/research/compare/variant_scene.h"
 
 #include <math.h>
@@ -46,7 +46,7 @@ static const char *not_of_scenes(const struct pp_room_variant *variant)
 
 /* ---- its values ---- */
 
-/* Combines the colour channels as the other program does. The same combination of
+/* Combines the colour channels as the other program does. The same combination of the
  * standard errors is never too small. */
 static double sum_up(struct pp_rgb light, enum pp_room_variant_colour colour)
 {
@@ -68,8 +68,8 @@ static enum pp_status read_sensor_values(double *values, double *errors,
         return pp_fail_memory(err);
     struct pp_room_variant followed = *variant;
     if (followed.bounces >= 0)
-        followed.bounces++; /* the sky is a surface in this scene, and reaching it
-                             * takes one more bounce */
+        followed.bounces++; /* in this scene the sky is a surface, which a path reaches
+                             * one bounce later */
     enum pp_status status =
         pp_variant_sensors(readings, scene, NULL, points, count,
                            pp_rgb_luminance(horizontal), &followed, tracing, err);

@@ -19,7 +19,7 @@ enum pp_status pp_variant_sensors(
     int count, double horizontal, const struct pp_room_variant *variant,
     const struct pp_variant_tracing *tracing, struct pp_error *err);
 
-/* Calls `look` with the share of work done, 0 to 1. PP_INTERRUPTED if `look` returns
+/* Calls `look` with the fraction of work done, 0 to 1. PP_INTERRUPTED if `look` returns
  * false. */
 enum pp_status pp_variant_sensors_go_on(const struct pp_variant_tracing *tracing,
                                         double done, struct pp_error *err);

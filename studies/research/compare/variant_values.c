@@ -1,4 +1,4 @@
-/* variant_values.c - changes a copy of the room, and simulates it. */
+/* variant_values.c - changes a copy of the room, and simulates the copy. */
 #include "studies/research/compare/variant_values.h"
 
 #include <math.h>

@@ -1,8 +1,9 @@
 /* variant_values.h - simulated daylight factors of a variant of a room.
  *
  * A variant is a changed copy of the room's description, its light or its points. The
- * path tracer calculates it; if reflections are limited, the sensors of
- * simulate/transport do, because they can end paths there.
+ * path tracer simulates the variant. If the number of reflections is limited, the
+ * sensors of simulate/transport are used instead, since they can end paths at the
+ * limit.
  */
 #ifndef PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H
 #define PP_STUDIES_RESEARCH_COMPARE_VARIANT_VALUES_H

@@ -1,5 +1,5 @@
-/* cie171.c - makes the rooms of CIE 171 and compares the figures of its table, in the
- * table's order. */
+/* cie171.c - makes the rooms of CIE 171 and compares their results with the report's
+ * table, in the order of the table. */
 #include "studies/research/validation/cie171.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "methods/method.h"
 #include "methods/view/visible.h"
 
-/* One row of the table; figures in per cent. Texts are arrays, not pointers, since each
+/* One row of the table; values in per cent. Texts are arrays, not pointers, since each
  * pointer would need a relocation at every start. */
 struct figure {
     char scene[16];
@@ -30,7 +30,7 @@ enum {
 };
 
 /* Tolerances for the independent integration (three decimals; coarser if a mask cuts
- * the opening), and for printed figures (two decimals). */
+ * the opening), and for printed values (two decimals). */
 static const double CHECK_SHARE = 0.001, MASKED_SHARE = 0.0025, CHECK_LEAST = 0.001e-2;
 static const double PRINTED_SHARE = 0.01, PRINTED_LEAST = 0.02e-2;
 
@@ -41,14 +41,16 @@ static bool is_glazed(const struct figure *figure)
     return strstr(figure->scene, "glass") != NULL;
 }
 
-/* A plane outside, so long that an infinite one would give the same last digit. */
+/* A plane outside that is so long that an infinite plane would give the same last
+ * digit. */
 #define PLANE                                                                          \
     "<surface reflectance='0' exitance='%g'><vertex x='-2000' y='%g' z='%g'/>"         \
     "<vertex x='2000' y='%g' z='%g'/><vertex x='2000' y='%g' z='%g'/>"                 \
     "<vertex x='-2000' y='%g' z='%g'/></surface>"
 
-/* Exitance of the canopy's underside that reproduces the printed figures. No exitance
- * reproduces those for a building opposite; its cases have sky light only. */
+/* Exitance of the canopy's underside that reproduces the printed values. For a building
+ * opposite, no exitance reproduces the printed values; those cases have sky light
+ * only. */
 static const double CANOPY_EXITANCE = 0.05;
 
 /* Writes the opening and the obstructions as elements of a room file. */
@@ -77,7 +79,7 @@ static void write_opening(char *text, size_t size, const struct figure *figure)
                  0.0, -6.0, 0.0, -6.0, 0.0, -6.0, a, -6.0, a);
 }
 
-/* Makes the room of a figure. Its ground is lit as if there were no building on it. */
+/* Makes the room of a figure. The ground is lit as if there were no building on it. */
 static enum pp_status build_room(struct pp_world **world,
                                  struct pp_outside_light *light,
                                  const struct figure *figure, struct pp_error *err)
@@ -134,8 +136,8 @@ static double luminance(const void *context, struct pp_vec3 u)
            * polynomial_glass(pp_vec_dot(through->toward, u));
 }
 
-/* Integrates the light of what is visible above the horizon (up = 1: the sky) or below
- * it (up = -1: uniform luminance). */
+/* Integrates the light of the visible directions above the horizon (up = 1: the sky) or
+ * below it (up = -1: uniform luminance). */
 static enum pp_status integrate_visible(double *value, const struct pp_visible *visible,
                                         struct pp_vec3 normal, double up,
                                         const struct pp_sky *sky, struct pp_error *err)
@@ -218,8 +220,8 @@ static void name_group(char text[48], const struct figure *figure)
             snprintf(text, 48, names[i].words, figure->a, figure->b);
 }
 
-/* Adds the cases of one figure: by `exact`, and by simulation if `traced` is not
- * NULL. */
+/* Adds the cases of one row of the table: by `exact`, and by simulation if `traced` is
+ * not NULL. */
 static enum pp_status add_figure(struct pp_known_cases *cases,
                                  const struct figure *figure,
                                  const struct pp_world *world,
@@ -250,7 +252,7 @@ static enum pp_status add_figure(struct pp_known_cases *cases,
     return PP_OK;
 }
 
-/* Adds the figures of one room, which are adjacent in the table. */
+/* Adds the rows of one room, which are adjacent in the table. */
 static enum pp_status add_room(struct pp_known_cases *cases,
                                const struct figure *figure, int count,
                                const struct pp_known_trace *how, double std_errors,

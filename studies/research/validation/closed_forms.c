@@ -132,9 +132,8 @@ static enum pp_status check_open_sky(struct pp_known_cases *cases,
     return status;
 }
 
-/* In a closed room with exitance 1 and reflectance rho everywhere, the illuminance
- * is 1 + rho + rho^2 + ... = 1/(1 - rho) in a room of any form: the integrating
- * sphere. */
+/* In a closed room of any form, with exitance 1 and reflectance rho everywhere, the
+ * illuminance is 1 + rho + rho^2 + ... = 1/(1 - rho), as in an integrating sphere. */
 static enum pp_status check_closed_cube(struct pp_known_cases *cases,
                                         const struct pp_known_trace *how,
                                         struct pp_error *err)
@@ -166,8 +165,8 @@ static enum pp_status check_closed_cube(struct pp_known_cases *cases,
     return status;
 }
 
-/* Configuration factor of a rectangle parallel to the receiver, with a corner above it;
- * a, b: its sides over its distance. */
+/* Configuration factor of a rectangle parallel to the receiver, with a corner above the
+ * receiver; a, b: its sides divided by its distance. */
 static double parallel_factor(double a, double b)
 {
     double p = sqrt(1.0 + a * a), q = sqrt(1.0 + b * b);
@@ -176,7 +175,7 @@ static double parallel_factor(double a, double b)
 
 /* Configuration factor of a rectangle perpendicular to the receiver's plane, with its
  * lower edge in that plane and a corner in front of the receiver; w, h: width and
- * height over the distance. */
+ * height divided by the distance. */
 static double upright_factor(double w, double h)
 {
     double r = sqrt(1.0 + h * h);
@@ -264,7 +263,7 @@ static enum pp_status check_windows(struct pp_known_cases *cases,
 }
 
 /* Checks the sky component of the hall's window through glass, simulated and by
- * `exact`, which are independent of each other. */
+ * `exact`. Both calculations are independent of each other. */
 static enum pp_status check_traced_and_exact(struct pp_known_cases *cases,
                                              const struct pp_known_trace *how,
                                              struct pp_error *err)

@@ -1,4 +1,4 @@
-/* comparison.c - computes bias, spread and worst difference for each column of a
+/* comparison.c - calculates bias, spread and worst difference for each column of a
  * report, and over several rooms. */
 #include "studies/research/validation/comparison.h"
 
@@ -13,8 +13,8 @@ static double known_error(const struct pp_reading *reading)
     return isfinite(reading->std_error) ? reading->std_error : 0.0;
 }
 
-/* Reason why a reading has no value: that of the first such point, else of the
- * average. */
+/* Reason why a column has no value: the reason at the first point without a value, or
+ * else that of the average. */
 static const char *reason(const struct pp_report *report,
                           const struct pp_column *column)
 {
@@ -48,8 +48,8 @@ static struct own_value own_value_of(const struct pp_report *report,
             list[i] = PP_SC + i;
         of[i] = pp_own_world_of(worlds, column, list[i]);
     }
-    /* If all components are from one world, its daylight factor is used: it has a
-     * smaller error than their sum. */
+    /* If all components are from one world, the daylight factor of this world is used,
+     * which has a smaller error than the sum of the components. */
     if (value.count == 3 && of[0] == of[1] && of[1] == of[2]) {
         value.count = 1;
         list[0] = PP_DF;
@@ -89,7 +89,7 @@ static struct pp_error_parts parts_of(const struct own_value *value, double meth
     return parts;
 }
 
-/* Turns sums of n parts into means, with standard errors. */
+/* Converts sums of n parts to means, with standard errors. */
 static void take_mean(struct pp_error_parts *sum, int n)
 {
     sum->assumption /= n;

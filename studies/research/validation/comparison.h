@@ -1,17 +1,18 @@
 /* comparison.h - the differences between hand methods and the simulation, in one room
- * and over several.
+ * and over several rooms.
  *
  * At the n points i of a room the difference is d_i = method - simulated; s_i is the
  * standard error of the simulated value:
  *
  *     bias    mean d_i, with the standard error sqrt(sum s_i^2) / n
- *     spread  sqrt(max(0, mean d_i^2 - mean s_i^2)), the root mean square of d_i less
- *             the simulation's noise
+ *     spread  sqrt(max(0, mean d_i^2 - mean s_i^2)), the root mean square of d_i,
+ *             corrected for the simulation's noise
  *     worst   the d_i of the largest magnitude
  *
- * Bias and the average's difference are each the sum of two parts (own_world.h): one
- * due to the assumption, from the room to the method's own world, and one due to the
- * formula, from there to the method.
+ * The bias, and likewise the difference of the average, is the sum of two parts
+ * (own_world.h). One is due to the method's assumption: the difference between the
+ * simulated values in the method's own world and in the room. The other is due to its
+ * formula: the difference between the method and the simulated value in its own world.
  *
  * Over several rooms differences are first divided by the room's mean simulated value,
  * so that dark rooms count as much as bright ones.
@@ -40,8 +41,8 @@ struct pp_comparison {
     double worst, worst_error; /* d_i and s_i of the worst point */
     int worst_point;           /* index of the report's receiver */
     double average, traced_average, traced_average_error; /* NAN: none */
-    bool own_world; /* true if the method's world differs from the room's; if false, the
-                     * assumption part is 0 */
+    bool own_world; /* true if the method's world differs from the room's world; if
+                     * false, the assumption part is 0 */
     struct pp_error_parts of_bias, of_average; /* parts of the bias, and of average -
                                                 * traced_average */
 };
@@ -54,14 +55,14 @@ enum pp_status pp_comparison_of_report(struct pp_comparison **list, int *count,
                                        const struct pp_own_worlds *worlds,
                                        struct pp_error *err);
 
-/* The two parts of a column's difference at one point of the report, or, for -1, of the
+/* The two parts of a column's difference at one point of the report; point -1: of the
  * average. */
 struct pp_error_parts pp_comparison_parts(const struct pp_report *report,
                                           const struct pp_column *column,
                                           const struct pp_own_worlds *worlds,
                                           int point);
 
-/* Comparison of one method over several rooms; differences are relative to the rooms'
+/* Comparison of one method over several rooms. Differences are relative to the rooms'
  * mean simulated values. */
 struct pp_overall {
     enum pp_component component;
@@ -70,20 +71,21 @@ struct pp_overall {
     double bias, spread;
     double worst;          /* the difference at the worst point of all rooms */
     int worst_room;        /* index of the room with the worst point */
-    int averages;          /* rooms for which both give an average */
-    double average_bias;   /* mean of method/traced - 1 over these rooms' averages */
-    double average_spread; /* root mean square of method/traced - 1 over these
+    int averages;          /* rooms for which both the method and the simulation give an
+                            * average */
+    double average_bias;   /* mean of method/traced - 1 for these rooms' averages */
+    double average_spread; /* root mean square of method/traced - 1 for these
                             * averages */
     double assumption, formula;                 /* parts of bias */
     double average_assumption, average_formula; /* parts of average_bias */
-    bool own_world; /* true if the method's world differs from the room's in some
+    bool own_world; /* true if the method's world differs from the room's world in some
                      * room */
     const struct pp_comparison *worst_comparison; /* comparison with the worst point;
                                                    * not owned */
 };
 
-/* Combines the comparisons of room_count rooms; rooms[i] has counts[i] of them. The
- * caller frees *list. */
+/* Combines the comparisons of room_count rooms; rooms[i] contains counts[i]
+ * comparisons. The caller frees *list. */
 enum pp_status pp_comparison_overall(struct pp_overall **list, int *count,
                                      struct pp_comparison *const *rooms,
                                      const int *counts, int room_count,

@@ -40,7 +40,7 @@ void pp_known_case_add(struct pp_known_cases *cases, const char *what, const cha
     snprintf(one->what, sizeof one->what, "%s", what);
 }
 
-/* Half a unit of the last decimal of a figure in per cent, as a fraction, with a small
+/* Half a unit of the last decimal of a value in per cent, as a fraction, with a small
  * tolerance. */
 static double rounding(int decimals)
 {

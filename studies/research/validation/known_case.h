@@ -1,5 +1,6 @@
-/* known_case.h - comparison of a result of the program with a known value: calculated
- * by hand, published, or computed by an independent part of the program. */
+/* known_case.h - comparison of a result of the program with a known value, which was
+ * calculated by hand, published, or calculated by an independent part of the
+ * program. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_KNOWN_CASE_H
 #define PP_STUDIES_RESEARCH_VALIDATION_KNOWN_CASE_H
 
@@ -15,15 +16,17 @@ struct pp_known_case {
     const char *by; /* the method, or "traced" */
     double answer, expected;
     double limit;     /* largest difference allowed: the rounding of `expected`, or a
-                       * number of standard errors of the answer; NAN: there is no
-                       * verdict */
-    double least;     /* least difference allowed; -limit unless a band gives another */
+                       * number of standard errors of the answer; NAN: no verdict */
+    double least;     /* least difference allowed: -limit, unless a band specifies
+                       * another value */
     double std_error; /* error of a sampled result; NAN: not sampled */
     double assumption,
         formula;             /* the two parts of the difference (own_world.h); NAN: not
                               * available */
-    const char *room, *file; /* for a user's room; NULL: not a user's room. Not owned */
-    const char *why;         /* reason if there is no verdict, else NULL. Not owned */
+    const char *room, *file; /* room and file of a user; NULL: not a user's room. Not
+                              * owned */
+    const char *why;         /* reason if there is no verdict, otherwise NULL. Not
+                              * owned */
 };
 
 struct pp_known_cases {
@@ -42,8 +45,7 @@ void pp_known_case_clear(struct pp_known_cases *cases);
 void pp_known_case_add(struct pp_known_cases *cases, const char *what, const char *by,
                        double answer, double expected, double limit);
 
-/* Adds a case whose expected value is in per cent, rounded to that number of
- * decimals. */
+/* Adds a case whose expected value is in per cent, rounded to `decimals` decimals. */
 void pp_known_case_add_per_cent(struct pp_known_cases *cases, const char *what,
                                 const char *by, double answer, double per_cent,
                                 int decimals);
@@ -54,8 +56,8 @@ void pp_known_case_add_traced(struct pp_known_cases *cases, const char *what,
                               struct pp_reading reading, double expected,
                               double std_errors);
 
-/* Adds a case of a simulated value, expected in per cent and rounded to that number of
- * decimals. The limit is the rounding plus four standard errors. */
+/* Adds a case of a simulated value. The expected value is in per cent, rounded to
+ * `decimals` decimals. The limit is the rounding plus four standard errors. */
 void pp_known_case_add_traced_printed(struct pp_known_cases *cases, const char *what,
                                       struct pp_reading reading, double per_cent,
                                       int decimals);
@@ -75,7 +77,7 @@ const char *pp_known_case_reason(const struct pp_known_cases *cases, int index,
 bool pp_known_case_has_parts(const struct pp_known_cases *cases);
 
 /* Position of the difference between its limits: -1 and 1 at the limits, 0 at no
- * difference. If the limits do not enclose 0, 0 is midway between them. */
+ * difference. If the limits do not enclose 0, the position is 0 midway between them. */
 double pp_known_case_share(const struct pp_known_case *one);
 
 #endif

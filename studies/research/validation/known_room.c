@@ -1,4 +1,4 @@
-/* known_room.c - reads rooms with known results, and computes their values by methods
+/* known_room.c - reads rooms with known results, and calculates their values by methods
  * and by simulation. */
 #include "studies/research/validation/known_room.h"
 

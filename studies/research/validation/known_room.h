@@ -1,5 +1,5 @@
-/* known_room.h - computes the values of a room with known results, by hand methods and
- * by simulation. */
+/* known_room.h - calculates the values of a room with known results, by hand methods
+ * and by simulation. */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
 #define PP_STUDIES_RESEARCH_VALIDATION_KNOWN_ROOM_H
 
@@ -11,7 +11,7 @@
 #include "model/results/report.h"
 #include "model/room/world.h"
 
-/* A room with a window of 3 x 1.8 m, 3 m from its point. Its results have been
+/* A room with a window of 3 x 1.8 m, 3 m from the point. Its results have been
  * calculated in several ways. */
 #define PP_KNOWN_HALL                                                                  \
     "<room version='1'><plan width='9' depth='8' height='4'/>"                         \
@@ -22,8 +22,8 @@
 struct pp_known_trace {
     uint64_t seed;
     int threads;  /* 0: one for each processor */
-    long samples; /* paths for each point in each randomisation; 0: as many as `error`
-                   * needs */
+    long samples; /* paths for each point in each randomisation; 0: as many as needed
+                   * for `error` */
     double error; /* target relative standard error of the daylight factor */
 };
 
@@ -46,7 +46,8 @@ enum pp_status pp_known_room_evaluate(struct pp_known_room *room, const char *xm
                                       const char *methods, struct pp_error *err);
 void pp_known_room_clear(struct pp_known_room *room);
 
-/* A component by a method at the first point, and its average; NAN if missing. */
+/* A component by a method at the first point, and the average of the component; NAN if
+ * missing. */
 double pp_known_room_at_point(const struct pp_known_room *room,
                               enum pp_component component, const char *name);
 double pp_known_room_average(const struct pp_known_room *room,

@@ -9,7 +9,7 @@
 #include "model/light/graded_sky.h"
 #include "model/room/room.h"
 
-/* Reflectance of obstructions that is built into the formulae. */
+/* Reflectance of obstructions that the formulae contain. */
 static const double formulas_reflectance = 0.2;
 
 /* Tolerances for equal angles (rad), and for equal directions (1 less the cosine
@@ -19,7 +19,7 @@ static const double same_angle_rad = 1e-6, same_way = 1e-9;
 /* A skyline's angle is less than 90 degrees. */
 static const double most_rad = 89.9 * PP_RAD;
 
-/* The openings that face in one direction. */
+/* The openings that face one direction. */
 struct side {
     struct pp_vec3 outward; /* horizontal, unit */
     double area_m2, sum;    /* total area of the openings; sum of area times angle */
@@ -69,8 +69,8 @@ static struct side *side_facing(struct side *sides, int *count, struct pp_vec3 o
     return &sides[(*count)++];
 }
 
-/* Groups all openings by direction; *covered is false if a horizontal opening has an
- * obstruction. */
+/* Groups all openings by direction. Sets *covered to false if a horizontal opening has
+ * an obstruction. */
 static enum pp_status gather_opening_sides(struct side *sides, int *count,
                                            bool *covered, const struct pp_world *world,
                                            const struct pp_world *bare,
@@ -110,8 +110,8 @@ static const char *wall_towards(const struct pp_world *world, struct pp_vec3 out
     return NULL;
 }
 
-/* True if the room's own obstructions equal these skylines: all are skylines without a
- * distance, with these angles and with the formulae's reflectance. */
+/* True if the room's own obstructions are the same as these skylines: all are skylines
+ * without a distance, with these angles and with the formulae's reflectance. */
 static bool are_the_rooms(const struct pp_own_skylines *skylines,
                           const struct pp_world *world)
 {

@@ -2,17 +2,18 @@
  * angle of an opening: `bre` and its variants, `split-flux`, `sphere`, the average
  * daylight factor.
  *
- * They assume an infinitely long skyline in front of each wall. It is so far away that
- * its angle is the same from every point, and its reflectance is the 0.2 that is built
- * into the printed factors. The angle is the mean of the angles of the wall's openings
- * (methods/reflected/obstruction.h), weighted by area. Walls that face the same
- * direction share one skyline, since each wall's skyline would be visible through the
- * other's openings. Sky hidden by the room's own walls stays hidden. The skyline hides
- * as much light as the obstructions hide in addition to these walls.
+ * These methods assume an infinitely long skyline in front of each wall. The skyline is
+ * so far away that its angle is the same from every point. Its reflectance is 0.2, the
+ * value contained in the printed factors. The angle is the mean of the angles of the
+ * wall's openings (methods/reflected/obstruction.h), weighted by area. Walls that face
+ * the same direction share one skyline, since the skyline of each wall would also be
+ * visible through the openings of the others. Sky hidden by the room's own walls stays
+ * hidden. The skyline hides as much light as the obstructions hide in addition to these
+ * walls.
  *
- * A skyline cannot stand before a horizontal opening, and glass in a roof needs a wall
- * that faces the same direction. If such an opening has an obstruction, the room's real
- * surroundings are kept.
+ * There is no skyline for a horizontal opening; for a roof window, there is one only if
+ * a wall faces the same direction. If an opening without a skyline has an obstruction,
+ * the room's real surroundings are kept.
  */
 #ifndef PP_STUDIES_RESEARCH_VALIDATION_OWN_SKYLINES_H
 #define PP_STUDIES_RESEARCH_VALIDATION_OWN_SKYLINES_H
@@ -31,10 +32,10 @@ struct pp_own_skyline {
 
 struct pp_own_skylines {
     bool
-        as_they_are; /* the room's own surroundings are of this form already, or have to
-                      * be kept */
-    struct pp_own_skyline *list; /* one for each wall with an angle, unless
-                                  * as_they_are */
+        as_they_are; /* the room's own surroundings are already of this form, or must be
+                      * kept */
+    struct pp_own_skyline *list; /* one for each wall whose openings have an
+                                  * obstruction, unless as_they_are */
     int count;
 };
 

@@ -13,17 +13,17 @@
 #include "studies/study_report.h"
 #include "studies/research/validation/own_skylines.h"
 
-/* Properties in which an assumed world differs from the room's world. The ground of an
+/* Properties by which an assumed world differs from the room's world. The ground of an
  * assumed world is lit by the whole sky. */
 struct own_kind {
     double ground_reflectance;
-    bool surroundings; /* with the room's own surroundings, not skylines */
+    bool surroundings; /* with the room's own surroundings instead of skylines */
     bool real;         /* identical to the room's world */
 };
 
 struct own_world {
     struct own_kind kind;
-    bool inside; /* also gives the internally reflected component */
+    bool inside; /* the internally reflected component is simulated as well */
     struct pp_world *world;
     struct pp_report report;
 };
@@ -37,8 +37,8 @@ struct pp_own_worlds {
 
 /* ---- which world ---- */
 
-/* The method of that name, or the method whose variant has that name; length: of the
- * name. */
+/* The method with this name, or the method that has a variant with this name. length:
+ * length of the name. */
 static const struct pp_method *method_of(const char *name, size_t length,
                                          const struct pp_method_options *options)
 {
@@ -52,8 +52,8 @@ static const struct pp_method *method_of(const char *name, size_t length,
     return NULL;
 }
 
-/* The method that gives a column's component; NULL: none does, the component is
- * simulated. */
+/* The method that gives a column's component. NULL: no method does, and the component
+ * is simulated. */
 static const struct pp_method *method_for(const struct pp_own_worlds *worlds,
                                           const struct pp_column *column,
                                           enum pp_component component)
@@ -78,8 +78,8 @@ static struct own_kind kind_of(const struct pp_own_worlds *worlds,
                              .real = method->of_real_room};
 }
 
-/* Index of that world in the list; -1: the room's own world. Equal to the count if the
- * world is not in the list yet. */
+/* Index of this world in the list; -1: the room's own world. If the world is not in the
+ * list yet, the count. */
 static int index_of(const struct pp_own_worlds *worlds, struct own_kind kind,
                     enum pp_component component)
 {
@@ -169,7 +169,7 @@ static enum pp_status make_own_world(struct own_world *own,
     return status;
 }
 
-/* True if any figure in the column can be compared. */
+/* True if any value in the column can be compared. */
 static bool has_figures(const struct pp_column *column, int receiver_count)
 {
     bool any = !column->of_all_surfaces && isfinite(column->average.value);

@@ -1,4 +1,5 @@
-/* printed_tables.c - compares the compiled-in tables cell by cell. */
+/* printed_tables.c - compares the tables of the program cell by cell with published
+ * ones. */
 #include "studies/research/validation/printed_tables.h"
 
 #include <math.h>
@@ -11,13 +12,13 @@
 
 /* ---- the BRS simplified daylight table ---- */
 
-/* Rows by h/d, columns by w/d; per cent. */
+/* Rows by h/d, columns by w/d; values in per cent. */
 static const double brs[][21] = {
 #include "tables/brs_simplified_table.inc"
 };
 
-/* Width of an endless window over the distance of the point: a wider one gives the same
- * printed digits. */
+/* Width of an endless window relative to the distance of the point; a wider window
+ * gives the same printed digits. */
 static const double ENDLESS = 300.0;
 
 /* Greatest permitted error of a cell, per cent: half a unit of its last digit plus 6 %
@@ -30,12 +31,12 @@ static double brs_limit(double per_cent, double h)
     return (per_cent < 1.0 ? 0.005 : 0.05) + 0.06 * per_cent;
 }
 
-/* Cells known to have larger errors: h/d and w/d. */
+/* Cells with known larger errors: h/d and w/d. */
 static const double odd[][2] = {
 #include "tables/brs_odd_cells.inc"
 };
 
-static const double ODD_LIMIT = 0.3; /* share of the printed figure */
+static const double ODD_LIMIT = 0.3; /* fraction of the printed value */
 
 static bool is_odd(double h, double w)
 {
@@ -55,8 +56,8 @@ static void write_ratio(char text[16], double ratio)
     snprintf(text, 16, isinf(ratio) ? "endless" : "%g", ratio);
 }
 
-/* Sky component 1 m from a window h high and w wide with clear single glass, whose sill
- * is level with the point and one jamb straight ahead. */
+/* Sky component 1 m from a window with clear single glass, h high and w wide. The sill
+ * is level with the point, and one jamb is straight ahead of the point. */
 static enum pp_status sky_component(double *value, double h, double w,
                                     struct pp_error *err)
 {
@@ -104,18 +105,19 @@ static enum pp_status check_brs_table(struct pp_known_cases *cases,
 
 /* ---- the table of the minimum internally reflected component ---- */
 
-/* Rows by net glass over floor; floors of 10, 20, 40 %, walls of 20, 40, 60, 80 %. */
+/* Rows by net glass area, as a percentage of the floor area; columns by reflectances of
+ * floors (10, 20, 40 %) and of walls (20, 40, 60, 80 %). */
 static const double irc[][13] = {
 #include "tables/irc_minimum.inc"
 };
 
 /* Our formula agrees with all cells, which have one decimal in per cent, to within 0.25
- * of a per cent. */
+ * % daylight factor. */
 static const double IRC_LIMIT = 0.0025;
 
 /* The room that fits the table best: 20 x 20 x 10 ft, with a window from 3 ft above the
  * floor to the ceiling, and a skyline of 20 degrees opposite. IRC_GLASS_MOST: largest
- * area of glass that fits in its wall, per cent of the floor. */
+ * area of glass that fits in the wall, per cent of the floor. */
 static const double FOOT_M = 0.3048, IRC_GLASS_MOST = 35.0;
 
 /* The minimum internally reflected component by `bre-min` in that room. */
@@ -169,9 +171,9 @@ static const double factors[][2] = {
 #include "tables/bre_obstruction_factors.inc"
 };
 
-/* The factors equal the light of the overcast sky above the obstruction plus a tenth of
- * the hidden light, to within 1.3 units: the printed ones are whole numbers, in per
- * cent, rounded in several steps. */
+/* The factors agree with the light of the overcast sky above the obstruction plus a
+ * tenth of the hidden light, to within 1.3 units. The printed factors are whole
+ * numbers, in per cent, rounded in several steps. */
 static void check_obstruction_factors(struct pp_known_cases *cases)
 {
     double open = pp_graded_sky_over_skyline(PP_GRADED_SKY_OVERCAST, 0.0);
@@ -188,8 +190,8 @@ static void check_obstruction_factors(struct pp_known_cases *cases)
 
 /* ---- ISO 15469 ---- */
 
-/* Checks the luminance at 45 degrees, opposite a sun 60 degrees high, over that of the
- * zenith against values documented by other programs. */
+/* Checks the luminance at 45 degrees, opposite a sun 60 degrees high, relative to the
+ * luminance of the zenith, against values documented by other programs. */
 static enum pp_status check_iso_skies(struct pp_known_cases *cases,
                                       struct pp_error *err)
 {
@@ -216,7 +218,7 @@ static enum pp_status check_iso_skies(struct pp_known_cases *cases,
 
 /* ---- configuration factors of CIE 171 ---- */
 
-/* A black parallelogram with that exitance. It refers to the caller's four corners. */
+/* A black parallelogram with this exitance; refers to the caller's four corners. */
 static struct pp_surface plate(struct pp_vec3 *corners, double exitance)
 {
     struct pp_vec3 a = pp_vec_sub(corners[1], corners[0]),
@@ -238,7 +240,8 @@ struct factor_row {
     double per_cent[8];
 };
 
-/* Checks the illuminance of the points over the exitance of the only luminous plate. */
+/* Checks the illuminance of the points, divided by the exitance of the only luminous
+ * plate. */
 static enum pp_status check_row(struct pp_known_cases *cases, struct pp_surface *plates,
                                 int plate_count, const struct factor_row *row,
                                 const struct pp_known_trace *how, struct pp_error *err)
@@ -264,7 +267,7 @@ static enum pp_status check_row(struct pp_known_cases *cases, struct pp_surface 
 }
 
 /* Case 5.6: a plate of 4 x 4 m on the ground. Case 5.7, with Ashdown's corrections: a
- * wall of 4 x 3 m with a black box 1 m high in front of it. */
+ * wall of 4 x 3 m behind a black box 1 m high. */
 static enum pp_status check_configuration_factors(struct pp_known_cases *cases,
                                                   const struct pp_known_trace *how,
                                                   struct pp_error *err)

@@ -1,4 +1,4 @@
-/* room_cases.c - makes one case for each figure, in the order of the report's
+/* room_cases.c - makes one case for each value, in the order of the report's
  * columns. */
 #include "studies/research/validation/room_cases.h"
 
@@ -29,7 +29,7 @@ static double known_error(struct pp_reading reading)
     return isfinite(reading.std_error) ? reading.std_error : 0.0;
 }
 
-/* A figure of a hand method, with its simulated value, its band and the parts of its
+/* A result of a hand method, with its simulated value, its band and the parts of its
  * error. */
 struct hand_figure {
     double hand;

@@ -7,8 +7,8 @@
 
 struct pp_suite {
     const char *name, *summary;
-    const char *limits; /* the limits of its cases, described in a sentence */
-    /* Share of traced cases that may be outside their limits by chance; 0: none. */
+    const char *limits; /* description of the limits of its cases, a sentence */
+    /* Fraction of traced cases that may be outside their limits by chance; 0: none. */
     double chance;
     bool of_rooms; /* the cases are from a user's rooms; `run` is NULL */
     long samples;  /* default for simulated cases: paths per point in each
@@ -20,7 +20,7 @@ struct pp_suite {
 /* suites[index]; NULL at the end. index is at most one past the last. */
 const struct pp_suite *pp_suite_at(int index);
 
-/* The suite of that name, or NULL. */
+/* The suite with this name, or NULL. */
 const struct pp_suite *pp_suite_find(const char *name);
 
 /* The suites of a user's rooms. */
@@ -33,7 +33,7 @@ extern const struct pp_suite pp_suite_quick;
 struct pp_suite_score {
     int count, wrong; /* cases that are not traced */
     int traced, traced_wrong;
-    int unjudged; /* without a verdict, in none of the above */
+    int unjudged; /* cases without a verdict, not counted above */
     bool passes;
 };
 struct pp_suite_score pp_suite_score(const struct pp_suite *suite,

@@ -19,22 +19,24 @@ struct pp_hand_hour {
     double altitude_rad;
     double azimuth_rad; /* from the direction of the equator, positive in the afternoon:
                          * -pi to pi */
-    double diffuse_lx, direct_lx; /* horizontal; normal to the sun, 0 if it is down */
+    double diffuse_lx, direct_lx; /* diffuse horizontal; direct normal, 0 if the sun is
+                                   * down */
     double clearness, brightness;
     int bin;
-    bool sunny;         /* direct normal irradiance above 120 W/m2 [WMO8] */
+    bool sunny;         /* true: direct normal irradiance above 120 W/m2 [WMO8] */
     double cloud_cover; /* NAN: not known */
 };
 
 struct pp_hand_case {
     const struct pp_world *world;
     const struct pp_weather_year *year;
-    bool southern; /* the site is south of the equator */
+    bool southern; /* true: the site is south of the equator */
     int hour_count;
-    struct pp_hand_hour *hours; /* by sky of the year; owned */
-    double all_occupied_h;      /* hours of darkness included */
+    struct pp_hand_hour *hours; /* indexed by sky of the year; owned */
+    double all_occupied_h;      /* including hours of darkness */
     struct pp_reference_skies skies;
-    int overcast; /* the overcast sky of simulated daylight factors */
+    int overcast; /* index in `skies` of the overcast sky of simulated daylight
+                   * factors */
     double *df;   /* daylight factors in use, by receiver; owned */
 };
 
@@ -45,14 +47,15 @@ enum pp_status pp_hand_case_init(struct pp_hand_case *of, const struct pp_world 
                                  enum pp_standard_sky overcast, struct pp_error *err);
 void pp_hand_case_clear(struct pp_hand_case *of);
 
-/* Mean over the openings, by the area of their glass times its diffuse transmittance, of
- * a value that depends on the orientation of a facade: facing the equator, east, the pole,
- * west. Between these it is interpolated linearly in the bearing. NAN for a room with an
- * opening that slopes less than 45 degrees, or without openings. */
+/* Mean over the openings, by the area of their glass times its diffuse transmittance,
+ * of a value that depends on the orientation of a facade: facing the equator, east, the
+ * pole, west. Between these orientations the value is interpolated linearly in the
+ * bearing. NAN for a room with an opening that slopes less than 45 degrees, or without
+ * openings. */
 double pp_hand_case_by_facade(const struct pp_hand_case *of, const double values[4]);
 
-/* Index of the orientation that has the largest share: 0 equator, 1 east, 2 pole, 3 west;
- * -1 as for NAN above. */
+/* Index of the orientation with the largest part of this weight: 0 equator, 1 east, 2
+ * pole, 3 west; -1 if pp_hand_case_by_facade gives NAN. */
 int pp_hand_case_facade(const struct pp_hand_case *of);
 
 #endif

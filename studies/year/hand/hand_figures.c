@@ -6,8 +6,10 @@
 
 /* Sums over the occupied hours. */
 struct hand_sums {
-    double reached_h[PP_ANNUAL_ILLUMINANCES_MOST]; /* with a target or more */
-    double low_h, good_h, above_h; /* with 100, with 300 lx or more; above 3000 lx */
+    double reached_h[PP_ANNUAL_ILLUMINANCES_MOST]; /* hours with at least each target
+                                                    * illuminance */
+    double low_h, good_h, above_h; /* hours with 100 lx or more, with 300 lx or more,
+                                    * and with more than 3000 lx */
     double lxh;
 };
 

@@ -9,11 +9,12 @@
 
 struct pp_hand_year_options {
     struct pp_year_methods_choice methods;
-    enum pp_standard_sky overcast; /* of simulated daylight factors */
+    enum pp_standard_sky overcast; /* sky of the simulated daylight factors */
     const char *df; /* selection of hand methods (methods/selection.h) with one daylight
                      * factor, in place of simulated ones; NULL: none */
-    bool explain;   /* record the calculation at the first point */
-    struct pp_month_day date; /* of the hour to explain; month 0: the year alone */
+    bool explain;   /* true: record the calculation at the first point */
+    struct pp_month_day date; /* date of the hour to explain; month 0: explain only the
+                               * year's figures */
     double clock_h;
 };
 

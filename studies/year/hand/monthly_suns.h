@@ -1,6 +1,6 @@
-/* monthly_suns.h - for each month and hour of the day of a weather file: the mean position
- * of the sun, the share of sunny hours, and the mean illuminances of sunny and other
- * hours. */
+/* monthly_suns.h - statistics of a weather file for each month and hour of the day: the
+ * mean position of the sun, the fraction of sunny hours, and the mean illuminances of
+ * sunny and of other hours. */
 #ifndef PP_STUDIES_YEAR_HAND_MONTHLY_SUNS_H
 #define PP_STUDIES_YEAR_HAND_MONTHLY_SUNS_H
 
@@ -9,11 +9,12 @@
 enum { PP_MONTHLY_SUNS_HOURS = 24, PP_MONTHLY_SUNS = 12 * PP_MONTHLY_SUNS_HOURS };
 
 struct pp_monthly_sun {
-    double hours, sunny_h; /* with daylight; of those with sunshine */
-    bool is_up;            /* the sun is above the horizon in some of the hours */
+    double hours, sunny_h; /* hours with daylight, and hours of these with sunshine */
+    bool is_up;            /* true: the sun is above the horizon in some of the hours */
     struct pp_vec3 sun;    /* unit: mean direction over the hours with the sun up */
     double sunny_diffuse_lx, sunny_direct_lx; /* means over sunny hours; 0: none */
-    double dull_diffuse_lx;                   /* mean over the others; 0: none */
+    double dull_diffuse_lx;                   /* mean over hours without sunshine; 0:
+                                               * none */
 };
 
 struct pp_monthly_suns {

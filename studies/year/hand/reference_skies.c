@@ -1,4 +1,5 @@
-/* reference_skies.c - the skies as a made-up year with one record for each of them. */
+/* reference_skies.c - the reference skies as an artificial year with one record for
+ * each sky. */
 #include "studies/year/hand/reference_skies.h"
 
 #include <stdlib.h>

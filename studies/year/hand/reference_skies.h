@@ -4,7 +4,7 @@
  * A factor is the illuminance of a point for a horizontal illuminance of 1 lx from the
  * open sky, or for 1 lx from the sun on a plane normal to its rays. All factors come
  * from one simulation by daylight coefficients with the paths of the simulated year, so
- * that both have the same noise.
+ * that the hand methods and the simulated year have the same noise.
  */
 #ifndef PP_STUDIES_YEAR_HAND_REFERENCE_SKIES_H
 #define PP_STUDIES_YEAR_HAND_REFERENCE_SKIES_H
@@ -17,7 +17,7 @@ struct pp_reference_skies {
     int count;
     int space;
     float *factors; /* [receiver][sky]; owned; NULL: not simulated */
-    bool failed;    /* out of memory */
+    bool failed;    /* true: out of memory */
 };
 
 /* Adds a sky without its sun, scaled to 1 lx, or a sun without a sky; returns its index.

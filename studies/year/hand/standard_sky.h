@@ -1,9 +1,9 @@
-/* standard_sky.h - standard skies, whose mixtures stand for all weather in some methods
- * for the year.
+/* standard_sky.h - standard skies. Some methods for the year represent all weather by
+ * mixtures of these skies.
  *
- * Overcast is that of Moon and Spencer [MS42]; clear, turbid and type 1 are the types 12,
- * 13 and 1 of ISO 15469 [ISO15469]; intermediate is the sky of EnergyPlus (perez_sky.h).
- * Each is scaled to a horizontal illuminance of 1 lx.
+ * Overcast is the sky of Moon and Spencer [MS42]; clear, turbid and type 1 are the
+ * types 12, 13 and 1 of ISO 15469 [ISO15469]; intermediate is the sky of EnergyPlus
+ * (perez_sky.h). Each is scaled to a horizontal illuminance of 1 lx.
  */
 #ifndef PP_STUDIES_YEAR_HAND_STANDARD_SKY_H
 #define PP_STUDIES_YEAR_HAND_STANDARD_SKY_H

@@ -2,9 +2,9 @@
  * at the mean position of the sun for each month and hour, as in ADELINE's SUPERLINK
  * [SZER94].
  *
- * Both states have their mean illuminances outside. `adeline` gives each state its
- * probability; `adeline-mean` gives the mean of the two illuminances. Which of them
- * ADELINE used is not established.
+ * Each state has its own mean illuminances outside. `adeline` gives each state its
+ * probability; `adeline-mean` gives the mean of the two illuminances. It is not
+ * established which of the two ADELINE used.
  */
 #include <stdlib.h>
 

@@ -1,12 +1,12 @@
 /* year_classes.c - `classes` and `classes-scaled`: hours sorted into classes of weather,
  * one simulation for each class [HP97].
  *
- * The limits of the original classes were not available. The classes here are our own: the
- * 8 bins of clearness of Perez, and cells of 15 degrees of altitude and azimuth of the sun.
- * The sky of a class is that of its hour whose sun is nearest the mean direction of the
- * suns of the class. `classes` assigns the illuminance of the class, with its mean
- * illuminances outside, to each hour; `classes-scaled` uses the illuminances outside of
- * the hour.
+ * The limits of the original classes were not available. The classes here were chosen
+ * for this program: the 8 bins of clearness of Perez, and cells of 15 degrees of
+ * altitude and azimuth of the sun. The sky of a class is that of the hour whose sun is
+ * nearest to the mean direction of all suns of the class. `classes` calculates one
+ * illuminance for the class, from its mean illuminances outside, and assigns it to each
+ * hour. `classes-scaled` uses the illuminances outside of each hour.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -20,10 +20,11 @@ static const double CELL_RAD = 15.0 * PP_RAD;
 struct weather_class {
     double hours;
     double diffuse_lx, direct_lx; /* means */
-    struct pp_vec3 mean;          /* unit */
-    int nearest;                  /* hour nearest to it */
-    double cosine;                /* of its angle from the mean */
-    int sky, sun;                 /* reference skies */
+    struct pp_vec3 mean;          /* sum of the sun's directions, weighted by hours */
+    int nearest;                  /* hour whose sun is nearest to the mean */
+    double cosine;                /* cosine of the angle between that sun and the
+                                   * mean */
+    int sky, sun;                 /* indices of the reference skies */
 };
 
 struct classes_tools {

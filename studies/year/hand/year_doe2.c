@@ -1,11 +1,11 @@
 /* year_doe2.c - `doe2`: clear and overcast skies mixed by cloud cover, with factors
  * interpolated between 20 positions of the sun, as in DOE-2 [WS85].
  *
- * Positions: azimuths of -110 to 110 degrees from the direction of the equator in steps of
- * 55, altitudes of 10 degrees to the greatest of the year in three steps. A sun outside
- * this range has the factors of its edge. Factors are over the horizontal illuminance from
- * the sky and from the sun. DOE-2 itself calculated the factors by split flux; here they
- * are simulated.
+ * Positions: azimuths of -110 to 110 degrees from the direction of the equator in steps
+ * of 55, altitudes of 10 degrees to the greatest of the year in three steps. For a sun
+ * outside this range, the factors at the edge of the range are used. Factors are
+ * illuminances divided by the horizontal illuminance from the sky, or from the sun.
+ * DOE-2 itself calculated the factors by split flux; here they are simulated.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -18,7 +18,7 @@ static const double AZIMUTH_FIRST = -110.0 * PP_RAD, AZIMUTH_STEP = 55.0 * PP_RA
 static const double ALTITUDE_FIRST = 10.0 * PP_RAD, ALTITUDE_LEAST_STEP = 1.0 * PP_RAD;
 
 struct doe2_tools {
-    double step_rad; /* of the altitudes */
+    double step_rad; /* step between altitudes */
     int clear[ALTITUDES][AZIMUTHS], sun[ALTITUDES][AZIMUTHS];
 };
 

@@ -2,9 +2,9 @@
  * sky by the clearness of the hour, with the sun of a representative day of each month, as
  * in EnergyPlus [EPLUS].
  *
- * s mixes luminances of two skies with the same zenith luminance; f is then the share of
- * the first in the horizontal illuminance. eps is the clearness, delta the brightness
- * (light/perez_sky.h).
+ * s is the fraction of the clearer of two skies in a mixture of luminances, for equal
+ * zenith luminances. f is the corresponding fraction of the horizontal illuminance. eps
+ * is the clearness, delta the brightness (light/perez_sky.h).
  */
 #include <stdlib.h>
 

@@ -1,10 +1,10 @@
 /* year_method.h - interface of the hand methods for the year, and their list.
  *
- * A method calculates the illuminance of a point in every hour from illuminances outside
- * and from factors of the room: its daylight factor, or its factors under other skies
- * (reference_skies.h). Its formulae are evaluated from their texts (worksheet.h). A new
- * method is one file with one struct pp_year_method, declared at the end of this header
- * and entered in the list in year_method.c.
+ * A method calculates the illuminance of a point in every hour from illuminances
+ * outside and from factors of the room: its daylight factor, or its factors under other
+ * skies (reference_skies.h). The method's formulae are evaluated from their texts
+ * (worksheet.h). A new method is one file with one struct pp_year_method, declared at
+ * the end of this header and entered in the list in year_method.c.
  */
 #ifndef PP_STUDIES_YEAR_HAND_YEAR_METHOD_H
 #define PP_STUDIES_YEAR_HAND_YEAR_METHOD_H
@@ -31,12 +31,13 @@ struct pp_year_method {
     const struct pp_formula *const *formulae; /* all that `evaluate` uses; ends with
                                                * NULL */
 
-    /* Reason why the method does not apply to the room and the weather file, as a static
-     * sentence; NULL: it applies. NULL function: it always does. */
+    /* Reason why the method does not apply to the room and the weather file, as a
+     * static sentence; NULL if the method applies. NULL function: the method always
+     * applies. */
     const char *(*refuses)(const struct pp_hand_case *of);
 
-    /* Makes the tools for all points and hours, and adds the skies that they need. NULL
-     * function: tools is NULL. On success *tools is freed by free. */
+    /* Prepares data (tools) for all points and hours, and adds the skies that these
+     * data need. NULL function: tools is NULL. On success *tools is freed by free. */
     enum pp_status (*prepare)(void **tools, struct pp_hand_case *of,
                               struct pp_error *err);
 

@@ -3,8 +3,9 @@
  *
  *     E = D (k_d E_d + k_s E_s)
  *
- * Own work: k_d and k_s give the least mean absolute error of daylight autonomy at 200,
- * 300, 500 and 750 lx in 8 rooms in three climates (bench/year_methods.sh).
+ * The method was developed for this program. k_d and k_s give the least mean absolute
+ * error of daylight autonomy at 200, 300, 500 and 750 lx in 8 rooms in three climates
+ * (bench/year_methods.sh).
  */
 #include <math.h>
 #include <stdlib.h>
