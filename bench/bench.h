@@ -1,5 +1,5 @@
-/* bench.h - shared by the programs of bench/: exit on errors, processor time, a room
- * from a text. */
+/* bench.h - helpers for the programs of bench/: exit on an error, processor time, and a
+ * room from the text of a room file. */
 #ifndef PP_BENCH_BENCH_H
 #define PP_BENCH_BENCH_H
 
@@ -29,7 +29,8 @@ static inline double processor_s(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* World and light of a room file's text; the caller destroys the world. */
+/* Creates the world and the outside light from the text of a room file. The caller
+ * destroys the world. */
 static inline struct pp_world *world_of(struct pp_outside_light *light, const char *xml)
 {
     struct pp_building *building = NULL;

@@ -67,7 +67,8 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Mean, rms, 95th percentile and largest absolute value; sorts `off`, made absolute. */
+/* Mean, rms, 95th percentile and largest absolute value. Replaces the values of `off`
+ * by their absolute values, in ascending order. */
 static struct spread spread_of(double *off, int count)
 {
     struct spread spread = {0};
@@ -89,8 +90,8 @@ struct diagrams {
     struct pp_pepper_pot *pot;
 };
 
-/* Errors for each window of one shape: the area's relative to the integral, those of
- * squares and dots as sky components. */
+/* Errors for each window of one shape. The errors by area are relative to the integral;
+ * the errors by squares and dots are differences in sky component. */
 static void measure(const struct diagrams *diagrams, int wide, int high, double *area,
                     double *squares, double *dots)
 {

@@ -8,7 +8,8 @@
 #include "methods/method.h"
 #include "methods/exact/solid_angle.h"
 
-/* Moments of a window only, from a row of points. */
+/* Speed of the closed form alone: a window without obstructions, at points along a
+ * line. */
 static void closed_form(void)
 {
     enum { POINTS = 4000000 };
@@ -29,8 +30,8 @@ static void closed_form(void)
         POINTS / seconds / 1e6, sum / POINTS);
 }
 
-/* A way of calling the method: a function that prepares tables (may be NULL), and one
- * that evaluates. */
+/* A variant of the method: a function that prepares tables (may be NULL), and a
+ * function that evaluates a point. */
 struct way {
     const char *name;
     enum pp_status (*prepare)(void **tools, const struct pp_world *world,
@@ -71,7 +72,7 @@ static double point_us(const struct pp_world *world,
     return 1e6 * seconds / (double)points;
 }
 
-/* Times of the whole method for each way: tables, and one point. */
+/* Prints the times of each variant of the method: for its tables, and for one point. */
 static void rooms(const char *name, const char *parts)
 {
     const struct way ways[] = {

@@ -36,7 +36,7 @@ static void write_tiles(FILE *out)
     }
 }
 
-/* Writes as many polygons as boxes, by two commands. */
+/* Writes a million polygons as boxes, which two array commands generate. */
 static void write_boxes(FILE *out)
 {
     fputs(materials, out);

@@ -20,7 +20,8 @@
 
 enum { SEEDS = 32 };
 
-/* Mean irradiance, error for one sequence of `paths`, and cost. */
+/* Mean irradiance, relative error of one sequence of `paths` paths, and rays and time
+ * of that sequence. */
 struct outcome {
     double value, error, rays, seconds;
 };
@@ -90,8 +91,8 @@ static void light_and_glow(void)
     printf("  %8s  %12s %9s  %12s %9s\n", "rays", "as light", "error", "as glow",
            "error");
     for (uint32_t paths = 4; paths <= 65536; paths *= 4) {
-        /* With next-event estimation a path has two rays: one to the lamp, one
-         * sampled. */
+        /* With next-event estimation a path has two rays: one to the lamp, and one in a
+         * sampled direction. */
         struct outcome a = measure(light, NULL, NULL, options, under, paths / 2);
         struct outcome b = measure(glow, NULL, NULL, options, under, paths);
         printf("  %8.0f  %12.6f %8.4f%%  %12.6f %8.4f%%\n", b.rays, a.value,

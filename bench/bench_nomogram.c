@@ -30,9 +30,9 @@ struct room {
     int windows;
 };
 
-/* Random box rooms: 2.5 to 8 m, floors 0.1 to 0.5, walls 0.2 to 0.8, ceilings 0.3 to
- * 0.9, one to three walls with a window, half of them with a skyline of up to 60
- * degrees. */
+/* Random box rooms with sides of 2.5 to 8 m. Reflectances: floor 0.1 to 0.5, walls 0.2
+ * to 0.8, ceiling 0.3 to 0.9. One to three walls have a window. In half of the rooms
+ * these walls have a skyline of 5 to 60 degrees. */
 static struct room random_room(uint64_t number)
 {
     static const char *const names[] = {"south", "east", "north", "west"};
@@ -73,7 +73,8 @@ static struct room random_room(uint64_t number)
     return room;
 }
 
-/* Values by the formula, by the formula with the rule, and as read. */
+/* Three values: by the formula, by the formula with the rule, and as read from the
+ * nomogram. */
 static bool values_of(const struct pp_world *world,
                       const struct pp_outside_light *light, double values[3])
 {

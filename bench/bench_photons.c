@@ -1,11 +1,11 @@
-/* bench_photons.c - time of photons over that of the path tracer, for equal error, in
- * several kinds of rooms.
+/* bench_photons.c - computing time of photon mapping divided by that of the path
+ * tracer, for equal error, in several kinds of rooms.
  *
- * Each line gives the time and the error that each of the two reaches. The ratio is
- * time times squared error for photons, divided by the same product for the path tracer.
- * If it is above 1, the path tracer is faster. The fast path tracer treats all surfaces
- * as matt. In the room with a mirror, photons are therefore compared with the general
- * path tracer in simulate/transport.
+ * Each line gives the time and the error of both methods. The ratio is time times
+ * squared error for photon mapping, divided by the same product for the path tracer. If
+ * the ratio is above 1, the path tracer is faster. The fast path tracer treats all
+ * surfaces as matt. In the room with a mirror, photons are therefore compared with the
+ * general path tracer in simulate/transport.
  */
 #include <math.h>
 #include <stdio.h>

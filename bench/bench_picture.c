@@ -64,7 +64,7 @@ static struct pp_irradiance_cache *grown(const struct pp_light_scene *scene,
     return cache;
 }
 
-/* Luminance of one pixel from `paths` paths; without a cache if the options have
+/* Luminance of one pixel from `paths` paths. No cache is used if the options contain
  * none. */
 static double by_paths(const struct pp_light_scene *scene,
                        const struct pp_environment *environment,
@@ -189,8 +189,8 @@ static void polished_rooms(void)
     polished("ceiling, brass", "<finishes floor='0.2' walls='0.5' ceiling='brass'/>");
 }
 
-/* Renders the deep room with these samples and cache options; returns seconds of
- * wall-clock time. full: also measures the error. */
+/* Renders the deep room with these samples and cache options. Returns the wall-clock
+ * time (s). full: also measures the error. */
 static double deep_room(int samples, struct pp_cache_options wanted, int threads,
                         bool full)
 {

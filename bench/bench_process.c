@@ -14,7 +14,7 @@ enum { RUNS = 30 };
 
 struct run {
     double processor_s;
-    double most_mib; /* resident */
+    double most_mib; /* peak resident memory */
 };
 
 static struct run run(char *const *words)

@@ -1,6 +1,6 @@
-/* compare_averages.c - averages over the working plane by room formulae compared with
- * traced ones, in families of random rooms: the manual's tables of wells, of glass
- * below the working plane and of the efficiency method.
+/* compare_averages.c - averages over the working plane by room formulae, compared with
+ * traced averages in families of random rooms. Prints the manual's tables for wells,
+ * for glass below the working plane, and for the efficiency method.
  *
  *     compare_averages [FAMILY [ROOMS]]
  *
@@ -35,7 +35,8 @@ static double draw(uint64_t *series, double low, double high)
 struct family {
     const char *name, *what, *methods, *key;
     double (*write)(char *xml, uint64_t *series); /* returns the key */
-    bool wells;                                   /* also compare N itself with rays */
+    bool wells;                                   /* also compare the well efficiency N
+                                                   * with rays */
     double classes[MOST_CLASSES];                 /* upper limits of the key,
                                                    * ascending */
 };
@@ -82,8 +83,8 @@ static int write_window(char *xml, int n, uint64_t *series, const double size[3]
                       head - sill);
 }
 
-/* Writes a window that begins below the working plane; the key is the share below
- * it. */
+/* Writes a window that begins below the working plane; the key is the fraction of the
+ * window below the plane. */
 static double write_low_glass(char *xml, uint64_t *series)
 {
     double size[3];
@@ -95,8 +96,8 @@ static double write_low_glass(char *xml, uint64_t *series)
     return (0.85 - sill) / (head - sill);
 }
 
-/* Writes a window above the working plane, half of them with a skyline; the key is its
- * angle. */
+/* Writes a window above the working plane, with a skyline in half of the rooms; the key
+ * is the angle of the skyline (degrees). */
 static double write_side(char *xml, uint64_t *series)
 {
     double size[3];
@@ -126,8 +127,8 @@ static int write_face(char *xml, int n, const char *role, const char *name,
     return n + snprintf(xml + n, (size_t)(TEXT - n), "</face>");
 }
 
-/* Writes a mono-pitch room with its roof falling to the south and a roof window in it;
- * the key is the slope. */
+/* Writes a room under a mono-pitch roof that slopes down to the south, with a roof
+ * window; the key is the slope (degrees). */
 static double write_roof(char *xml, uint64_t *series)
 {
     double w = draw(series, 3.0, 7.0), d = draw(series, 3.0, 6.0);
@@ -243,9 +244,9 @@ static void evaluate(double values[], char *const names[], int count,
     pp_report_clear(&report);
 }
 
-/* N of the room's well by rays: all light from it falls on a plane just below the
- * ceiling of a black room. `passed`: overcast-sky illuminance transmitted by horizontal
- * glass. */
+/* Well efficiency N of the room's rooflight, traced: all light from the well falls on a
+ * plane just below the ceiling of a black room. `passed`: overcast-sky illuminance
+ * transmitted by horizontal glass. */
 static double traced_N(const struct pp_world *room, double *error)
 {
     const struct pp_opening *opening = &room->openings[0];
@@ -285,7 +286,8 @@ struct results {
         traced[MOST_METHODS][MOST_ROOMS];
 };
 
-/* Prints the number of rooms in a class, bias, rms, and bias of the sums. */
+/* Prints the number of rooms in a class, the mean and RMS deviation, and the deviation
+ * of the sums. */
 static void print_class(const struct results *all, int method, double low, double high)
 {
     double sum = 0.0, squares = 0.0, hand = 0.0, truth = 0.0;
@@ -324,7 +326,8 @@ static void print_results(const struct results *all, const struct family *family
     }
 }
 
-/* Prints N of square wells under clear single glass and the overcast sky. */
+/* Prints the well efficiency N of square wells under clear single glass and the
+ * overcast sky. */
 static void print_N(void)
 {
     static const double indices[] = {0.125, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};

@@ -7,12 +7,12 @@
  * independent by point (few rays) or correlated between neighbours (a cache). A case is
  * right if the true set of causes is listed, exact if it is the likeliest. A cause that
  * is reported as sure but is not in the true set is a false accusation. Prints one line
- * per case, and sums. For speed it uses at most 16 points and 20 traced sets, to 1.5 %;
- * compare itself is more accurate.
+ * per case, and sums. For speed, the benchmark uses at most 16 points and 20 traced
+ * sets, to 1.5 %; compare itself is more accurate.
  *
  * Foreign cases have a mistake that compare does not list (compare_foreign.h), half of
- * them together with one that it lists. There no set is right, and any other cause that
- * is reported as sure is a false accusation.
+ * them together with one that it lists. In these cases no set is right, and any other
+ * cause that is reported as sure is a false accusation.
  */
 #include <math.h>
 
@@ -23,8 +23,8 @@
 #include "studies/research/compare/variant_values.h"
 
 enum { MOST_POINTS = 16, ROOMS_MOST = 40 };
-/* Least effect of a single cause (RMS of logarithms); it must also exceed the noise. A
- * smaller effect cannot be found. */
+/* Least effect of a single cause (RMS of logarithms); a smaller effect cannot be found.
+ * The effect must also exceed the noise. */
 static const double LEAST_EFFECT = 0.01;
 
 struct room {
@@ -79,7 +79,8 @@ static void open_room(struct room *room, const char *path)
     must(pp_compare_create(&room->compare, &subject, &options, &err), &err);
 }
 
-/* True if the values differ from ours by more than noise. */
+/* True if the values differ from the values traced without a cause by more than
+ * noise. */
 static bool differs(const struct room *room, const double *values, double sigma)
 {
     double sum = 0.0;
@@ -108,8 +109,9 @@ static bool is_felt(const struct room *room, const struct pp_cause *cause,
     return variant.dark || differs(room, values, sigma);
 }
 
-/* Draws up to `wanted` causes, ascending, of different kinds; "no light at all" is not
- * combined. Returns their number. */
+/* Draws up to `wanted` causes of different kinds and sorts them in ascending order. A
+ * cause that excludes all others, such as "no light at all", is only drawn alone.
+ * Returns the number of causes. */
 static int draw_causes(int causes[PP_CAUSE_SEARCH_MOST], const struct room *room,
                        uint64_t seed, int number, int wanted, double ground,
                        double sigma)
@@ -175,9 +177,9 @@ static const char *causes_text(char text[200], const struct room *room,
     return text;
 }
 
-/* True if noise hides the difference between the values of the likeliest set and those
- * of the true causes: it is below three standard errors of all points together, beyond
- * our own tracing error. */
+/* True if noise can explain the difference between the values of the likeliest set and
+ * the values of the true causes: the sum over points of squared difference over
+ * variance is below 3^2 plus the part expected from our own simulation errors. */
 static bool cannot_be_told(const struct pp_compared *compared, const double *causes,
                            double sigma)
 {
@@ -213,7 +215,7 @@ static int accused_falsely(struct tally *tally, const struct room *room,
     return wrong;
 }
 
-/* Position of the true set among the listed ones; -1: not listed. */
+/* Position of the true set among the listed sets; -1: not listed. */
 static int place_of(const struct pp_compared *compared, const int *causes, int count)
 {
     for (int i = 0; i < compared->listed; i++)
@@ -240,8 +242,9 @@ static void print_case(const struct room *room, const struct pp_compared *compar
     fflush(stdout);
 }
 
-/* Traces the values of the causes, including a common factor. truth: values without
- * noise, traced like ours. */
+/* Traces the values that the causes produce, with `factor` if a common factor is a
+ * cause. truth: the same values without noise, traced as accurately as compare's own
+ * values. */
 static void trace_causes(double *theirs, double *truth,
                          const struct pp_study_room *study, const struct room *room,
                          const int *causes, int count, double ground, double factor,
@@ -323,7 +326,7 @@ static void run_listed(struct tally *tally, struct room *room, uint64_t seed,
 }
 
 /* Draws a mistake that is not on the list but has a sufficient effect. `changed` is the
- * room with the mistake, at the points of the room. */
+ * room with the mistake, at the points of the original room. */
 static const char *draw_foreign(struct pp_building **building,
                                 struct pp_study_room *changed, struct room *room,
                                 uint64_t seed, int number, double sigma)

@@ -1,4 +1,5 @@
-/* compare_foreign.c - changes numbers in a room file's text before it is read. */
+/* compare_foreign.c - makes rooms with mistakes, by changes to the text of a room
+ * file. */
 #include "bench/compare_foreign.h"
 
 #include <stdio.h>
@@ -76,7 +77,8 @@ bool pp_foreign_room(struct pp_building **building, struct pp_study_room *study,
     return false;
 }
 
-/* Changes the attribute of all such elements; false if there is none. */
+/* Changes the attribute of all elements of that name. False if there is no such
+ * attribute, or if its value is not a number. */
 static bool change(char *to, const char *text, const struct mistake *mistake,
                    double size)
 {
@@ -113,7 +115,8 @@ static bool change_sky(char *to, const char *text)
     return true;
 }
 
-/* Moves the room's points towards its back; false if one is then not valid. */
+/* Moves the points by back_m (m) towards the back of the room. False if a point would
+ * no longer be valid. */
 static bool place_points(struct pp_study_room *study, const struct pp_receiver *points,
                          int count, double back_m)
 {

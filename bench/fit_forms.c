@@ -1,4 +1,5 @@
-/* fit_forms.c - the shipped forms, and their printed names. */
+/* fit_forms.c - the forms of methods/fitted/, and names of sources, shapes and terms
+ * for the output. */
 #include "bench/fit_forms.h"
 
 const struct pp_fit_form pp_fit_forms_shipped[] = {

@@ -8,11 +8,12 @@
 struct pp_fit_form {
     const char *name;                         /* name of the method */
     struct pp_fit_model model;                /* with initial values */
-    enum pp_fit_source printed;               /* formula for comparison */
-    const char *constants[PP_FIT_MOST_TERMS]; /* by term; names in fitted_constants.h */
+    enum pp_fit_source printed;               /* hand formula for comparison */
+    const char *constants[PP_FIT_MOST_TERMS]; /* constant of each term, as named in
+                                               * fitted_constants.h */
 };
 
-/* irc-atlas is first, since the others use its position. */
+/* The first form is irc-atlas: the fits of the other forms use its position factors. */
 extern const struct pp_fit_form pp_fit_forms_shipped[];
 extern const int pp_fit_forms_count;
 

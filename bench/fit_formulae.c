@@ -30,8 +30,8 @@ static void leave_out(int fold, const struct pp_fit_rooms *rooms, int *times)
     }
 }
 
-/* RMS of the logarithm for the left-out folds, weighted as in the fit; the criterion of
- * the search. */
+/* RMS of ln(fitted/traced) in the left-out folds, weighted as in the fit. The search
+ * minimises this value. */
 static double held_out(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                        int *times)
 {
@@ -78,8 +78,8 @@ static void print_model(const struct pp_fit_model *model)
 
 /* ---- the search ---- */
 
-/* Compares sources and shapes; a source alone is scaled, so that only its form
- * counts. */
+/* Compares sources and shapes. Each source gets a fitted scale factor, so that only its
+ * form matters. */
 static void search_shapes(const struct pp_fit_rooms *rooms, int *times)
 {
     for (int source = 0; source < PP_FIT_SOURCES; source++)
@@ -125,9 +125,9 @@ static int place_of(const struct pp_fit_row *row)
     return row->average ? AVERAGES : row->dark ? DARK : ELSEWHERE;
 }
 
-/* Fits a model, and adds its errors and those of a printed formula on the left-out
- * rooms. `first`: model fitted before, whose position a model of averages uses; may be
- * NULL. */
+/* Fits the model with each fold left out. Adds its errors on the left-out rooms, and
+ * those of a printed formula. `first`: a model that is fitted before and supplies the
+ * position factors of `model`; may be NULL. */
 static void note_left_out(struct pp_fit_error ours[PLACES],
                           struct pp_fit_error theirs[PLACES],
                           struct pp_fit_model *model, struct pp_fit_model *first,
@@ -161,8 +161,8 @@ static void note_left_out(struct pp_fit_error ours[PLACES],
     }
 }
 
-/* Prints errors on left-out rooms over those of a printed formula: of the ratio,
- * relative, and of the daylight factor. */
+/* Prints three errors on left-out rooms, each divided by the error of a printed
+ * formula: of the log ratio, of the relative deviation, and of the daylight factor. */
 static void print_against(struct pp_fit_model *model, struct pp_fit_model *first,
                           enum pp_fit_source printed, const struct pp_fit_rooms *rooms,
                           int *times)
@@ -175,8 +175,8 @@ static void print_against(struct pp_fit_model *model, struct pp_fit_model *first
                sqrt(ours[i].absolute / theirs[i].absolute));
 }
 
-/* Replaces terms of `irc-atlas`: back wall, shading of the ground, depth, width beside
- * the opening; with six constants and with seven. */
+/* Tries alternatives to parts of `irc-atlas`: other sets of terms, shapes of the
+ * decrease, shading of the ground, and the width beside the opening. */
 static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
 {
     static const struct {
@@ -213,8 +213,8 @@ static void search_exchanges(const struct pp_fit_rooms *rooms, int *times)
     }
 }
 
-/* Corrects the level of `bre` and `split-flux`: distribution of the light in the room,
- * and terms with it. At points with the position of `irc-atlas`. */
+/* Tries corrections of the level of `bre` and `split-flux`: other sources, with various
+ * terms. At points, the position factors are those of `irc-atlas`. */
 static void search_levels(const struct pp_fit_rooms *rooms, int *times)
 {
     static const struct {
@@ -287,8 +287,8 @@ static bool has_term(const struct pp_fit_model *model, int term)
     return false;
 }
 
-/* Repeatedly adds the term with the least error on left-out rooms. `all`: prints the
- * error for every candidate of the last step. */
+/* Repeatedly adds the term that reduces the error on left-out rooms most. `all`: prints
+ * the error for every candidate of the last step. */
 static void search_terms(struct pp_fit_model model, const struct pp_fit_rooms *rooms,
                          int *times, int most, bool all)
 {
@@ -359,8 +359,8 @@ static int by_value(const void *a, const void *b)
     return (off > 0.0) - (off < 0.0);
 }
 
-/* Refits to rooms drawn with replacement: half the difference between the 16th and 84th
- * percentiles of each parameter. */
+/* Finds the uncertainty of each parameter by refits to rooms drawn with replacement:
+ * half the difference between the 16th and 84th percentiles. */
 static void find_spread(const struct pp_fit_model *model,
                         const struct pp_fit_rooms *rooms, int *times,
                         double spread[PP_FIT_PARAMETERS])
@@ -401,8 +401,8 @@ static void print_errors(const char *name, const struct pp_fit_error errors[PLAC
     }
 }
 
-/* Prints errors on rooms with odd numbers; the printed formula has one value for all
- * points. */
+/* Prints errors on rooms with odd numbers. The printed formula gives one value for all
+ * points of a room. */
 static void print_held_out(const char *name, const struct pp_fit_model *model,
                            const struct pp_fit_rooms *rooms)
 {
@@ -455,7 +455,8 @@ static void fit_shipped(const struct pp_fit_rooms *rooms, int *times)
         if (i == 0)
             first = model;
         print_held_out(form->name, &model, rooms);
-        if (!model.of_df && i > 0) { /* at points: with the position of the first */
+        if (!model.of_df && i > 0) { /* at points: with the position factors of
+                                      * irc-atlas */
             struct pp_fit_model placed = model;
             placed.shape = first.shape;
             placed.side = first.side;

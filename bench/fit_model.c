@@ -16,7 +16,7 @@ static double length_of(enum pp_fit_range range, const struct pp_fit_opening *o)
     }
 }
 
-/* f_d f_s. */
+/* Product f_d f_s of the decreases with depth and sideways (fit_model.h). */
 static double place_of(const struct pp_fit_model *model, const struct pp_fit_opening *o,
                        double k, double s, double c)
 {
@@ -121,7 +121,8 @@ static bool takes_part(const struct pp_fit_model *model, const struct pp_fit_row
     return row->average == average && isfinite(log(truth_of(model, row)));
 }
 
-/* Dark points count 1.5 times (squared), since formulae are mostly used for them. */
+/* Residuals at dark points count 1.5 times (squared), since formulae are mostly used
+ * for dark points. */
 static double weight_of(const struct pp_fit_row *row, int times)
 {
     return times * row->weight * row->weight * (row->dark ? 2.25 : 1.0);
@@ -190,7 +191,8 @@ static void normal(const struct pp_fit_model *model, const struct pp_fit_rooms *
     }
 }
 
-/* One step, damped until it reduces the cost; false if no step does. */
+/* Makes one damped step. The damping grows until the step reduces the cost; false if no
+ * step does. */
 static bool step_on(struct pp_fit_model *model, const struct pp_fit_rooms *rooms,
                     const int *times, double *damping, double *cost)
 {

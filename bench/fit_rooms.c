@@ -1,5 +1,5 @@
-/* fit_rooms.c - evaluates the printed methods and the geometry used by the fitted
- * ones. */
+/* fit_rooms.c - evaluates the printed methods, and the geometry that the fitted methods
+ * use. */
 #include "bench/fit_rooms.h"
 
 #include <math.h>
@@ -55,7 +55,7 @@ static void fill_room(struct pp_fit_opening *to, const struct pp_traced_room *ro
     double bre_flux = to->source[PP_FIT_BRE][0]
                       / (bre.C * bre.R_fw + PP_BRE_GROUND_REFLECTANCE / 2.0 * bre.R_cw);
     for (int k = 0; k < 3; k++) {
-        bool up = k == 2; /* light that first falls upwards */
+        bool up = k == 2; /* light of the ground */
         to->source[PP_FIT_SPHERE_NOW][k] =
             flux * sqrt(rho_u) / (A * (1.0 - R)) * light[k] * (up ? 1.0 : rho_l);
         to->source[PP_FIT_BRE_NOW][k] =

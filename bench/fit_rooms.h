@@ -6,8 +6,8 @@
 
 #include <stdbool.h>
 
-/* Light of an opening at the centre of the room, over Eh, including glass, frame and
- * dirt. E_b = C_b v^b and E_g = C_g v^g; b and g are fitted (fitted_light.h). */
+/* Light of an opening at the centre of the room, divided by Eh, including glass, frame
+ * and dirt. E_b = C_b v^b and E_g = C_g v^g; b and g are fitted (fitted_light.h). */
 enum pp_fit_source {
     PP_FIT_BRE, /* as printed */
     PP_FIT_FLUX,
@@ -59,9 +59,10 @@ enum pp_fit_term {
 };
 
 struct pp_fit_opening {
-    double source[PP_FIT_SOURCES][3]; /* by V, C_b, C_g; printed ones: total, 0, 0 */
-    double v;                         /* V over its value for the open sky, at least
-                                       * 0.003 */
+    double source[PP_FIT_SOURCES][3]; /* parts due to V, C_b, C_g; printed formulae:
+                                       * total, 0, 0 */
+    double v;                         /* V divided by its value under the open sky; at
+                                       * least 0.003 */
     double term[PP_FIT_TERMS];
     double R, d_r, w_r, h_r, w, x, y; /* as in fitted_position.h; x, y 0 for averages */
 };
@@ -70,10 +71,10 @@ enum { PP_FIT_OPENINGS = 12 };
 
 struct pp_fit_row {
     int room;       /* number */
-    bool average;   /* over the plane, not at a point */
+    bool average;   /* average over the plane, not at a point */
     bool dark;      /* among the darkest quarter of the room's points */
     double irc, df; /* traced */
-    double weight;  /* less for inaccurate traced values */
+    double weight;  /* 1, or less if the simulated value is uncertain */
     int count;
     struct pp_fit_opening openings[PP_FIT_OPENINGS];
 };

@@ -1,6 +1,6 @@
 /* make_lumen_tables.c - makes the tables of the lumen method: `make tables` writes
  * tables/lumen_sidelight.csv and tables/lumen_toplight.csv (1 to 2 minutes). With the
- * argument "errors" it measures the errors stated at their heads instead. */
+ * argument "errors", measures the errors that the heads of the tables state. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ static void check(enum pp_status status, const struct pp_error *err)
     exit(1);
 }
 
-/* [light][ceiling][walls][depth][width] */
+/* Coefficients: [light][ceiling][walls][depth][width]. */
 static struct pp_lumen_coefficients cu[LIGHTS][CEILINGS][WALLS][DEPTHS][WIDTHS];
 
 static void work_out(const struct pp_sky *skies, int d, int w)

@@ -18,9 +18,9 @@ enum {
     NODES = 40, /* Gauss nodes between two rows, and across */
 };
 
-/* Altitude, in section, of an edge at s up the slope. s is relative to the distance,
- * and measured from the line where the plane of the glass meets the level of the point,
- * or for horizontal glass from above the point. */
+/* Altitude, in section, of an edge at s up the slope. s is in units of the point's
+ * distance from the plane of the glass. It is measured from the line where that plane
+ * meets the level of the point; for horizontal glass, from above the point. */
 static double altitude(double s, double slope)
 {
     double b = slope > 0.0 ? s - 1.0 / tan(slope) : s;
@@ -29,7 +29,8 @@ static double altitude(double s, double slope)
     return atan2(b * sin(slope) + cos(slope), sin(slope) - b * cos(slope));
 }
 
-/* Light between two altitudes, up to w on one side of the section. */
+/* Light between two altitudes, up to the lateral distance w on one side of the
+ * section. */
 static double strip(const struct pp_protractor *glass, const double *nodes,
                     const double *weights, double from, double to, double w)
 {

@@ -21,7 +21,7 @@ static bool integrate_edge(double a, double b, double c, struct integrals *is)
         return false;
     double end = a + 2.0 * b + c; /* Q(1) */
     double root = sqrt(d);
-    is->i1 = atan2(root, b + c) / root; /* the angle between the ends, over root */
+    is->i1 = atan2(root, b + c) / root; /* angle between the ends, divided by root */
     is->i2 = ((a + b) / end - b / c + a * is->i1) / (2.0 * d);
     is->i3 = ((a + b) / (end * end) - b / (c * c) + 3.0 * a * is->i2) / (4.0 * d);
     is->j2 = (0.5 * (1.0 / c - 1.0 / end) - b * is->i2) / a;
@@ -61,8 +61,9 @@ static const struct pp_cache_hemisphere_cell *nearer(
     return p->distance_m <= q->distance_m ? p : q;
 }
 
-/* Intersection of direction u with the plane of the surface seen in the cell. Uses the
- * cell's distance if the intersection is far from it. */
+/* Intersection of direction u with the plane of the surface seen in the cell. If the
+ * distance there differs from the cell's distance by more than a factor of 2, the
+ * cell's distance is used. */
 static struct pp_vec3 on_surface(const struct pp_cache_hemisphere *h,
                                  const struct pp_cache_hemisphere_cell *cell,
                                  struct pp_vec3 u)
@@ -96,8 +97,8 @@ static void add_cell_edge(struct pp_irradiance_change *change,
     }
 }
 
-/* Adds the edge between two cells, from direction p to q, counter-clockwise about the
- * first cell. */
+/* Adds the edge between two cells. The edge runs from direction p to q,
+ * counter-clockwise about the first cell. */
 static void add_direction_edge(struct pp_irradiance_change *change,
                                const struct pp_cache_hemisphere *h,
                                struct pp_cache_hemisphere_cell *first,

@@ -2,15 +2,16 @@
  * surface.
  *
  * The cells of the hemisphere are treated as patches of constant radiance at the ends
- * of their rays. With r from the place to points of a patch's outline, ccw seen from
- * above the surface with normal n, its irradiance is L times
+ * of their rays. The normal of the surface is n. With r from the place to points of a
+ * patch's outline, counter-clockwise seen from above the surface, a patch of radiance L
+ * causes the irradiance L S:
  *
  *     S = sum over edges of 1/2 n . (r0 x e) I1,   I1 = int_0^1 dt / |r0 + t e|^2   (1)
  *
- * (Lambert's formula, e = r1 - r0). An edge is shared by two cells and so counts by the
- * difference of their radiances; it lies on the nearer of the two surfaces, which is
- * the one that hides the other. When the place moves by d, r0 becomes r0 - d, and (1)
- * can be differentiated under the integral [SWJ12]:
+ * (Lambert's formula, e = r1 - r0). Two cells share an edge, which therefore counts by
+ * the difference of their radiances. The edge lies on the nearer of the two surfaces,
+ * which hides the other one. When the place moves by d, r0 becomes r0 - d, and (1) can
+ * be differentiated under the integral [SWJ12]:
  *
  *     grad S = 1/2 (A g - w I1)                                                    (2)
  *     hess S = 1/2 (A H - w g^T - g w^T)                                           (3)
@@ -18,17 +19,18 @@
  *     A = n . (r0 x e),  w = e x n,  g = 2 int r/|r|^4,
  *     H = int (8 r r^T/|r|^6 - 2/|r|^4).
  *
- * A cell's radiance L_k enters the gradient by its edges, with dgrad/dL_k = p_k, and
- * the irradiance with dE/dL_k = pi/n where there are n cells. So noise that is
- * independent from cell to cell is, in the gradient over that in the irradiance,
+ * A cell's radiance L_k affects the gradient through the edges of the cell, with
+ * dgrad/dL_k = p_k. It affects the irradiance with dE/dL_k = pi/n, where n is the
+ * number of cells. If the noise of the cells is independent, the noise of the gradient
+ * divided by the noise of the irradiance is
  *
  *     sqrt(n sum p_k^2/2)/pi                                                       (4)
  *
  * and likewise for second derivatives.
  *
- * Along the horizon an edge counts by the azimuths of its ends. When the normal turns,
- * the irradiance changes by the sum of L times the tangential part of its direction
- * [WH92].
+ * Along the horizon, an edge contributes half the difference of the azimuths of its
+ * ends. When the normal turns, the irradiance changes by the integral of L times the
+ * tangential part of the direction [WH92].
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H
 #define PP_SIMULATE_CACHE_CACHE_DERIVATIVES_H
@@ -37,11 +39,13 @@
 
 /* Derivatives in the frame (a, b, normal) of the hemisphere. */
 struct pp_irradiance_change {
-    double along[3][2];  /* red, green, blue: gradient with the position, 1/m */
-    double turned[3][2]; /* gradient with the direction of the normal, 1/rad */
-    double curvature[3]; /* luminance's second derivatives aa, ab, bb, 1/m2 */
-    /* Noise per noise of the irradiance, if the noise of cells is independent: of the
-     * gradient along either axis (1/m), and of the curvature (1/m2). */
+    double along[3][2];  /* red, green, blue: gradient with respect to position, 1/m */
+    double turned[3][2]; /* gradient with respect to the direction of the normal,
+                          * 1/rad */
+    double curvature[3]; /* second derivatives aa, ab, bb of the luminance, 1/m2 */
+    /* Noise relative to the noise of the irradiance, if the noise of cells is
+     * independent: of the gradient along either axis (1/m), and of the curvature
+     * (1/m2). */
     double along_noise, curvature_noise;
 };
 

@@ -4,16 +4,16 @@
 
 #include <math.h>
 
-/* A record's weight is 0 where the surface normal is turned by 20 degrees; this is 1 -
- * cos of that angle. */
+/* 1 - cos(20 degrees): the turn of the surface normal at which the weight of a record
+ * reaches 0. */
 static const double MOST_TURN = 0.0603;
 
-/* A displacement along the record's normal counts as one along its smaller axis that is
- * this many times as long. Chosen by trial, like BEHIND. */
+/* A displacement along the record's normal counts this many times as much as a
+ * displacement along the smaller axis. Chosen by trial, like BEHIND. */
 static const double STEP = 4.0;
 
-/* Distance behind the record, over its smaller radius, beyond which a place may not see
- * the same surroundings. */
+/* Distance behind the record, relative to its smaller radius, beyond which a place may
+ * not see the same surroundings. */
 static const double BEHIND = 0.05;
 
 static const double NEVER = 1e30;

@@ -5,7 +5,7 @@
  * so that there is no jump between neighbouring records. The record is valid only for
  * places with a similar normal, in the same space, not behind the record's surface, and
  * without an obstacle in between. horizon_m is the distance to the next surface in each
- * direction, by the lowest rays of the hemisphere.
+ * direction, found by the lowest rays of the hemisphere.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_ENTRY_H
 #define PP_SIMULATE_CACHE_CACHE_ENTRY_H
@@ -19,9 +19,10 @@ struct pp_cache_entry {
     struct pp_vec3 a, b; /* frame (a, b, normal); sectors are numbered by azimuth from
                           * a */
     double horizon_m[PP_CACHE_SECTORS];
-    double along_noise; /* noise of the gradient over that of the value, 1/m */
-    double curvature;   /* greatest second derivative over the value, less its possible
-                         * noise, 1/m2 */
+    double along_noise; /* noise of the gradient divided by the noise of the value,
+                         * 1/m */
+    double curvature;   /* greatest second derivative less its possible noise, divided
+                         * by the value, 1/m2 */
 
     /* Value in use: that of the record, or the smoothed one (cache_smooth.h). */
     struct pp_rgb value;
@@ -37,14 +38,14 @@ struct pp_cache_place {
     enum pp_space space;
 };
 
-/* Distance of the place from the record, 0 at it and 1 at the edge of its ellipse;
- * above 1e9 if it exceeds `most` or if the record is not valid for the place at any
- * distance. */
+/* Normalised distance of the place from the record: 0 at the record, 1 at the edge of
+ * its ellipse. Above 1e9 if the distance exceeds `most`, or if the record is not valid
+ * for the place at any distance. */
 double pp_cache_entry_distance(const struct pp_cache_entry *entry,
                                const struct pp_cache_place *place, double most);
 
-/* The irradiance at the place by the record's value and gradients, no channel below
- * 0. */
+/* Irradiance at the place, extrapolated by the record's value and gradients; no channel
+ * is below 0. */
 struct pp_rgb pp_cache_entry_read(const struct pp_cache_entry *entry,
                                   const struct pp_cache_place *place);
 

@@ -8,9 +8,9 @@
  *     each record: 38 + PP_CACHE_SECTORS doubles (in the order of cache_file.c),
  *     a checksum of all bytes before it
  *
- * Radii are stored as limited by neighbouring records, and values and gradients before
- * smoothing (cache_smooth.h). Smoothing is repeated after reading, with the same sums
- * in the same order.
+ * Stored radii are already limited by neighbouring records. Stored values and gradients
+ * are not yet smoothed (cache_smooth.h). Smoothing is repeated after reading, with the
+ * same sums in the same order.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_FILE_H
 #define PP_SIMULATE_CACHE_CACHE_FILE_H

@@ -1,11 +1,11 @@
 /* cache_grow.c - requests, and records made in batches until all requests are covered.
  *
  * Requests are processed in a scattered order, so that the first records are far apart
- * and later ones lie between them. They are divided into chunks. A batch is chosen from
- * the requests of a chunk that no record covers, so that its places are not too close
- * together. Its records are all calculated from the current cache and entered in order,
- * then the rest of the chunk is examined again. Records on surfaces that light the
- * visible surfaces come first, then those on the visible surfaces. */
+ * and later ones lie between them. The requests are divided into chunks. A batch is
+ * chosen from those requests of a chunk that no record covers, at places that are not
+ * too close together. All records of a batch are calculated from the current cache and
+ * entered in order. Then the rest of the chunk is examined again. Records on surfaces
+ * that light the visible surfaces come first, then records on the visible surfaces. */
 #include "simulate/cache/cache_grow.h"
 
 #include <math.h>
@@ -25,18 +25,18 @@ enum {
                            * stored */
     MOST_AHEAD = 1 << 20, /* most requests for which memory is reserved before rays are
                            * followed */
-    /* Most rays that search for the surfaces that light the requested places. Light of
-     * surfaces that they miss is calculated by paths. */
+    /* Most rays that search for the surfaces that light the requested places. Light
+     * from surfaces that these rays miss is calculated by paths. */
     EXPANSION_RAYS = 8192,
-    /* Most requests that one ray of a picture can make. At a pane it may request its
-     * frame, on either side, the mirrored surface, and the surface behind. */
+    /* Most requests that one ray of a picture can make. At a pane, these may be for its
+     * frame, on either side, for the mirrored surface, and for the surface behind. */
     RAY_REQUESTS = 6,
 };
 
-/* Least distance between two members of a batch, over the radius expected there. Chosen
+/* Least distance between two places of a batch, divided by the expected radius. Chosen
  * by trial. */
 static const double APART = 0.7;
-/* The radius expected where there is no record yet, over the scene's size; by trial. */
+/* Expected radius where no record is valid yet, over the scene's size; by trial. */
 static const double FIRST_GUESS = 1.0 / 32.0;
 
 /* ---- requests ---- */
@@ -57,7 +57,7 @@ static void append_cache_request(struct pp_cache_layer *layer,
         (struct pp_cache_request){.place = *place};
 }
 
-/* Drops the old requests before new ones are added, if all are covered. */
+/* Removes the old requests before new ones are added, if all old ones are covered. */
 static void forget(struct pp_irradiance_cache *cache)
 {
     if (!pp_cache_grow_done(cache))
@@ -67,7 +67,7 @@ static void forget(struct pp_irradiance_cache *cache)
     cache->expanded = 0;
 }
 
-/* Shuffles the requests from `first` on, in the same way each time. */
+/* Shuffles the requests from index `first`, in the same way each time. */
 static void scatter(struct pp_cache_layer *layer, int first)
 {
     size_t count = (size_t)(layer->request_count - first);
@@ -117,7 +117,7 @@ struct request_rays {
     const struct pp_irradiance_cache *cache;
     pp_cache_ray *ray_of;
     const void *list;
-    size_t first; /* first index of the chunk */
+    size_t first; /* number of the chunk's first ray */
     int depth;
     struct ray_requests *requests; /* requests of the chunk's rays */
 };
@@ -203,7 +203,7 @@ enum pp_status pp_cache_grow_request_point(struct pp_irradiance_cache *cache,
     return status;
 }
 
-/* Requests; rays from their hemispheres search for the surfaces that light them. */
+/* Requests from whose places rays search for the surfaces that light these places. */
 struct looked_over {
     const struct pp_irradiance_cache *cache;
     const struct pp_cache_request *requests;
@@ -286,7 +286,7 @@ static uint64_t cache_place_seed(const struct pp_irradiance_cache *cache,
     return pp_hash_vec(pp_hash_vec(seed, place->point), place->normal);
 }
 
-/* The radius expected of a record at a place; below 0: existing records cover it. */
+/* Expected radius (m) of a record at a place; below 0 if records cover the place. */
 static double guess_of(const struct pp_irradiance_cache *cache,
                        const struct pp_cache_layer *layer,
                        const struct pp_cache_place *place)
@@ -297,7 +297,7 @@ static double guess_of(const struct pp_irradiance_cache *cache,
     return guess > 0.0 ? guess : FIRST_GUESS * cache->size_m;
 }
 
-/* Requests of a chunk, or its open ones, to be examined by the pool's workers. */
+/* Requests of a chunk, all or only the open ones, which the pool's workers examine. */
 struct look {
     const struct pp_irradiance_cache *cache;
     struct pp_cache_layer *layer;
@@ -341,9 +341,9 @@ static bool stands_apart(const struct pp_cache_request *request,
     return true;
 }
 
-/* Chooses the first open requests that are far enough apart, and removes from the list
- * those that are covered by now. Examines little more of the list than a batch
- * needs. */
+/* Chooses the first open requests that are far enough apart, and removes requests from
+ * the list that are covered by now. Examines the list in parts, only as far as the
+ * batch needs. */
 static int choose_open_requests(struct pp_irradiance_cache *cache,
                                 struct pp_cache_layer *layer,
                                 const struct pp_cache_request *chosen[])

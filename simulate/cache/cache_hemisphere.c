@@ -8,8 +8,8 @@
 #include "simulate/sampling/hash.h"
 #include "simulate/sampling/lobe.h"
 
-/* A place may lie on an edge that its rays meet: nearer hits are moved to this
- * distance, so that gradients stay finite. */
+/* A place may lie on an edge that its rays meet. Nearer hits are therefore moved to
+ * this distance, so that gradients stay finite. */
 static const double NEAREST_M = 1e-6;
 
 /* Target relative standard error of an irradiance, and the most passes over all cells.
@@ -55,8 +55,8 @@ static void send(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
 
 /* Assigns the cells' first paths in random order. Successive paths of a sequence are
  * spread evenly, so that a small contribution tends to follow a large one. If
- * neighbouring cells had such paths, estimates from a cell's neighbours would depend on
- * its own ray. */
+ * neighbouring cells had successive paths, the estimate from a cell's neighbours would
+ * depend on the cell's own ray. */
 static void shuffle(struct pp_cache_hemisphere *h, uint64_t seed)
 {
     for (uint32_t k = 0; k < (uint32_t)(h->side * h->side); k++) {
@@ -109,9 +109,8 @@ static void supersample(struct pp_cache_hemisphere *h, struct pp_radiance_state 
 
 /* Number of passes over all cells that reduces the irradiance's standard error to about
  * ERROR. The error is estimated from the first rays of every second row, from `first`
- * on, by the differences between neighbouring cells of a row. Real changes across the
- * hemisphere count too, so that the error is overestimated rather than
- * underestimated. */
+ * on, by the differences between neighbouring cells of a row. Real variation across the
+ * hemisphere counts as error too, so the estimate tends to be too high. */
 static int passes_by(const struct pp_cache_hemisphere *h, int first)
 {
     int n = h->side;
@@ -132,9 +131,9 @@ static int passes_by(const struct pp_cache_hemisphere *h, int first)
 
 /* Sends more rays into all cells if a few rays carry most of the light, as is usual far
  * from a window. The odd rows decide the number of passes over the even rows, and vice
- * versa. If a row's own rays decided, rows whose rays happened to vary much, and so
- * were bright, would get more rays, and the mean would be biased low (by 1.0 % in a
- * dark corner of the deep office, with 256 cells). */
+ * versa. If a row's own rays decided, rows that happened to be bright and to vary much
+ * would get more rays. The mean would then be biased low (by 1.0 % in a dark corner of
+ * the deep office, with 256 cells). */
 static void add_passes(struct pp_cache_hemisphere *h, struct pp_radiance_state *state,
                        const struct pp_cache_place *place, const int passes[2],
                        uint32_t index)

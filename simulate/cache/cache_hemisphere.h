@@ -3,9 +3,9 @@
  *
  * Stratified sampling: the unit square is divided into side x side cells and mapped to
  * the hemisphere [SC97] so that every cell has the same weight in the irradiance. Each
- * cell gets one ray. Cells that differ from their neighbours get more rays, and so do
- * all cells while the irradiance is too uncertain. Cells are adjacent as in the square,
- * which the derivatives require (cache_derivatives.h).
+ * cell gets one ray. Cells that differ from their neighbours get more rays; all cells
+ * do if the irradiance is too uncertain. Cells that are neighbours in the square are
+ * neighbours on the hemisphere, as the derivatives require (cache_derivatives.h).
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
 #define PP_SIMULATE_CACHE_CACHE_HEMISPHERE_H
@@ -33,14 +33,13 @@ struct pp_cache_hemisphere {
     const struct pp_vec3 *corners; /* (side + 1)^2 unit directions, row by row; not
                                     * owned */
     struct pp_cache_hemisphere_cell *cells; /* side^2, row by row */
-    double
-        nearest_m; /* surfaces nearer than this count as this far for the derivatives */
+    double nearest_m;      /* least distance of surfaces in the derivatives */
     struct pp_frame frame; /* z: normal of the surface */
     struct pp_rgb irradiance;
 };
 
-/* The corners of the cells of a hemisphere of that side, freed by the caller. NULL: out
- * of memory. */
+/* Corners of the cells of a hemisphere with side^2 cells; the caller frees them. NULL:
+ * out of memory. */
 struct pp_vec3 *pp_cache_hemisphere_corners(int side);
 
 /* Fills the cells and the irradiance. The caller sets all members of `state` except the

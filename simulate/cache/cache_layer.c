@@ -6,8 +6,7 @@
 
 #include "model/base/array.h"
 
-/* Least weight with which a record is used, so that it is not used at the edge of its
- * ellipse. */
+/* Least weight of a record in a mean; excludes records at the edge of their ellipse. */
 static const double LEAST_WEIGHT = 1e-6;
 
 /* An entry that is being inserted. */
@@ -16,7 +15,8 @@ struct newcomer {
     struct pp_cache_entry *entry;
 };
 
-/* Limits each radius to that of the record `by` plus the distance to it. */
+/* Limits each radius to the same radius of the record `by` plus the distance between
+ * the two records. */
 static void limit(struct pp_cache_entry *entry, const struct pp_cache_entry *by,
                   double distance_m)
 {

@@ -1,8 +1,8 @@
 /* cache_layer.h - the records of one depth, and the requests for them. Inside simulate/
  * only.
  *
- * Depth 0 has the records of visible surfaces, depth 1 those of surfaces that light
- * these.
+ * Depth 0 contains the records of visible surfaces. Depth 1 contains the records of
+ * surfaces that light the visible ones.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_LAYER_H
 #define PP_SIMULATE_CACHE_CACHE_LAYER_H
@@ -14,7 +14,7 @@
 struct pp_cache_request {
     struct pp_cache_place place;
     float
-        guess_m; /* the radius expected of a record there; below 0: records cover it */
+        guess_m; /* expected radius of a record there; below 0: the place is covered */
 };
 
 struct pp_cache_layer {
@@ -31,8 +31,8 @@ struct pp_cache_layer {
     bool again; /* records have been added since the first request was examined */
 };
 
-/* Inserts an entry: limits its radius and its neighbours' by each other [KBPZ06], and
- * adds it to the tree. */
+/* Inserts an entry: limits the radii of the entry and of its neighbours by each other
+ * [KBPZ06], and adds the entry to the tree. */
 enum pp_status pp_cache_layer_add(struct pp_cache_layer *layer,
                                   const struct pp_cache_entry *entry,
                                   struct pp_error *err);

@@ -1,5 +1,5 @@
-/* cache_octree.c - splits the cells of the octree as records are added, and walks down
- * it. */
+/* cache_octree.c - splits the cells of the octree as records are added, and finds the
+ * cells that contain a point. */
 #include "simulate/cache/cache_octree.h"
 
 #include <math.h>

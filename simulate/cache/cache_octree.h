@@ -2,7 +2,7 @@
  * simulate/ only.
  *
  * A record is stored in every cell of about its own size that the box of its ellipse
- * touches, so that one path down from the root meets all records whose ellipses may
+ * touches. One path down from the root therefore meets all records whose ellipses may
  * contain a point.
  */
 #ifndef PP_SIMULATE_CACHE_CACHE_OCTREE_H
@@ -38,7 +38,7 @@ enum pp_status pp_cache_octree_init(struct pp_cache_octree *tree, struct pp_vec3
                                     double size_m, struct pp_error *err);
 void pp_cache_octree_clear(struct pp_cache_octree *tree);
 
-/* Empties the tree of its records, within the same box. */
+/* Removes all records; the box of the tree is unchanged. */
 enum pp_status pp_cache_octree_reset(struct pp_cache_octree *tree,
                                      struct pp_error *err);
 
@@ -53,7 +53,7 @@ struct pp_cache_octree_cube {
     double size_m;
 };
 
-/* The records of the cells about a point, one by one. */
+/* Iterator over the records of all cells that contain a point. */
 struct pp_cache_octree_iterator {
     const struct pp_cache_octree *tree;
     struct pp_vec3 point;

@@ -6,14 +6,15 @@
 #include "simulate/cache/cache_layer.h"
 
 enum {
-    PP_CACHE_DEPTHS = 2, /* 0: records of visible surfaces; 1: of surfaces that light
-                          * these */
+    PP_CACHE_DEPTHS = 2, /* 0: records of visible surfaces; 1: records of surfaces that
+                          * light the visible ones */
     PP_CACHE_BATCH = 32  /* records calculated from the same state of the cache */
 };
 
 struct pp_irradiance_cache {
     const struct pp_light_scene *scene;       /* not owned */
-    const struct pp_environment *environment; /* not owned; NULL: of a description */
+    const struct pp_environment *environment; /* not owned; NULL: scene from a
+                                               * description */
     const struct pp_opening_store *store;     /* not owned; may be NULL */
     struct pp_radiance_options light;
     struct pp_cache_options options;
@@ -22,8 +23,9 @@ struct pp_irradiance_cache {
     double size_m;  /* size of the scene, or of its room */
     struct pp_sobol sobol;
     struct pp_cache_layer layers[PP_CACHE_DEPTHS];
-    int expanded; /* requests of depth 0 whose requests of depth 1 have been made */
-    int expanded_rays; /* rays traced so far to make these requests */
+    int expanded; /* number of requests of depth 0 for which requests of depth 1 were
+                   * made */
+    int expanded_rays; /* rays traced so far for requests of depth 1 */
     struct pp_ambient ambient;
 };
 

@@ -8,9 +8,9 @@
 /* Largest ratio of the axes of a record's ellipse. Chosen by trial. */
 static const double LONGEST = 3.0;
 
-/* Least distance that surfaces have in the derivatives, over the smallest radius
- * allowed. For nearer surfaces the gradient would be the noise of their rays. Chosen by
- * trial. */
+/* Least distance of surfaces in the derivatives, as a multiple of the smallest radius
+ * allowed. With nearer surfaces, the gradient would only be noise of the rays. Chosen
+ * by trial. */
 static const double NEAREST = 4.0;
 
 /* Rays whose sine of altitude is at most this determine the clear distance along the
@@ -88,8 +88,8 @@ static double clear_of(const struct pp_cache_hemisphere_cell *cell, int sector)
 }
 
 /* Finds the clear distance along the surface in each sector from the surfaces that low
- * rays met. A ray counts in its own sector and in both neighbours, which may have no
- * ray. */
+ * rays met. A ray counts in its own sector and in both neighbouring sectors, which may
+ * contain no ray. */
 static void find_horizon(const struct pp_cache_hemisphere *h,
                          struct pp_cache_entry *entry)
 {
@@ -112,8 +112,8 @@ static void find_horizon(const struct pp_cache_hemisphere *h,
     }
 }
 
-/* The radius, limited so that the gradient changes the value by at most 100 % over
- * it. */
+/* The radius, limited so that the gradient changes the value by at most 100 % over this
+ * radius. */
 static double limit_by_gradient(double radius, double value, const double along[2],
                                 const double axis[2])
 {
@@ -121,8 +121,8 @@ static double limit_by_gradient(double radius, double value, const double along[
     return change * radius > value ? value / change : radius;
 }
 
-/* Limits the gradient if the radius is already the smallest allowed: over the ellipse
- * it changes the value by at most the value itself. Next to an edge the gradient is
+/* Limits the gradient if the radius is already the smallest allowed: the change over
+ * the ellipse is then at most the value itself. Next to an edge the gradient is
  * unbounded. */
 static void limit_gradient(struct pp_cache_record *is, double value,
                            const double along[2], const double axes[2][2])

@@ -11,8 +11,8 @@ struct pp_cache_record_settings {
     int side; /* side of the hemispheres */
     int supersamples;
     const struct pp_vec3 *corners; /* corners from cache_hemisphere.h; not owned */
-    double error;                  /* bound of the error integrated over the ellipse,
-                                    * relative to the value, m2 */
+    double error;                  /* bound of the error, relative to the value,
+                                    * integrated over the ellipse, m2 */
     double noise;                  /* standard error of a record's value, relative */
     double least_m, most_m;        /* radii */
 };
@@ -30,12 +30,13 @@ void pp_cache_record_compute(const struct pp_cache_record_settings *settings,
  *     R_i = (4 error / (pi |l_i|))^(1/4)
  *
  * with the eigenvalues l_i, so that the integral of the error over a disc of radius R_i
- * is `error`. The smaller radius comes first; axes as components along a and b.
+ * is `error`. radii_m[0] is the smaller radius; the axes are components along a and b.
  *
- * The radius is then limited in this order. This function limits it to most_m, and the
+ * The radii are limited in this order. This function limits both to most_m, and the
  * larger radius to three times the smaller one. pp_cache_record_compute limits the
- * change of the value by the gradient to 100 %, and the radius to at least least_m.
- * pp_cache_layer_add limits it to that of a neighbour plus the distance to it.
+ * change of the value by the gradient to 100 %, and raises radii to at least least_m.
+ * pp_cache_layer_add limits a radius to a neighbour's radius plus the distance to that
+ * neighbour.
  */
 void pp_cache_record_ellipse(const double curvature[3], double error, double most_m,
                              double radii_m[2], double axes[2][2]);

@@ -7,12 +7,12 @@
 /* Neighbours are nearer than this many radii. Chosen by trial, as are the next two. */
 static const double NEAR = 2.0;
 
-/* A neighbour that is farther from the expected value than this many times the noise of
- * both counts as an outlier. */
+/* A neighbour is an outlier if its difference from the expected value exceeds this many
+ * times the noise of both. */
 static const double OUTLIER = 4.0;
 
-/* A neighbour has no weight if, over its distance, the curvature may make light depart
- * from a linear change by this many times the noise. */
+/* A neighbour has no weight if, over its distance, curvature may cause a departure from
+ * a linear change of this many times the noise. */
 static const double MOST_DEPARTURE = 10.0;
 
 /* Lower limit of the ratio of the gradient's noise (times the radius) to the value's
@@ -24,8 +24,8 @@ struct fit {
     const struct pp_cache_layer *layer;
     const struct pp_cache_entry *entry;
     int number;         /* index of the record */
-    int *met;           /* by record: the last fit that used it, so that each neighbour
-                         * counts once */
+    int *met;           /* last fit that used each record, so that a neighbour counts
+                         * once */
     double matrix[6];   /* symmetric: 00 01 02 11 12 22; unknowns E, R dE/da, R dE/db */
     double right[3][3]; /* by channel */
 };
@@ -89,8 +89,8 @@ static void add_neighbour(void *context, int record)
     add_equation(fit, 1.0 / spread2, row, says);
 }
 
-/* Solves the fit for one channel, by Cholesky's method: the matrix is never singular,
- * since the record's own equations are in it. */
+/* Solves the fit for one channel by Cholesky's method. The matrix is never singular,
+ * since it contains the record's own equations. */
 static void solve(const double m[6], const double right[3], double x[3])
 {
     double l00 = sqrt(m[0]), l10 = m[1] / l00, l20 = m[2] / l00;

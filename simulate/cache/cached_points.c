@@ -17,8 +17,8 @@
 enum {
     MOST_PATHS = 1 << 16,
     PLANE_REQUESTS = 16, /* points of the plane whose surroundings are requested */
-    PLANE_VERTEX = INT32_MAX / 8, /* vertex of the random numbers for a point of the
-                                   * plane */
+    PLANE_VERTEX = INT32_MAX / 8, /* vertex of the random numbers that select a point of
+                                   * the plane */
 };
 
 /* Least standard error aimed at, as in the tracer: a daylight factor of 0.002 %. */
@@ -27,8 +27,8 @@ static const double LEAST_ERROR = 2e-5;
 /* Estimator of the internally reflected light at a point. */
 enum reflected_by {
     BY_SAMPLES,  /* rays from the point */
-    BY_RECORDS,  /* the cache, interpolated there */
-    BY_CONSTANT, /* the ambient constant: there are no bounces */
+    BY_RECORDS,  /* records of the cache, interpolated at the point */
+    BY_CONSTANT, /* the ambient constant, if there are no bounces */
 };
 
 struct cached_point {
@@ -189,7 +189,8 @@ static enum reflected_by reflected_by(const struct pp_cached_points *points, boo
     return points->options.interpolate && !plane ? BY_RECORDS : BY_SAMPLES;
 }
 
-/* The point of a receiver; NULL: the working plane as a whole. */
+/* The point of a receiver; with NULL, the point for the average over the working
+ * plane. */
 static struct cached_point cached_point_of(const struct pp_cached_points *points,
                                            const struct pp_receiver *receiver)
 {

@@ -8,7 +8,7 @@
  *
  * The point's own irradiance is read from the cache (depth 0) only on request. Without
  * bounces a cache has no reflected light except its ambient constant. The standard
- * error is that of the sampling at the point, from 32 independent randomisations, and
+ * error applies to the sampling at the point, from 32 independent randomisations. It
  * does not include errors of the cache. Interpolated values (PP_IRC and PP_DF of such a
  * point) have no standard error.
  */
@@ -31,9 +31,10 @@ struct pp_cached_options {
 
 struct pp_cached_points;
 
-/* Copies the needed data of the receivers and requests the places needed from the
- * cache, whose light is used. scene (of a world), store (may be NULL) and cache must
- * outlive the points. PP_BAD_INPUT if the number of samples is out of range. */
+/* Copies the needed data of the receivers, and requests the places that they need from
+ * the cache. The points are lit by the environment of the cache. scene (of a world),
+ * store (may be NULL) and cache must outlive the points. PP_BAD_INPUT if the number of
+ * samples is out of range. */
 enum pp_status pp_cached_points_create(
     struct pp_cached_points **points, const struct pp_light_scene *scene,
     const struct pp_opening_store *store, struct pp_irradiance_cache *cache,

@@ -8,25 +8,25 @@
 #include "simulate/cache/cache_parts.h"
 #include "simulate/sampling/hash.h"
 
-/* Records of depth 1 may have LIGHTING_ERROR times the error, and have
+/* Records of depth 1 may have LIGHTING_ERROR times the error and have
  * LIGHTING_DIVISIONS times fewer rays, since their light is averaged over a hemisphere
- * once more. Chosen by trial. With them and the other settings the examples' means are
- * within 0.3 % of the tracer's. */
+ * once more. Chosen by trial. With these and the other settings, the examples' means
+ * are within 0.3 % of the tracer's. */
 static const double LIGHTING_ERROR = 4.0;
 enum { LIGHTING_DIVISIONS = 4, LEAST_SIDE = 4, MOST_SIDE = 1024 };
 
-/* The total error allowed to a record, divided by its value (m2), is accuracy times the
- * square of this share of the scene's size. Chosen by trial. */
+/* The total error allowed to a record, divided by its value (m2), is the accuracy times
+ * the square of this fraction of the scene's size. Chosen by trial. */
 static const double ERROR_SPACING = 1.0 / 64.0;
 
-/* Least radius, as a share of the scene's size, if the resolution sets no limit. */
+/* Least radius, as a fraction of the scene's size, if the resolution sets no limit. */
 static const double LEAST_RADIUS = 1e-5;
 
-/* Standard deviation of the light of one ray of a hemisphere, over the mean of all
- * rays. Chosen by trial. */
+/* Standard deviation of the light of one ray of a hemisphere, divided by the mean of
+ * all rays. Chosen by trial. */
 static const double RAY_NOISE = 0.5;
 
-/* Radii are at most this share of the scene's size. Chosen by trial. */
+/* Largest radius, as a fraction of the scene's size. Chosen by trial. */
 static const double MOST_RADIUS = 0.125;
 
 struct pp_cache_options pp_irradiance_cache_defaults(void)
@@ -219,7 +219,8 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **result,
     status = pp_thread_pool_create(&cache->pool, options->threads, err);
     if (status == PP_OK)
         status = make_irradiance_cache(cache, err);
-    cache->options.materials = NULL; /* the caller's; `left_out` has its result */
+    cache->options.materials = NULL; /* owned by the caller; `left_out` holds the
+                                      * result */
     if (status != PP_OK) {
         pp_irradiance_cache_destroy(cache);
         return status;

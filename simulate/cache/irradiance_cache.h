@@ -3,12 +3,13 @@
  *
  * After Ward, Rubinstein and Clear [WRC88]: the indirect irradiance of diffuse surfaces
  * changes slowly. It is calculated by a hemisphere of rays at requested places that no
- * record covers yet, and stored as a record. Each record has its translational and
- * rotational gradients [WH92] and an ellipse of validity from the Hessian [SWJ12]; a
- * place within such ellipses has the weighted mean of their records.
+ * record covers yet, and stored as a record. Each record has a translational and a
+ * rotational gradient [WH92], and an ellipse of validity from the Hessian [SWJ12]. At a
+ * place within one or more ellipses, the irradiance is the weighted mean of their
+ * records.
  *
- * Direct light (sources, windows) is never stored. The caller requests places, then
- * lets the cache grow (cache_grow.h), then reads it:
+ * Direct light (sources, windows) is never stored. The caller requests places, lets the
+ * cache grow (cache_grow.h), then reads values:
  *
  *     pp_irradiance_cache_create(&cache, scene, environment, store, &light, &options, err);
  *     pp_cache_grow_request_rays(cache, ray_of, list, ray_count, err);
@@ -31,14 +32,14 @@
 struct pp_cache_options {
     double accuracy;  /* -aa: above 0 to 1; a smaller value makes records closer */
     int resolution;   /* -ar: least distance of records is the scene's size times
-                       * accuracy over resolution; 0: no limit */
+                       * accuracy divided by resolution; 0: no limit */
     int divisions;    /* -ad: rays of a hemisphere, one in each of its cells; 16 or
                        * more, rounded up to a square */
     int supersamples; /* -as: more rays where neighbouring cells differ; 0 or more */
     int bounces;      /* -ab: most diffuse reflections of a path; -1: no limit */
     struct pp_rgb constant; /* -av: radiance that replaces the light of further bounces,
                              * and all light of materials left out */
-    const char *const *materials; /* by name, as the scene names them; not owned, copied
+    const char *const *materials; /* names of materials of the scene; not owned, copied
                                    * by create */
     int material_count;
     bool only; /* -ai: only these materials use the cache; false (-ae): all others do */
@@ -71,8 +72,9 @@ enum pp_status pp_irradiance_cache_create(struct pp_irradiance_cache **cache,
 void pp_irradiance_cache_destroy(
     struct pp_irradiance_cache *cache); /* NULL is allowed */
 
-/* Ambient light for struct pp_radiance_state, whose `bounces` must be -1: the cache
- * ends the paths. The cache owns it and must not grow while it is read. */
+/* Ambient light for struct pp_radiance_state, whose `bounces` must be -1, since the
+ * cache ends the paths. The cache owns the result, and must not grow while the result
+ * is in use. */
 const struct pp_ambient *pp_irradiance_cache_ambient(struct pp_irradiance_cache *cache);
 
 /* The irradiance at a place; false if no record covers it. `depth` as in struct
@@ -85,14 +87,14 @@ bool pp_irradiance_cache_value(const struct pp_irradiance_cache *cache,
 struct pp_cache_record {
     struct pp_vec3 point, normal; /* normal: unit */
     enum pp_space space;
-    int depth;                /* 0: made for visible surfaces; 1: for surfaces that
-                               * light these */
+    int depth;                /* 0: for visible surfaces; 1: for surfaces that light the
+                               * visible ones */
     struct pp_rgb value;      /* irradiance */
     struct pp_vec3 along[3];  /* red, green, blue: translational gradient, per metre,
                                * in the surface */
     struct pp_vec3 turned[3]; /* the rotational gradient, per radian */
     struct pp_vec3 axes[2];   /* axes of the ellipse, unit, in the surface */
-    double radii_m[2];        /* along them */
+    double radii_m[2];        /* radii along the axes */
 };
 size_t pp_irradiance_cache_count(const struct pp_irradiance_cache *cache);
 struct pp_cache_record pp_irradiance_cache_record(
@@ -100,7 +102,7 @@ struct pp_cache_record pp_irradiance_cache_record(
 
 /* ---- for the other files of simulate/ ---- */
 
-/* Space on that side of the hit surface to which `normal` points. */
+/* Space on the side of the hit surface to which `normal` points. */
 enum pp_space pp_irradiance_cache_hit_space(const struct pp_irradiance_cache *cache,
                                             const struct pp_light_hit *hit,
                                             struct pp_vec3 normal);

@@ -25,7 +25,7 @@ struct neighbourhood {
     double *common;  /* factors of the evaluated points */
 };
 
-/* Finds the points nearest to point `index`, which is one of them; returns their
+/* Finds the points nearest to point `index`, including the point itself; returns their
  * number. */
 static int find_nearest(int nearest[PP_COMMON_VARIANCE_NEAREST],
                         const struct neighbourhood *of, int index)

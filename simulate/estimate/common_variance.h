@@ -1,5 +1,5 @@
-/* common_variance.h - the correlated share of the variance of a planner's points
- * (model/results/common_error.h), 0 to 1: points that share samples have correlated
+/* common_variance.h - correlated fraction, 0 to 1, of the variance of a planner's
+ * points (model/results/common_error.h). Points that share samples have correlated
  * errors. */
 #ifndef PP_SIMULATE_ESTIMATE_COMMON_VARIANCE_H
 #define PP_SIMULATE_ESTIMATE_COMMON_VARIANCE_H

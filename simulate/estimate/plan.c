@@ -1,22 +1,22 @@
-/* plan.c - predicts variance, skewness and the bound on light not found, and adds paths
- * where they reduce these most for their cost. */
+/* plan.c - predicts the variance, the skewness and the bound on light not found. Adds
+ * paths where they reduce these statistics most for their cost. */
 #include "simulate/estimate/plan.h"
 
 #include <math.h>
 
-/* Share of the target error that a plan aims at, since the variances are estimates.
- * Chosen by trial. */
+/* Fraction of the target error at which a plan aims, since the variances are only
+ * estimates. Chosen by trial. */
 static const double PLANNED_SHARE = 0.92;
 
-/* Cost of a path besides its rays, in rays. */
+/* Cost of a path in addition to its rays, in rays. */
 static const double PATH_COST = 1.0;
 
-/* Greatest squared skewness allowed to a randomisation. By the Edgeworth expansion of
+/* Greatest squared skewness allowed for a randomisation. By the Edgeworth expansion of
  * Student's t, an interval of two standard errors from 32 values then contains the true
- * value about 1 % less often than it should. */
+ * value in about 1 % fewer cases than it should. */
 static const double SKEWNESS_SQUARED = 1.5;
 
-/* Exponent with which a mean's third moment falls as the number of paths grows;
+/* Exponent with which the third moment of a mean falls as the number of paths grows;
  * conservative. */
 static const double THIRD_FALL = 2.0;
 
@@ -25,13 +25,13 @@ static const double THIRD_FALL = 2.0;
  * PILOT_PATHS. */
 enum { SURE_PATHS = 1 << 11, PILOT_PATHS = 1 << 9, GROWTH = 4 };
 
-/* A pilot whose error exceeds the target by this factor is too small, because the value
- * to which the target is relative is itself uncertain. A pilot at the limit takes a
- * sixth of the work of a good plan. */
+/* A pilot is too small if its error exceeds the target by this factor: the target is
+ * relative to a value that is then itself uncertain. A pilot at the limit takes a sixth
+ * of the work of a good plan. */
 static const double VAGUE = 5.0;
 
-/* Least and greatest factor by which the randomisations of a half grow, if at all. A
- * variance from 16 values has a standard error of 36 %. */
+/* Least and greatest factor by which the number of randomisations of a half grows, if
+ * at all. A variance from 16 values has a standard error of 36 %. */
 static const double LEAST_ADDED = 1.5, MOST_ADDED = 4.0;
 
 /* Predicted statistics of randomisations with certain numbers of paths. */
@@ -85,7 +85,8 @@ static double skewness_squared(const struct outlook *outlook)
     return variance > 0.0 ? third * third / (variance * variance * variance) : 0.0;
 }
 
-/* Bound on the light not found, for the last value. */
+/* Upper bound on the light that the planned paths may miss, for the value that has the
+ * target error. */
 static double unfound_bound(const struct outlook *outlook)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
@@ -98,7 +99,7 @@ static double unfound_bound(const struct outlook *outlook)
                : 0.0;
 }
 
-/* The outlook with twice the paths of estimator k. */
+/* The same outlook with twice the paths of estimator k. */
 static struct outlook doubled(const struct outlook *outlook, int k)
 {
     struct outlook more = *outlook;
@@ -119,8 +120,8 @@ static double height(const struct outlook *outlook, enum aim aim)
 }
 
 /* Doubles the paths of the estimator that reduces the statistic most for its cost;
- * false if none does. For skewness and bound it also stops if that estimator is at its
- * limit of paths: a reduction by other estimators would cost too much. */
+ * false if none does. For skewness and bound, false also if that estimator is at its
+ * limit of paths, since a reduction by other estimators would cost too much. */
 static bool double_best(struct outlook *outlook, enum aim aim)
 {
     const struct pp_sampler *sampler = outlook->pilot->sampler;
@@ -146,8 +147,8 @@ static bool double_best(struct outlook *outlook, enum aim aim)
     return found;
 }
 
-/* The variance that each of PP_RANDOMISATIONS may have if the target is to be reached,
- * given the bound. */
+/* Variance that each of PP_RANDOMISATIONS randomisations may have if the target is to
+ * be reached, given the bound. */
 static double allowed_variance(const struct outlook *outlook, double wanted)
 {
     double planned = PLANNED_SHARE * wanted, bound = unfound_bound(outlook);
@@ -166,8 +167,8 @@ static bool is_limited(const struct outlook *outlook)
     return false;
 }
 
-/* Searches, from this outlook on, for the cheapest numbers of paths and randomisations
- * that reach the allowed variance; skewness and bound are ignored. */
+/* Searches, from this outlook, for the cheapest numbers of paths and randomisations
+ * that reach the allowed variance. Ignores skewness and bound. */
 static struct outlook reach_variance(struct outlook at, double allowed,
                                      int *randomisations)
 {

@@ -9,11 +9,11 @@
  *       intervals of two standard errors cover less than 94 %
  *     - the bound on light not found is below half of the target error
  *
- * A pilot that is too small for a plan grows first. All decisions are based on paths
- * that do not enter the value, so that values are not selected by their size. If the
- * result falls short, even-numbered randomisations are added, as many as the variance
- * of the odd-numbered ones requires, and vice versa. The mean of each half is then
- * independent of the half's size, and so is the mean of both.
+ * If a pilot is too small for a plan, it is enlarged first. All decisions are based on
+ * paths that do not enter the value, so that values are not selected by their size. If
+ * the error is still too large, even-numbered randomisations are added, as many as the
+ * variance of the odd-numbered ones requires, and vice versa. The number of
+ * randomisations in each half is then independent of the mean of that half.
  */
 #ifndef PP_SIMULATE_ESTIMATE_PLAN_H
 #define PP_SIMULATE_ESTIMATE_PLAN_H
@@ -25,13 +25,13 @@ enum {
     PP_MOST_PATHS = 1 << 24 /* most paths of one estimator in one randomisation */
 };
 
-/* Paths of each estimator, and the number of randomisations. */
+/* Number of paths of each estimator, and the number of randomisations. */
 struct pp_plan {
     struct pp_counts counts;
     int randomisations;
 };
 
-/* The most paths of an estimator in a randomisation. */
+/* Greatest number of paths of an estimator in a randomisation. */
 static inline uint32_t pp_plan_most(const struct pp_sampler *sampler, int estimator)
 {
     uint32_t most = sampler->most.of[estimator];
@@ -39,12 +39,13 @@ static inline uint32_t pp_plan_most(const struct pp_sampler *sampler, int estima
 }
 
 /* Allocates samples from a pilot run, for the standard error `wanted` of the last
- * value. Returns true, with a larger pilot in *grown, if the pilot is too small and
- * may_grow; else false, with the *plan. */
+ * value. Returns true if the pilot is too small and may_grow; *grown is then a larger
+ * pilot. Otherwise returns false, with the plan in *plan. */
 bool pp_plan_grows(const struct pp_sampled *pilot, double wanted, bool may_grow,
                    struct pp_counts *grown, struct pp_plan *plan);
 
-/* Numbers of randomisations that the two halves (spread.h) need for that error. */
+/* Numbers of randomisations that the two halves (spread.h) need for the error
+ * `wanted`. */
 void pp_plan_halves(const struct pp_sampled *done, double wanted, int halves[2]);
 
 #endif

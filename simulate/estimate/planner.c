@@ -16,12 +16,12 @@
 
 enum {
     STEP = 1024, /* most paths of a randomisation at a time */
-    BLOCK = 64,  /* randomisations at a time, if points share samples of each */
+    BLOCK = 64,  /* randomisations processed together if points share samples */
     APART = 64   /* bytes between data written by two threads: a cache line */
 };
 
-/* If run by the clock, each round aims at this share of the error at which the previous
- * round aimed. */
+/* Ratio of a round's target error to that of the previous round, if run by the
+ * clock. */
 static const double ROUND_SHARE = 0.7;
 
 /* ---- making ---- */
@@ -162,8 +162,8 @@ static double pilot_value(const struct pp_planner *planner, int index)
     return fabs(pp_spread_of_value(&pilot, planner->sampler->values - 1).mean);
 }
 
-/* Target standard error. If run by error it follows from the options and the pilot's
- * value; if run by the clock it is a share of the pilot's error. */
+/* Target standard error. If run by error, it follows from the options and the pilot's
+ * value. If run by the clock, it is a fraction of the pilot's error. */
 static double wanted_error(const struct pp_planner *planner, int index)
 {
     const struct pp_planner_options *options = &planner->options;
@@ -206,8 +206,8 @@ static bool foresee_all(struct pp_planner *planner)
     return grows;
 }
 
-/* Starts the final stage with the planned paths of each point. If run by the clock each
- * call is a further round with more paths, until all points have as many as
+/* Starts the final stage with the planned paths of each point. If run by the clock,
+ * each call starts a further round with more paths, until all points have as many as
  * possible. */
 static enum pp_status plan_final(struct pp_planner *planner, struct pp_error *err)
 {
@@ -252,8 +252,8 @@ static int larger_half(const struct pp_planned_point *point)
     return point->halves[0] > point->halves[1] ? point->halves[0] : point->halves[1];
 }
 
-/* Adds randomisations once if the error exceeds the target, to each half by the
- * variance of the other half. */
+/* Adds randomisations once if the error exceeds the target. The variance of each half
+ * determines how many the other half gets. */
 static enum pp_status top_up(struct pp_planner *planner, struct pp_error *err)
 {
     enum pp_status status = PP_OK;
@@ -295,8 +295,8 @@ static bool is_done(const struct pp_planner *planner, int index, int r)
     return true;
 }
 
-/* Lists the unfinished randomisations of the block; *most: the greatest number of
- * randomisations of a point. */
+/* Lists the unfinished randomisations of the block. *most: greatest number of
+ * randomisations of any point. */
 static enum pp_status list_block(struct pp_planner *planner, int *most,
                                  struct pp_error *err)
 {

@@ -8,9 +8,10 @@ enum pp_planner_stage { PP_PILOT, PP_FINAL, PP_FINISHED };
 
 struct pp_planned_point {
     uint64_t seed;
-    struct pp_counts counts;            /* target for each randomisation of the stage */
-    struct pp_plan plan;                /* from the pilot; valid unless */
-    bool grows;                         /* the pilot has to grow first */
+    struct pp_counts counts;            /* number of paths for each randomisation of the
+                                         * stage */
+    struct pp_plan plan;                /* plan from the pilot; not valid if `grows` */
+    bool grows;                         /* the pilot must be enlarged first */
     struct pp_randomisation *stages[2]; /* randomisations of the pilot, and final
                                          * ones */
     int randomisations[2];
@@ -35,7 +36,7 @@ struct pp_planner {
     enum pp_planner_stage stage;
     bool topped_up;
     double greatest; /* greatest value of the pilots, if options.least_share is set */
-    double round;    /* by the clock: the target as a share of the pilot's error */
+    double round;    /* by the clock: the target as a fraction of the pilot's error */
     struct pp_planner_unit *units; /* units of this pass */
     int unit_count, unit_capacity, next_unit;
     int block; /* if points share samples: first randomisation of this pass */

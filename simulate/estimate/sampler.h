@@ -33,7 +33,8 @@ struct pp_randomisation {
     long leaks;                    /* rays lost between the edges of two surfaces */
 };
 
-/* Range of requested paths: `first` to `end` of the sequence. */
+/* Range of requested paths of a sequence: from `first` up to, but not including,
+ * `end`. */
 struct pp_path_range {
     int point, randomisation, estimator;
     struct pp_sobol_sequence sequence;
@@ -42,35 +43,36 @@ struct pp_path_range {
 
 struct pp_sampler {
     int estimators; /* number of estimators of each point */
-    int values;     /* read from the sums; the target error is for the last one */
+    int values;     /* number of values that are read from the sums; the target error
+                     * applies to the last one */
 
     /* The variance of an estimator's mean over n paths falls as n to the power
      * -fall. */
     double fall[PP_ESTIMATORS_MOST];
 
-    /* Number of paths of each estimator in a randomisation: in the pilot, and the final
-     * minimum. */
+    /* Numbers of paths of each estimator in a randomisation: in the pilot, and the
+     * least in the final stage. */
     struct pp_counts pilot, least;
 
-    /* Randomisations of the pilot, by error: even, and fewer than PP_RANDOMISATIONS
-     * (plan.h) where values have little skew; 0: as many. */
+    /* Number of randomisations of the pilot, if run by error: even; 0:
+     * PP_RANDOMISATIONS (plan.h). Fewer are enough if values have little skew. */
     int pilot_randomisations;
 
     /* Greatest number of paths of each estimator in a randomisation; 0: no limit. */
     struct pp_counts most;
 
-    /* Cost of a path besides its rays, in rays; 0: 1. */
+    /* Cost of a path in addition to its rays, in rays; 0: 1. */
     double cost[PP_ESTIMATORS_MOST];
 
-    /* Cost of each randomisation beyond PP_RANDOMISATIONS (plan.h), besides its
-     * paths. */
+    /* Cost, in rays, of each randomisation beyond PP_RANDOMISATIONS (plan.h), in
+     * addition to its paths. */
     double cost_of_more;
 
-    /* Makes the samples that points share, before paths are followed. They are for
-     * randomisations `first` to first + count - 1 of a stage, each with its own seed,
-     * and for the greatest number of paths of each estimator. Earlier samples are no
-     * longer needed, except for the same `first` of the same stage. pool: the threads
-     * to use. NULL: none to make. */
+    /* Makes the samples that points share, before paths are followed. The samples are
+     * for randomisations `first` to first + count - 1 of a stage, each with its own
+     * seed, and for the greatest number of paths of each estimator. Earlier samples are
+     * no longer needed, except for the same `first` of the same stage. pool: the
+     * threads to use. The callback is NULL if points share no samples. */
     enum pp_status (*prepare)(const void *client, int stage, int first, int count,
                               const struct pp_counts *wanted,
                               struct pp_thread_pool *pool, struct pp_error *err);
@@ -95,9 +97,10 @@ struct pp_sampler {
     double (*part)(const void *client, int point,
                    const struct pp_randomisation *randomisation, int estimator);
 
-    /* Upper bound on light that all these paths of each estimator, over all
-     * randomisations, may have missed, which the spread of a value does not show.
-     * found: bit i is set if the randomisations of value i differ. NULL: no bound. */
+    /* Upper bound on light that the paths may have missed, which the spread of a value
+     * does not show. paths: numbers of paths of each estimator, over all
+     * randomisations. found: bit i is set if the randomisations of value i differ.
+     * NULL: no bound. */
     double (*bound)(const void *client, int point, int value, unsigned found,
                     const double *paths);
 };

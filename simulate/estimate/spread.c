@@ -24,23 +24,24 @@ static double figure(const struct pp_sampled *sampled, int i, int value, int est
     return sampler->value(sampled->client, sampled->point, randomisation, value);
 }
 
-/* Sums over the randomisations with an even number (half 0) or an odd one. */
+/* Statistics of the randomisations with even numbers (half 0) or odd numbers (half
+ * 1). */
 struct half {
-    double mean, squares, cubes; /* squares and cubes of the distances from the mean of
-                                  * both halves */
+    double mean, squares, cubes; /* sums of squares and cubes of the deviations from the
+                                  * mean of both halves */
     int count;
 };
 
-/* The variance of a half's mean, times the variance of Student's t for its number of
- * randomisations. */
+/* Variance of a half's mean, multiplied by the variance of Student's t for its number
+ * of randomisations. */
 static double variance_of_mean(const struct half *half, double mean)
 {
     double off = half->mean - mean, n = half->count;
     return (half->squares - n * off * off) / (n - 3.0) / n;
 }
 
-/* Spread of a value; or, if `estimator` is 0 or more, of that estimator's part of the
- * last value. */
+/* Spread of a value; or, if `estimator` is 0 or more, of this estimator's contribution
+ * to the last value. */
 static struct pp_spread spread_of(const struct pp_sampled *sampled, int value,
                                   int estimator)
 {
@@ -109,8 +110,8 @@ double pp_spread_variance_of_half(const struct pp_sampled *sampled, int half)
     return squares / (n - 1.0);
 }
 
-/* True if the value differs between randomisations; usually the second one already
- * shows it. */
+/* True if the value differs between randomisations. Usually the second randomisation
+ * already shows a difference. */
 static bool differs(const struct pp_sampled *sampled, int value)
 {
     double first = NAN;

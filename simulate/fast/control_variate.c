@@ -14,8 +14,9 @@ void pp_control_variate_destroy(struct pp_control_variate *variate)
     free(variate);
 }
 
-/* Clamps a coordinate, in patches, to the range from the first to the last centre. Its
- * integer part goes to *patch; returns the fraction. Avoids a call of floor(). */
+/* Clamps a coordinate (unit: patches) to the range from the first to the last centre.
+ * Puts its integer part in *patch and returns the fraction. Avoids a call of
+ * floor(). */
 static double within(double x, int count, int *patch)
 {
     double last = count - 1;

@@ -1,9 +1,10 @@
-/* control_variate.h - a coarse radiosity solution of the room, interpolated between patches.
+/* control_variate.h - a coarse radiosity solution of the room, interpolated between
+ * patches.
  *
  * About 1,200 patches gather light from the openings and, along a few random rays, from
  * other patches; values between their centres are interpolated bilinearly. The solution
- * is the control variate G of path.h, so that its errors do not bias a result. Room,
- * light and seed alone determine it (control_variate_solve.h).
+ * is the control variate G of path.h, so errors of the solution do not bias a result.
+ * Room, light and seed alone determine it (control_variate_solve.h).
  */
 #ifndef PP_SIMULATE_FAST_CONTROL_VARIATE_H
 #define PP_SIMULATE_FAST_CONTROL_VARIATE_H
@@ -11,8 +12,7 @@
 #include "simulate/scene/light_scene.h"
 #include "simulate/transport/niche_light.h"
 
-/* The patches of one side of a part, in a grid; a patch's value belongs to its
- * centre. */
+/* The grid of patches on one side of a part; a patch's value applies at its centre. */
 struct pp_control_variate_grid {
     int first;           /* index of the first value; -1: no patches on this side */
     int columns, rows;   /* along the part's a and b */
@@ -38,8 +38,8 @@ double pp_control_variate_at(const struct pp_control_variate *variate,
                              const struct pp_light_scene *scene,
                              const struct pp_light_hit *hit);
 
-/* Callback of a niche's light that calls pp_control_variate_at; `variate` is a struct
- * pp_control_variate. */
+/* Callback for the light of a niche; returns the exitance from pp_control_variate_at.
+ * `variate` is a struct pp_control_variate. */
 double pp_control_variate_of_side(void *variate, const struct pp_light_hit *side,
                                   double worth);
 

@@ -32,10 +32,10 @@ struct variate_patch {
                                     * E */
     double exchanged;              /* interreflected part of the exitance, before
                                     * smoothing */
-    int seen[LOBE_SAMPLES];        /* indices of patches that its rays meet; -1: none */
+    int seen[LOBE_SAMPLES];        /* patches that its rays meet (indices); -1: none */
     int sides[OPENING_SAMPLES];    /* niche sides that directions to openings meet, */
-    double worth[OPENING_SAMPLES]; /* and the share of their exitance that the patch
-                                    * receives */
+    double worth[OPENING_SAMPLES]; /* and the fraction of their exitance that reaches
+                                    * the patch */
     int side_count;
 };
 
@@ -142,8 +142,8 @@ static const struct pp_material *patch_material(const struct pp_light_scene *sce
     return &scene->materials[scene->parts[patch->part].material[patch->back]];
 }
 
-/* Data of the callback below: a patch, and the solution in which the niche sides are
- * patches. */
+/* Context of the callback below: the patch that receives light, and the control variate,
+ * which finds the patch nearest to a point on a niche side. */
 struct noting {
     struct variate_patch *patch;
     const struct pp_control_variate *variate;
@@ -210,8 +210,8 @@ static double exchanged(const struct variate_patch *patch, const double *values)
 }
 
 /* Gauss-Seidel iteration: each patch in order gathers light from the patches that its
- * rays meet, until an iteration changes the solution by less than 1e-4 of its total, or
- * for MOST_SWEEPS iterations. */
+ * rays meet. Ends when an iteration changes the solution by less than 1e-4 of its
+ * total, or after MOST_SWEEPS iterations. */
 static void exchange(double *values, const struct variate_patch *patches, int count,
                      const struct pp_light_scene *scene)
 {
@@ -231,8 +231,8 @@ static void exchange(double *values, const struct variate_patch *patches, int co
     }
 }
 
-/* Patch at this offset in columns and rows from patch i of the grid; NULL: none, or it
- * lies outside the figure. */
+/* Patch at this offset in columns and rows from patch i of the grid. NULL: there is
+ * none, or its centre is outside the surface's outline. */
 static const struct variate_patch *neighbour(const struct variate_patch *patches,
                                              const struct pp_control_variate_grid *grid,
                                              int i, int columns, int rows)
@@ -245,11 +245,11 @@ static const struct variate_patch *neighbour(const struct variate_patch *patches
     return patch->in_figure ? patch : NULL;
 }
 
-/* Smooths exchanged light, which varies little from patch to patch, while the noise of
- * each patch is independent. Each value becomes the mean over a patch and its
- * neighbours with weights 1, 2, 1 along each axis. Neighbours count in opposite pairs
- * only, so that a linear variation is kept. Measured over 40 rooms: with smoothing half
- * as many samples suffice. */
+/* Smooths the exchanged light: the true light varies little from patch to patch, but
+ * the noise of each patch is independent. Each value becomes the mean over a patch and
+ * its neighbours with weights 1, 2, 1 along each axis. Neighbours count in opposite
+ * pairs only, so that a linear variation is kept. Measured over 40 rooms: with
+ * smoothing, half as many samples suffice. */
 static void smooth(struct pp_control_variate *variate, struct variate_patch *patches,
                    const struct pp_control_variate_grid *grid)
 {
@@ -277,8 +277,8 @@ static void smooth(struct pp_control_variate *variate, struct variate_patch *pat
     }
 }
 
-/* Gives patches outside the figure (in the notch of an L-shaped face) the mean of the
- * patches inside, for interpolation. */
+/* Gives patches outside the outline (for example, in the notch of an L-shaped face) the
+ * mean value of the patches inside, for interpolation. */
 static void fill_beside(struct pp_control_variate *variate,
                         const struct variate_patch *patches,
                         const struct pp_control_variate_grid *grid)
@@ -295,7 +295,7 @@ static void fill_beside(struct pp_control_variate *variate,
             variate->values[i] = in_figure > 0 ? sum / in_figure : 0.0;
 }
 
-/* Task of the workers of a pool: lighting patches. */
+/* Task of a pool's workers: lighting patches. */
 struct lighting {
     const struct pp_control_variate *variate;
     struct variate_patch *patches;

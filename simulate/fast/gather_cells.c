@@ -10,24 +10,25 @@
 #include "simulate/sampling/lanes.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* c in (1) of gather_cells.h, and about the number of patches of G along each side of a
- * cell. Both chosen by trial. */
+/* c in (1) of gather_cells.h, and approximate number of patches of G along each side of
+ * a cell. Both chosen by trial. */
 static const double RAYS_WEIGHED = 32.0;
 enum { PATCHES_ALONG = 2 };
 
-/* If the area of the cells is at most this many times that of their face, they fill it
- * exactly; allows for rounding. */
+/* Cells fill a face exactly if their area is at most this many times that of the face;
+ * allows for rounding. */
 static const double FILLED = 1.0 + 1e-9;
 
-/* Arrays of a net: coordinates of the points, and G less its lower bound. Each array
- * has one number for each lane. */
+/* Arrays of the cell points (a net): coordinates, and G less its lower bound. Each
+ * array has one number per lane. */
 enum { X, Y, Z, GUESS, ARRAYS };
 
 struct cell_face {
-    int first, columns, rows; /* in a net; the last lanes of a face may be empty */
+    int first, columns, rows; /* first: index in a net. The last lanes of a face may be
+                               * empty */
     double a0, b0; /* the lower corner of the first cell, along the part's a and b */
     double width_m, height_m; /* size of a cell */
-    bool plain;               /* true if cells fill it and it has no opening */
+    bool plain;               /* true if cells fill the face and it has no opening */
 };
 
 struct pp_gather_cells {
@@ -118,7 +119,7 @@ size_t pp_gather_cells_size(const struct pp_gather_cells *cells)
     return (size_t)ARRAYS * (size_t)cells->lanes;
 }
 
-/* True if that point of the face's plane is on the face and in no opening. */
+/* True if this point of the face's plane is on the face and in no opening. */
 static bool is_seen(const struct pp_gather_cells *cells,
                     struct pp_radiance_state *light, int face, struct pp_vec3 point)
 {
@@ -167,7 +168,8 @@ void pp_gather_cells_draw(const struct pp_gather_cells *cells,
         draw_face(cells, light, i, u, net);
 }
 
-/* k A r4 over n . (y - x), for a receiver at this distance from the face's plane. */
+/* k A r^4 / (n . (y - x)) of (1) in gather_cells.h, for a receiver at this distance (m)
+ * from the face's plane. */
 static double per_cosine(const struct cell_face *face, double before_m)
 {
     return face->width_m * face->height_m * before_m / PP_PI;

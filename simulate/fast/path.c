@@ -10,8 +10,8 @@
 #include "simulate/scene/convex_room.h"
 #include "simulate/scene/light_scene_of_world.h"
 
-/* The light of niches according to the control variate; NULL if the room is not convex,
- * has no niches, or there is no variate. */
+/* The light of niches according to the control variate. NULL if the room is not convex
+ * or has no niches, or if there is no control variate. */
 static const struct pp_niche_light *niches_of(const struct pp_control_variate *variate)
 {
     return variate && variate->scene->convex && variate->scene->has_niches
@@ -65,7 +65,7 @@ static struct pp_light_ray lobe_ray(const struct pp_path_state *state,
                      pp_lobe_sample_in_frame(a, b, start->normal, u[0], u[1]));
 }
 
-/* The light of niches counted by next-event estimation at that point; NULL if none. */
+/* The light of niches that next-event estimation at this point counts; NULL if none. */
 static const struct pp_niche_light *niches_from(const struct pp_path_state *state,
                                                 struct pp_vec3 point)
 {
@@ -107,10 +107,10 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
     return e;
 }
 
-/* Adds light through the openings for one path or a run of paths from the present index
- * on. The existing sum is divided by the number of paths, a power of two, before the
- * addition and multiplied by it afterwards, so that the result is bit-identical to
- * adding the paths one by one. */
+/* Adds light through the openings for one path, or for a run of paths from the present
+ * index. For a run, the existing sum is divided by the number of paths, a power of two,
+ * before the addition and multiplied by it afterwards. The result is therefore
+ * bit-identical to adding the paths one by one. */
 static void add_direct(struct pp_path_state *state, const struct pp_start *start,
                        struct pp_vec3 point, int paths, struct pp_light *light)
 {
@@ -139,8 +139,8 @@ static void add_glass(struct pp_path_state *state, const struct pp_start *start,
     light->part[PP_IRC] += e.rest.g;
 }
 
-/* Adds the direct light of one ray in the open (a scene without a room): from the sky,
- * or from the ground and other surfaces. */
+/* Adds the direct light of one ray in a scene without a room: from the sky, or from the
+ * ground and other surfaces. */
 static void add_open_direct(struct pp_path_state *state, const struct pp_start *start,
                             struct pp_light *light)
 {
@@ -171,8 +171,8 @@ void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
     }
 }
 
-/* G at the end of the ray if it meets a surface directly, else 0; with `cells`, only
- * the part that cells do not cover. */
+/* G at the end of the ray if the ray meets a surface directly; otherwise 0. With
+ * `cells`, only the part of G that the cells do not cover. */
 static double gathered(struct pp_path_state *state, const struct pp_light_ray *ray,
                        const struct pp_convex_nearest *nearest, bool cells)
 {

@@ -5,47 +5,50 @@
  *
  *     B = M + rho (E + K B)                                                        (1)
  *
- * with M their emission, E the irradiance from the openings and K the operator that
- * gives the irradiance from the exitance of other surfaces, and let G be a coarse
- * radiosity solution (control_variate.h), used as control variate:
+ * where M is the emission of the surfaces, E the irradiance from the openings, and K
+ * the operator that gives the irradiance from the exitance of other surfaces. Let G be
+ * a coarse radiosity solution (control_variate.h), used as control variate:
  *
  *     direct      light that enters through an opening and reaches the point without
  *                 reflection, by next-event estimation
  *     gather      the mean of G over the cosine lobe of the point; in a convex room
- *                 by cells (gather_cells.h), and their remainder by rays
+ *                 by cells (gather_cells.h), and the remainder by rays
  *     correction  the mean of B - G over that lobe, with
  *
  *                     B - G = (M - G) + rho (E + K G) + rho K (B - G)              (2)
  *
  *                 followed along a path: at each surface met, several directions
- *                 sample the first two terms of (2), K G also by cells, and one of
- *                 them continues
+ *                 sample the first two terms of (2), K G also by cells; one of
+ *                 these directions continues
  *
- * The sum is unbiased for any G; with a good G the correction has little variance. That
- * variance is the noise of the samples at each surface, which grows with the light
- * there. So the direction that continues is drawn in proportion to G at the surface
- * that it meets, as in the importance resampling of [TCE05]. Russian roulette ends a
- * path by its expected contribution according to G.
+ * The sum is unbiased for any G; with a good G the correction has little variance. This
+ * variance comes from the noise of the samples at each surface, which grows with the
+ * light at that surface. The direction that continues is therefore drawn in proportion
+ * to G at the surface that it meets, as in the importance resampling of [TCE05].
+ * Russian roulette ends paths according to their expected contribution, which is
+ * estimated from G.
  *
- * Without G the correction is plain path tracing. If receivers share light
- * (shared_density.h) most of the correction comes from shared points, and a path
+ * Without G, the correction is plain path tracing. If receivers share light
+ * (shared_density.h), most of the correction comes from shared points. A path then
  * continues only with the remainder.
  *
- * In an empty convex room directions to the openings are directions to the mouths of
+ * In an empty convex room, directions to the openings are directions to the mouths of
  * their niches. A direction that ends on a side of a niche adds the side's G to the
- * direct light, and rays from the room that reach a side add nothing. Sides are small
- * and bright, so that few rays would meet them: when they were left to rays, rooms with
+ * direct light. Rays from the room that reach a side add nothing. Sides are small and
+ * bright, so few rays would meet them. When sides were sampled by rays only, rooms with
  * reveals took up to ten times longer.
  *
  * Paths are those of the light transport (transport/light_path.h), in the scene of a
- * world with diffuse finishes only. Indoors, every surface gets the light from the
- * openings by next-event estimation; a ray of the cosine lobe that reaches an opening
- * adds nothing for light that enters through it, and is reflected by glass and frame.
+ * world with diffuse finishes only. Indoors, next-event estimation samples the light
+ * from the openings at every surface. A ray of the cosine lobe that reaches an opening
+ * therefore adds nothing for light that enters through the opening; glass and frame
+ * reflect the ray.
  *
  * Light of other openings that glass reflects to the point itself is sampled with the
  * direct light, by the images of the openings, and excluded from the correction's own
- * rays. When it was left to rays, they met it so seldom that, in rooms with windows in
- * several walls, one point in a hundred had three to fifteen times the target error.
+ * rays. When this light was sampled by rays only, few rays met it: in rooms with
+ * windows in several walls, one point in a hundred had three to fifteen times the
+ * target error.
  *
  * All light is over Eh.
  */
@@ -79,7 +82,7 @@ struct pp_path_state {
     struct pp_glass_view view; /* images seen from the last point */
 };
 
-/* State for paths in that scene and light; the caller still sets the sequence. */
+/* State for paths in this scene and light. The caller still sets the sequence. */
 struct pp_path_state pp_path_state(const struct pp_light_scene *scene,
                                    const struct pp_environment *environment,
                                    const struct pp_control_variate *variate);
@@ -91,9 +94,9 @@ struct pp_start {
     struct pp_vec3 normal;
 };
 
-/* The irradiance from the openings at a point indoors, from that many directions with
+/* The irradiance from the openings at a point indoors, from this many directions with
  * the random numbers of a vertex. Components: directly from the sky, from outside, and
- * (`rest`) from sides of niches (by G) and from the room itself through other
+ * (`rest`) from sides of niches (according to G) and from the room itself through other
  * openings. */
 struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
                                          struct pp_vec3 point, struct pp_vec3 normal,
@@ -103,8 +106,8 @@ struct pp_irradiance pp_path_by_openings(struct pp_path_state *state,
 bool pp_path_counted_by_nee(const struct pp_path_state *state, struct pp_vec3 from,
                             const struct pp_light_hit *met);
 
-/* Add the samples of the paths from state->light.index to `end`, one after the other;
- * the index is `end` afterwards. Gathered light and its correction are internally
+/* Add the samples of the paths from state->light.index up to, but not including, `end`;
+ * afterwards the index is `end`. Gathered light and its correction are internally
  * reflected light, 0 without a room. */
 void pp_path_direct(struct pp_path_state *state, const struct pp_start *start,
                     uint32_t end, struct pp_light *light);
@@ -113,18 +116,18 @@ void pp_path_gather(struct pp_path_state *state, const struct pp_start *start,
 void pp_path_correction(struct pp_path_state *state, const struct pp_start *start,
                         uint32_t end, double *sum);
 
-/* Light gathered by cells, in addition to paths, in a randomisation; 0 if there are no
- * cells or the path starts anywhere on the plane. */
+/* Light gathered by cells in a randomisation, in addition to the paths. 0 if there are
+ * no cells or if paths start anywhere on the plane. */
 double pp_path_gather_cells(const struct pp_path_state *state,
                             const struct pp_start *start);
 
-/* Estimate by one of the shared points; if state->shared is not NULL their mean is a
- * part of the correction. */
+/* Estimate from one of the shared points. If state->shared is not NULL, the mean of
+ * these estimates is a part of the correction. */
 double pp_path_shared(const struct pp_path_state *state, const struct pp_start *start,
                       const struct pp_shared_light *shared);
 
 /* One sample of B - G at a surface: by a path or, given independent shared points, by
- * one step of (2) and the light of those points. */
+ * one step of (2) and the light of the shared points. */
 double pp_path_residual(struct pp_path_state *state, const struct pp_light_hit *met,
                         const struct pp_shared_light *others, int count);
 

@@ -1,5 +1,5 @@
-/* path_correction.c - the third estimator of path.h: follows paths from surface to
- * surface, which correct the control variate. */
+/* path_correction.c - the third estimator of path.h: paths from surface to surface,
+ * which correct the control variate. */
 #include <stddef.h>
 
 #include "simulate/sampling/lobe.h"
@@ -9,9 +9,10 @@
 enum {
     /* Directions from each surface met. Several are needed, because with the control
      * variate a step is a small difference of large numbers. Measured in two rooms:
-     * half or twice as many reduce the efficiency by 10 to 40 %, a single one by two
-     * thirds. In rooms with cells, half or twice as many lobe rays reduce it by up to
-     * 10 %, and twice as many rays to openings by a fifth. */
+     * half or twice as many directions reduce the efficiency by 10 to 40 %, a single
+     * direction by two thirds. In rooms with cells, half or twice as many lobe rays
+     * reduce the efficiency by up to 10 %, and twice as many rays to openings by a
+     * fifth. */
     OPENINGS = 4,
     LOBES = 8,
     FIRST_LOBES = 4,    /* from the point itself, if no light is shared */
@@ -22,13 +23,13 @@ enum {
     MOST_BOUNCES = 1 << 14
 };
 
-/* Russian roulette: probability that a path continues, over the ratio of its importance
- * to that at its first surface. Measured without shared points: 0.6 and 1 are equally
- * good; with shared points 1 takes 8 % longer. */
+/* Russian roulette: a path continues with the probability GOING_ON times the ratio of
+ * its importance to its importance at the first surface. Measured without shared
+ * points: 0.6 and 1 are equally good. With shared points, 1 takes 8 % longer. */
 static const double GOING_ON = 0.6;
 
-/* Defensive sampling: when an arm is chosen, this share of the mean importance of the
- * fan's arms is added to the importance of each. */
+/* Defensive sampling: when an arm is chosen, this fraction of the mean importance of
+ * the fan's arms is added to the importance of each arm. */
 static const double LEAST_SHARE = 0.5;
 
 /* An arm: a path on its way to a surface of the room. */
@@ -58,8 +59,8 @@ struct fan_rays {
     bool known; /* true if the nearest planes are known */
 };
 
-/* Draws the rays of `paths` paths from the present index on. All start from one place;
- * their number is at most PP_RUN_MOST. */
+/* Draws the rays of `paths` paths (at most PP_RUN_MOST) from the present index. All
+ * rays start from one place. */
 static void draw_rays(const struct pp_path_state *state, const struct path_fan *fan,
                       int vertex, int paths, struct fan_rays *rays)
 {
@@ -72,8 +73,8 @@ static void draw_rays(const struct pp_path_state *state, const struct path_fan *
                                          count, rays->nearest);
 }
 
-/* Excludes the light of an opening from a path that the glass of the pane has reflected
- * to that opening, if images in glass already count it. */
+/* Excludes the light of opening `met` from a path that was reflected by the glass of
+ * another opening, if images in glass already count this light. */
 static void leave_out_image(const struct pp_light_scene *scene, int pane,
                             const struct pp_light_hit *met, struct pp_light_path *path)
 {
@@ -84,7 +85,7 @@ static void leave_out_image(const struct pp_light_scene *scene, int pane,
 }
 
 /* Follows the ray through glass and frames to a surface of the room; false if the path
- * ends before. Light that enters on the way is added to *sum. nearest: the plane that
+ * ends before. Adds the light that enters on the way to *sum. nearest: the plane that
  * the ray meets first; NULL: unknown. glass: excludes openings mirrored in the first
  * glass that the ray meets. */
 static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
@@ -119,9 +120,10 @@ static bool to_surface(struct pp_path_state *state, struct path_arm *arm,
     return there;
 }
 
-/* Chooses by u in (0, 1) the arm that continues for all arms. The noise of a path at a
- * surface grows with the light there, so an arm's probability is proportional to its
- * contribution according to G, and all choices contribute about equal noise. */
+/* Chooses, by u in (0, 1), the arm that continues for all arms. The noise of a path at
+ * a surface grows with the light at the surface. An arm's probability is therefore
+ * proportional to its contribution according to G, so that all choices contribute about
+ * equal noise. */
 static struct path_arm choose_path_arm(const struct path_arm *arms, int count, double u)
 {
     double mean = 0.0, total = 0.0, below = 0.0, share[MOST_LOBES];
@@ -191,7 +193,7 @@ static bool spread(struct pp_path_state *state, const struct path_fan *fan,
     return count > 0;
 }
 
-/* Samples E + K G of a surface over several directions. One of these continues as *arm
+/* Samples E + K G of a surface over several directions. One direction continues as *arm
  * with the whole throughput; false if none continues. */
 static bool bounce(struct pp_path_state *state, struct path_arm *arm, int vertex,
                    uint32_t openings, uint32_t lobes, double *sum)
@@ -234,8 +236,8 @@ static bool survives(const struct pp_path_state *state, struct path_arm *arm,
     return u < chance;
 }
 
-/* Adds one step of (2) at the arm's vertex, times the throughput, and turns the arm to
- * its next surface. False if the arm ends before. */
+/* Adds one step of (2) at the arm's vertex, times the throughput, and directs the arm
+ * to its next surface. False if the arm ends before. */
 static bool step(struct pp_path_state *state, struct path_arm *arm, int vertex,
                  double *sum)
 {
@@ -260,8 +262,8 @@ static double residual(struct pp_path_state *state, struct path_arm *arm, int ve
 }
 
 /* True if the residual at the arm's vertex must be sampled by this ray. If the ray
- * arrived directly, shared points cover a part, and the answer is true with the
- * probability of the rest. */
+ * arrived directly, shared points cover part of the residual. The result is then true
+ * with the probability of the remainder. */
 static bool is_left(const struct pp_path_state *state, const struct path_arm *arm,
                     int vertex)
 {

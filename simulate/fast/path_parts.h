@@ -30,8 +30,8 @@ static inline double pp_path_guess(const struct pp_path_state *state,
                : 0.0;
 }
 
-/* A light path along a ray, from `vertex` on. It excludes light of openings that are
- * sampled directly. */
+/* A light path along a ray, from `vertex` on. Light of openings that are sampled
+ * directly is excluded. */
 static inline struct pp_light_path pp_path_of_ray(const struct pp_path_state *state,
                                                   const struct pp_light_ray *ray,
                                                   int vertex)

@@ -7,11 +7,11 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Share of the mean of G that is added to each patch's G. Patches are drawn in
- * proportion to area times the root of that sum. The noise of D grows with G, but so
- * does the light of nearby receivers, whose relative error counts. Measured in the deep
- * office: a constant density needs half as many points again, a density proportional to
- * G twice as many. */
+/* Fraction of the mean of G that is added to each patch's G. Patches are drawn in
+ * proportion to their area times the square root of the sum. The noise of D grows with
+ * G, but so does the light at nearby receivers, whose relative error matters. Measured
+ * in the deep office: a constant density needs half as many points again, a density
+ * proportional to G twice as many. */
 static const double LEAST_SHARE = 0.1;
 
 /* Factor for patches below the working plane, which receivers usually face away from.

@@ -1,21 +1,21 @@
 /* shared_density.h - density of points on a room's surfaces whose light all receivers
  * share, and the weight of a point at a receiver.
  *
- * The residual of the control variate G of path.h, D = B - G, is noise at each surface
- * met, and would be sampled again for each receiver. It is therefore sampled once, at
- * points y on the room's surfaces with density p (1/m2). With an unbiased estimate D(y)
- * at each point (shared_light.h) a receiver at x gets
+ * D = B - G is the residual of the control variate G of path.h. Without sharing, D
+ * would be sampled again for each receiver. Instead, it is sampled once, at points y on
+ * the room's surfaces with density p (1/m2). With an unbiased estimate D(y) at each
+ * point (shared_light.h), a receiver at x gets
  *
  *     min(k(x, y)/p(y), c) D(y),        k = cos cos' / (pi r2)                      (1)
  *
  * The mean of (1) over p is the mean of D over the cosine lobe at x, except for the
- * part that the bound c cuts off if x and y are near each other. That part is sampled
- * by the lobe's own rays: a ray that has met y continues with the probability
+ * part that the bound c cuts off if x and y are near each other. The lobe's own rays
+ * sample this part: a ray that has met y continues with the probability
  *
  *     1 - c p(y)/k(x, y)                                                            (2)
  *
- * if that is positive. The sum of both is unbiased for all p and c. These are the many
- * lights of [KELLER97], bounded as in [KK06].
+ * if that is positive. The sum of both is unbiased for all p and c. This is the method
+ * of many lights [KELLER97], bounded as in [KK06].
  *
  * The method is used only in rooms where any two points see each other (convex_room.h),
  * so that (1) needs no ray. The sides of niches are not visible from everywhere: they
@@ -28,9 +28,10 @@
 #include "model/base/error.h"
 #include "simulate/fast/control_variate.h"
 
-/* Greatest weight c in (1). Measured: from 6 to 25 the work for a given error changes
- * by less than a tenth. But of 6,000 points in random rooms, 0.08, 0.2 and 0.6 % end
- * with more than twice the target standard error with c = 6, 12 and 25. */
+/* Greatest weight c in (1). Measured: between c = 6 and 25, the work for a given error
+ * changes by less than a tenth. But with c = 6, 12 and 25, respectively 0.08, 0.2 and
+ * 0.6 % of 6,000 points in random rooms end with more than twice the target standard
+ * error. */
 #define PP_SHARED_DENSITY_MOST_WEIGHT 6.0
 
 /* A shared point y with its light. */
@@ -55,9 +56,9 @@ void pp_shared_density_destroy(struct pp_shared_density *density); /* NULL is al
 bool pp_shared_density_serves(const struct pp_shared_density *density,
                               struct pp_vec3 point);
 
-/* A place drawn by three numbers in (0, 1), with 1/(pi p), and the ray to it from the
- * middle of the room. If the ray meets another part, there is no surface at the place:
- * it is on a pane, or outside the figure. */
+/* A place drawn by three numbers in (0, 1), with 1/(pi p), and the ray to this place
+ * from the middle of the room. If the ray meets another part, there is no surface at
+ * the place: the place is on a pane, or outside the surface's outline. */
 struct pp_shared_place {
     int part;
     struct pp_light_ray sight;

@@ -1,5 +1,5 @@
-/* shared_light.c - draws sets of points, each with the residual of the control variate
- * there. */
+/* shared_light.c - draws sets of points, each with an estimate of the control variate's
+ * residual. */
 #include "simulate/fast/shared_light.h"
 
 #include <stdlib.h>
@@ -68,8 +68,8 @@ void pp_shared_light_destroy(struct pp_shared_lights *lights)
     free(lights);
 }
 
-/* Draws a point and calculates its light, using that of `count` earlier points. The
- * light is 0 if the drawn place is not on the surface. */
+/* Draws a point and calculates its light, using the light of `count` earlier points.
+ * The light is 0 if the drawn place is not on the surface. */
 static struct pp_shared_light draw_point(struct pp_path_state *state,
                                          const struct pp_shared_light *others,
                                          int count)
@@ -85,8 +85,8 @@ static struct pp_shared_light draw_point(struct pp_path_state *state,
     return (struct pp_shared_light){met.point, met.normal, place.per_density, light};
 }
 
-/* Index of the first point of the net that contains point i; each net is as long as all
- * earlier nets together. */
+/* Index of the first point of the block that contains point i. Each block is as long as
+ * all earlier blocks together. */
 static int block_of(int i)
 {
     int block = FIRST_BLOCK;
@@ -104,7 +104,7 @@ static void draw_net(struct pp_path_state *state, const struct pp_sobol *sobol,
     pp_gather_cells_draw(state->cells, &state->light, u, net);
 }
 
-/* Task shared by the workers of a pool: how many points each set needs. */
+/* Task shared by the workers of a pool: number of points that each set needs. */
 struct extension {
     const struct pp_shared_lights *lights;
     const uint32_t *wanted;

@@ -1,5 +1,5 @@
-/* tracer.c - connects the estimators of path.h, and the shared light, to the sampler of
- * simulate/estimate. */
+/* tracer.c - connects the estimators of path.h, and the shared light, to the sampler
+ * interface of simulate/estimate. */
 #include "simulate/fast/tracer.h"
 
 #include <math.h>
@@ -16,8 +16,8 @@
 #include "simulate/fast/shared_light.h"
 #include "simulate/transport/light_images.h"
 
-/* Estimators, and the sums of their paths; those of direct light are by component,
- * PP_SC to PP_IRC. */
+/* Estimators, and offsets of the sums of their paths. Sums of direct light are by
+ * component, PP_SC to PP_IRC. */
 enum { DIRECT, GATHER, CORRECTION, SHARED, ESTIMATORS };
 enum {
     SUM_DIRECT = 0,
@@ -27,24 +27,25 @@ enum {
     SUM_CELLS = 6 /* light gathered by cells, which is not a sum over paths */
 };
 
-/* Points that receivers share in one randomisation. At least 64 are used, since fewer
- * need more randomisations: with 8 a grid at 3 % took 1.8 times the work of one at 1
- * %. */
+/* Limits of the number of points that receivers share in one randomisation. At least 64
+ * are used, since fewer need more randomisations: with 8, a grid at 3 % took 1.8 times
+ * the work of a grid at 1 %. */
 enum { LEAST_SHARED = 64, MOST_SHARED = 1 << 12 };
 static const double SHARED_VARIANCE = 0.0033;
 
-/* Cost of one shared point to a receiver, in rays: a connection, plus a share of the
- * point's own 15 rays, as if 15 receivers used it. The true number of receivers must
- * not enter, so that values do not depend on it. With a third of this cost, or twice,
- * the work for 8, 17 or 384 receivers changes by about a tenth. */
+/* Cost of one shared point to a receiver, in rays: a connection, plus a fifteenth of
+ * the point's own 15 rays, as if 15 receivers used the point. The true number of
+ * receivers is not used, since values must not depend on it. With a third of this cost,
+ * or twice, the work for 8, 17 or 384 receivers changes by about a tenth. */
 static const double SHARED_COST = 1.0;
 
-/* If openings are a smaller share of the inside surfaces than SPOTTED_SHARE, they light
- * small spots that few paths find. A small pilot would miss them and plan too few
- * paths. The paths of the pilot and the least number of paths are then doubled until
- * share times factor reaches SPOTTED_LIKE, or the factor SPOTTED_MOST. In three rooms
- * with slits of 0.05 to 0.1 m, up to half of the averages had over twice the target
- * error of 0.5 %; now 5 of 90 do, for half as much time again. */
+/* If openings are a smaller fraction of the inside surfaces than SPOTTED_SHARE, they
+ * light small spots that few paths find. A small pilot would miss the spots and plan
+ * too few paths. The paths of the pilot and the least number of paths are therefore
+ * doubled until the fraction times the factor reaches SPOTTED_LIKE, or the factor
+ * reaches SPOTTED_MOST. Measured in three rooms with slits of 0.05 to 0.1 m: up to half
+ * of the averages had over twice the target error of 0.5 %; now 5 of 90 have, in 1.5
+ * times the time. */
 static const double SPOTTED_SHARE = 0.015, SPOTTED_LIKE = 0.06;
 enum { SPOTTED_MOST = 16 };
 
@@ -60,10 +61,10 @@ struct pp_tracer {
     const struct pp_light_scene *scene;
     const struct pp_environment *environment;
     struct pp_control_variate *variate;
-    struct pp_shared_density *density; /* NULL: every point samples its whole correction
-                                        * itself */
-    struct pp_gather_cells *cells;     /* NULL if density is */
-    struct pp_shared_lights *shared;   /* NULL if density is */
+    struct pp_shared_density *density; /* NULL: every point samples its whole
+                                        * correction */
+    struct pp_gather_cells *cells;     /* NULL if there is no density */
+    struct pp_shared_lights *shared;   /* NULL if there is no density */
     struct pp_sobol sobol;
     struct traced_point *points; /* the receivers, then the average if requested */
     int point_count, receiver_count;
@@ -158,8 +159,8 @@ static void follow_traced_paths(const void *client, void *state,
     randomisation->leaks += path->light.leaks - leaks;
 }
 
-/* The estimator's part of the daylight factor. Internally reflected light includes the
- * allowance for decorations. */
+/* The estimator's contribution to the daylight factor. Internally reflected light
+ * includes the allowance for decorations. */
 static double tracer_part(const void *client, int point,
                           const struct pp_randomisation *randomisation, int estimator)
 {
@@ -203,7 +204,8 @@ static double tracer_bound(const void *client, int point, int component, unsigne
                            const double *paths)
 {
     const struct pp_tracer *tracer = client;
-    /* On average one shared point contributes to a receiver. */
+    /* A shared point counts as one path, since its mean weight at a receiver is about
+     * 1. */
     double reflected = paths[tracer->points[point].shares ? SHARED : CORRECTION];
     if (tracer->scene->glass_image_count > 0) /* other openings mirrored in glass */
         reflected = fmin(reflected, PP_GLASS_CHANCE * paths[DIRECT]);
@@ -227,9 +229,9 @@ static const struct pp_sampler sampler = {
     .bound = tracer_bound,
 };
 
-/* Most points for receivers to share in a randomisation: a power of two at which they
- * cause a third of the target variance in a room like the deep office. If that is not
- * enough there are more randomisations. */
+/* Most points that receivers share in a randomisation: a power of two at which the
+ * points cause a third of the target variance in a room like the deep office. If more
+ * points are needed, there are more randomisations. */
 static uint32_t most_shared(double error)
 {
     uint32_t most = LEAST_SHARED;
@@ -238,7 +240,7 @@ static uint32_t most_shared(double error)
     return most;
 }
 
-/* Estimate of direct light alone. */
+/* Estimate of the direct light alone. */
 static double direct_part_of(const void *client, int point,
                              const struct pp_randomisation *randomisation,
                              int estimator)
@@ -274,19 +276,19 @@ static struct pp_sampler of_direct_light(void)
     return direct;
 }
 
-/* Sampler in which a part of the correction is shared. The receiver's own paths then
- * have little to correct. */
+/* Sampler in which part of the correction is shared. The receiver's own paths then
+ * sample only the remainder. */
 static struct pp_sampler sharing(double error)
 {
     struct pp_sampler shared = sampler;
     shared.estimators = ESTIMATORS;
     shared.fall[SHARED] = 1.05;
     shared.pilot = (struct pp_counts){{4, 8, 2, 8}};
-    /* With only 8 shared points one of them may cause most of a receiver's error. */
+    /* With only 8 shared points, a single one may cause most of a receiver's error. */
     shared.least = (struct pp_counts){{4, 8, 4, 16}};
     /* Half of PP_RANDOMISATIONS: saves a fifth of the time for a grid at 1 %, with
-     * equally reliable standard errors. Without shared points they would be less
-     * reliable. */
+     * equally reliable standard errors. Without shared points, the standard errors
+     * would be less reliable. */
     shared.pilot_randomisations = 16;
     shared.most.of[SHARED] = most_shared(error);
     shared.cost[SHARED] = SHARED_COST;
@@ -322,8 +324,8 @@ static void look_closer(struct pp_sampler *changed, const struct pp_world *world
     }
 }
 
-/* Makes the point of a receiver; NULL: the working plane as a whole. Its seed depends
- * on the receiver's position, not on other receivers. */
+/* Makes the point of a receiver; NULL: the working plane as a whole. The seed of the
+ * point depends on the receiver's position, not on other receivers. */
 static struct traced_point traced_at(const struct pp_tracer *tracer,
                                      const struct pp_receiver *receiver, uint64_t seed)
 {

@@ -6,8 +6,8 @@
  *     while (!pp_tracer_done(tracer))
  *         if (pp_tracer_advance(tracer, 0.1, err) != PP_OK) ...
  *
- * With --error or --samples the result depends on the world, light, receivers and seed
- * alone, bit by bit, for any number of threads and any length of the slices.
+ * With --error or --samples, the result depends on the world, light, receivers and seed
+ * alone. It is bit-identical for any number of threads and any duration of the calls.
  */
 #ifndef PP_SIMULATE_FAST_TRACER_H
 #define PP_SIMULATE_FAST_TRACER_H
@@ -25,9 +25,9 @@
 
 struct pp_tracer_options {
     double
-        error; /* target standard error over the daylight factor, at every point; never
-                * under PP_TRACER_LEAST_ERROR. 0: by samples or the caller's clock
-                * alone */
+        error; /* target standard error relative to the daylight factor, at every point;
+                * at least PP_TRACER_LEAST_ERROR of Eh. 0: by samples or the caller's
+                * clock alone */
     long samples; /* paths per point in each randomisation instead of error; 0: not
                    * set */
     uint64_t seed;
@@ -55,11 +55,11 @@ enum pp_status pp_tracer_advance(struct pp_tracer *tracer, double seconds,
                                  struct pp_error *err);
 bool pp_tracer_done(const struct pp_tracer *tracer);
 
-/* The share of the work that is done, 0 to 1, by the present plan. */
+/* Fraction of the present plan's work that is done, 0 to 1. */
 double pp_tracer_progress(const struct pp_tracer *tracer);
 
-/* The largest standard error over daylight factor of any point so far; NAN before there
- * is any. */
+/* Largest relative standard error of a daylight factor at any point so far; NAN if no
+ * value is known yet. */
 double pp_tracer_error(const struct pp_tracer *tracer);
 
 /* The readings so far of receiver `index`, or of the average over the working plane
@@ -67,17 +67,17 @@ double pp_tracer_error(const struct pp_tracer *tracer);
 void pp_tracer_read(const struct pp_tracer *tracer, int index,
                     struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-/* The work done so far. A leak is a ray that left the room between the edges of two
- * surfaces and was given up. */
+/* Amount of work done so far. A leak is a ray that left the room through a gap between
+ * the edges of two surfaces and was abandoned. */
 struct pp_tracer_work {
     long long paths, rays, leaks;
 };
 struct pp_tracer_work pp_tracer_work(const struct pp_tracer *tracer);
 
-/* Correlated share of the variance of the receivers' daylight factors, 0 to 1
+/* Correlated fraction of the variance of the receivers' daylight factors, 0 to 1
  * (common_variance.h): among all receivers, and among neighbours. Neighbours get the
- * same light from shared points, so that the latter is much larger if that light causes
- * most of the variance. */
+ * same light from shared points. The fraction among neighbours is therefore much larger
+ * if this light causes most of the variance. */
 double pp_tracer_common(const struct pp_tracer *tracer);
 double pp_tracer_common_near(const struct pp_tracer *tracer);
 

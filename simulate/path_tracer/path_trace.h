@@ -3,14 +3,14 @@
  * This is the plain calculation of simulated light in the scene of a room: one loop and
  * next-event estimation of the openings. docs/theory.md explains it step by step. The
  * tracer of simulate/fast/ and the transport of simulate/transport/ calculate the same
- * light faster, with control variates, shared points and multiple importance sampling;
- * tests compare them with this calculation.
+ * light faster, with control variates, shared points and multiple importance sampling.
+ * Tests compare both with this calculation.
  *
  * Terms and symbols are those of [PJH23]:
  *
  *     L       radiance along the ray, the result
  *     beta    throughput of the path so far: product of BSDF x cosine / pdf
- *     wo, wi  directions from the surface: back along the ray, and on
+ *     wo, wi  directions from the surface: back along the ray, and onwards
  *
  * The estimate is unbiased. Radiances are over Eh, per steradian.
  */
@@ -19,11 +19,11 @@
 
 #include "simulate/path_tracer/path_walk.h"
 
-/* The first surface that a path meets, other than glass: it determines the component
+/* The first surface that a path meets, other than glass. It determines the component
  * (sky, externally or internally reflected). */
 enum pp_path_first { PP_FIRST_NONE, PP_FIRST_SKY, PP_FIRST_OUTSIDE, PP_FIRST_INSIDE };
 
-/* A point on one side of a surface; normal: unit, on that side. */
+/* A point on one side of a surface. normal: unit, on this side. */
 struct pp_lit_point {
     struct pp_vec3 point, normal;
     enum pp_space space;
@@ -31,7 +31,7 @@ struct pp_lit_point {
 
 /* One sample of the radiance along the ray. counted: light straight through the
  * openings was already sampled at the ray's origin. aims: next-event estimation of
- * openings along the path; must be false outside the room, where each surface would
+ * openings along the path. It must be false outside the room, where each surface would
  * begin another such path. *first may be NULL. */
 struct pp_rgb pp_path_trace_radiance(struct pp_path_walk *walk, struct pp_light_ray ray,
                                      bool counted, bool aims,

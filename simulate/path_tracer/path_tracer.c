@@ -11,10 +11,10 @@
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/unsampled.h"
 
-/* The estimators; the sums of their paths are by component, PP_SC to PP_IRC. */
+/* Estimators. The sums of their paths are by component, PP_SC to PP_IRC. */
 enum { DIRECT, REFLECTED, ESTIMATORS };
 
-/* Least standard error aimed at, over Eh: a daylight factor of 0.002 %. */
+/* Least target standard error, over Eh: a daylight factor of 0.002 %. */
 static const double LEAST_ERROR = 0.00002;
 
 struct plain_point {
@@ -186,7 +186,8 @@ static enum pp_status make_points(struct pp_path_tracer *tracer,
                                   const struct pp_path_tracer_options *options,
                                   struct pp_error *err)
 {
-    /* Seeds differ from the tracer's for the same option --seed. */
+    /* Makes the seed differ from that of simulate/fast/tracer.h for the same option
+     * --seed. */
     uint64_t seed = pp_hash_name(options->seed, tracer->scene->world->name);
     int count = tracer->receiver_count;
     tracer->point_count = count + (options->average && tracer->scene->plane_count > 0);

@@ -1,8 +1,9 @@
 /* path_tracer.h - daylight factors of a room by plain path tracing.
  *
- * This tracer estimates the same quantities as the main one, with the same options and
- * readings (simulate/fast/tracer.h). It uses only the loop of path_trace.c, so that it
- * is slower but easy to verify. Tests compare the two.
+ * This tracer estimates the same quantities as the fast path tracer
+ * (simulate/fast/tracer.h), with the same options and readings. It uses only the loop
+ * of path_trace.c, and is therefore slower but easy to verify. Tests compare the two
+ * tracers.
  *
  * At a point in a room the daylight factor is the sum of
  *
@@ -28,8 +29,8 @@
 
 struct pp_path_tracer_options {
     double
-        error; /* target standard error over the daylight factor, at every point; 0: by
-                * samples or the caller's clock alone */
+        error; /* target standard error relative to the daylight factor, at every point;
+                * 0: by samples or the caller's clock alone */
     long samples; /* paths per point in each randomisation instead of error; 0: not
                    * set */
     uint64_t seed;
@@ -39,7 +40,7 @@ struct pp_path_tracer_options {
 
 struct pp_path_tracer;
 
-/* scene: a world's, with every finish diffuse. Copies the receivers; scene and
+/* scene: of a world in which every finish is diffuse. Copies the receivers; scene and
  * environment must outlive the tracer. */
 enum pp_status pp_path_tracer_create(struct pp_path_tracer **tracer,
                                      const struct pp_light_scene *scene,
@@ -55,13 +56,14 @@ enum pp_status pp_path_tracer_advance(struct pp_path_tracer *tracer, double seco
                                       struct pp_error *err);
 bool pp_path_tracer_done(const struct pp_path_tracer *tracer);
 
-/* The share of the work that is done, 0 to 1; the largest standard error over daylight
- * factor of any point so far, NAN before there is any. */
+/* pp_path_tracer_progress: fraction of the work that is done, 0 to 1.
+ * pp_path_tracer_error: largest relative standard error of a daylight factor at any
+ * point so far; NAN if no value is known yet. */
 double pp_path_tracer_progress(const struct pp_path_tracer *tracer);
 double pp_path_tracer_error(const struct pp_path_tracer *tracer);
 
-/* readings[PP_SC] ... readings[PP_DF] of receiver `index`; for -1 of the average over the
- * working plane. */
+/* readings[PP_SC] ... readings[PP_DF] of receiver `index`, or of the average over the
+ * working plane for index -1. */
 void pp_path_tracer_read(const struct pp_path_tracer *tracer, int index,
                          struct pp_reading readings[PP_COMPONENT_COUNT]);
 

@@ -1,5 +1,5 @@
-/* path_walk.c - random numbers of a path, vertex by vertex of the sequence; its rays;
- * and scattering. */
+/* path_walk.c - the random numbers of a path at each vertex, its rays, and
+ * scattering. */
 #include "simulate/path_tracer/path_walk.h"
 
 #include "simulate/sampling/lobe.h"

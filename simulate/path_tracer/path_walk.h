@@ -21,18 +21,20 @@ struct pp_path_walk {
     const struct pp_light_scene *scene;       /* scene of a world; not owned */
     const struct pp_environment *environment; /* not owned */
     struct pp_sobol_sequence sequence;        /* randomisation of the random numbers */
-    uint32_t index;                           /* index of the path in it */
+    uint32_t index;                           /* index of the path in the sequence */
     int vertex;                               /* number of draws so far; begins at 0 */
 
-    long rays, leaks;                 /* traced so far; lost between two surfaces */
+    long rays, leaks;                 /* rays traced so far; rays lost in gaps between
+                                       * two surfaces */
     struct pp_openings_shares shares; /* importances of openings at the last point */
 };
 
-/* The next `count` random numbers of the path, at most PP_SOBOL_DIMENSIONS, in (0, 1). */
+/* The next `count` random numbers of the path, each in (0, 1). count: at most
+ * PP_SOBOL_DIMENSIONS. */
 void pp_path_walk_draw(struct pp_path_walk *walk, int count, double *u);
 
-/* Finds what the ray meets first, and counts the ray. hit->point is moved back from the
- * surface (rays.h), so that the next ray can start there. */
+/* Finds the first surface that the ray meets, and counts the ray. hit->point is moved
+ * back from the surface (rays.h), so that the next ray can start there. */
 enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
                                   const struct pp_light_ray *ray,
                                   struct pp_light_hit *hit);
@@ -42,9 +44,9 @@ enum pp_meeting pp_path_walk_meet(struct pp_path_walk *walk,
 struct pp_lobes pp_path_walk_lobes(const struct pp_path_walk *walk,
                                    const struct pp_light_hit *hit, struct pp_vec3 wo);
 
-/* Turns the ray from the surface met into a direction wi of one of the surface's lobes,
- * drawn in proportion to their albedos, and multiplies beta by BSDF x cosine / pdf.
- * Returns the lobe; PP_LOBE_COUNT: nothing is scattered. */
+/* Replaces the ray by a ray from the surface met in a direction wi of one of the
+ * surface's lobes, drawn in proportion to their albedos. Multiplies beta by BSDF x
+ * cosine / pdf. Returns the lobe; PP_LOBE_COUNT: nothing is scattered. */
 enum pp_lobe pp_path_walk_scatter(struct pp_path_walk *walk,
                                   const struct pp_lobes *lobes,
                                   const struct pp_light_hit *hit,

@@ -12,7 +12,7 @@
 /* Default number of pixels in a part: about 100 MB of requests. */
 enum { PART_PIXELS = 1 << 20 };
 
-/* Share of the progress for the first round of parts. */
+/* Fraction of the progress that the first round of parts represents. */
 static const double FIRST_ROUND = 0.9;
 
 struct pp_cache_warm_up {
@@ -91,8 +91,8 @@ static enum pp_status show(const struct pp_cache_warm_up *warm_up, int number,
 }
 
 /* Requests the next part once the cache covers the current one. After the last part
- * another round begins, unless the round made no new record. A single part needs no
- * second round, since the cache has checked all its requests again. */
+ * another round begins, unless the last round made no new record. A single part needs
+ * no second round, since the cache has then checked all its requests again. */
 static enum pp_status show_next_part(struct pp_cache_warm_up *warm_up,
                                      struct pp_error *err)
 {

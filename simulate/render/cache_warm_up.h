@@ -1,10 +1,10 @@
 /* cache_warm_up.h - fills the irradiance cache for a picture before rendering.
  *
- * Like Radiance's overture calculation: the cache grows until it covers the requests of
- * all pixel centres, so that the picture interpolates between records and does not
- * extrapolate; then it may be used as the ambient store. A large picture is processed
- * in parts, each a coarse grid of pixels, in rounds until no new record is made. Memory
- * is needed for one part at a time.
+ * As in Radiance's overture calculation, the cache grows until it covers the requests
+ * of all pixel centres. The picture then interpolates between records and does not
+ * extrapolate. A large picture is processed in parts, each a coarse grid of pixels.
+ * Rounds over all parts are repeated until no new record is made. Memory is needed for
+ * one part at a time.
  */
 #ifndef PP_SIMULATE_RENDER_CACHE_WARM_UP_H
 #define PP_SIMULATE_RENDER_CACHE_WARM_UP_H

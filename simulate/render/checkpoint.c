@@ -193,8 +193,8 @@ enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
     return status;
 }
 
-/* Checks that the checkpoint belongs to this render. *at points behind the version on
- * entry, and behind the two counts (rays, leaks) on return. */
+/* Checks that the checkpoint belongs to this render. On entry *at points to the byte
+ * after the version; on return, to the byte after the two counts (rays, leaks). */
 static enum pp_status check_checkpoint_head(const struct pp_render *render,
                                             const unsigned char **at, long long work[2],
                                             struct pp_error *err)

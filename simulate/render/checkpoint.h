@@ -27,16 +27,17 @@ enum pp_status pp_checkpoint_save(const struct pp_render *render,
                                   const struct pp_irradiance_cache *cache, FILE *out,
                                   struct pp_error *err);
 
-/* Finds the cache in the bytes written by pp_checkpoint_save, for pp_cache_file_unpack:
- * *cache points into `bytes`, and is NULL, with length 0, if there is no cache.
+/* Finds the cache in the bytes written by pp_checkpoint_save, for pp_cache_file_unpack.
+ * *cache points into `bytes`; without a cache it is NULL and the length is 0.
  * PP_BAD_INPUT as from pp_checkpoint_resume, but not for another scene or other
  * options. */
 enum pp_status pp_checkpoint_cache(const unsigned char *bytes, size_t length,
                                    const char **cache, size_t *cache_length,
                                    struct pp_error *err);
 
-/* Resumes a render of the same scene and options, entirely or not at all. PP_BAD_INPUT
- * if the bytes belong to another render or version, or are truncated or damaged. */
+/* Resumes a render of the same scene and options. PP_BAD_INPUT, with the render
+ * unchanged, if the bytes belong to another render or version, or are truncated or
+ * damaged. */
 enum pp_status pp_checkpoint_resume(struct pp_render *render,
                                     const unsigned char *bytes, size_t length,
                                     struct pp_error *err);

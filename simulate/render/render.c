@@ -64,8 +64,8 @@ double pp_render_decorations(const struct pp_render *render)
     return render->options.irradiance ? render->scene->decorations : 1.0;
 }
 
-/* Irradiance of the surface that the ray meets; false if it meets none, or one of glass
- * or air. */
+/* Irradiance of the surface that the ray meets; false if there is none, or if the
+ * surface is glass or air. */
 static bool irradiance_seen(const struct pp_render *render,
                             struct pp_radiance_state *state,
                             const struct pp_light_ray *ray, struct pp_rgb *value)
@@ -107,7 +107,7 @@ static void pixel_of_point(const struct pp_render *render, int point, int *x, in
     *y = tile->y0 + point / (tile->x1 - tile->x0);
 }
 
-/* State of one thread: for the transport's paths, or for plain ones. */
+/* State of one thread: of the transport's paths, or of plain paths. */
 struct render_state {
     struct pp_radiance_state radiance;
     struct pp_path_walk walk;
@@ -201,7 +201,7 @@ static const struct pp_sampler sampler = {
     .value = rendered_value,
 };
 
-/* Share of the pixel's paths that have a value. */
+/* Fraction of the pixel's paths that have a value. */
 static double share_seen(const struct pp_render *render, int point)
 {
     struct pp_sampled sampled = pp_planner_sampled(render->planner, point);

@@ -2,8 +2,8 @@
  *
  * The caller runs the loop: create, advance until done, with the picture available at
  * any time, then destroy. The picture grows tile by tile. A pixel depends only on the
- * scene, the options and its position, bit by bit, for any number of threads, length of
- * slices and point of resumption.
+ * scene, the options and its position. It is bit-identical for any number of threads,
+ * duration of the calls and point of resumption.
  *
  * A pixel is the mean over stratified positions in and around it, weighted by the
  * filter; each position has one path of radiance.h. Light of a world is over Eh, as in
@@ -37,8 +37,8 @@ struct pp_render_options {
     bool indoors;      /* for a parallel view: begins at the cut through the room */
     enum pp_pixel_filter filter;
     int samples;        /* per pixel, rounded up to a power of two */
-    int randomisations; /* number of randomisations among which samples are divided, a
-                         * power of two from 4 on, to give each pixel a standard error;
+    int randomisations; /* number of randomisations among which samples are divided, to
+                         * give each pixel a standard error: a power of two, at least 4;
                          * 0: one, with least noise and no standard error */
     bool plain;         /* by plain path tracing (simulate/path_tracer/): `light`, store
                          * and ambient are not used */
@@ -67,21 +67,21 @@ enum pp_status pp_render_advance(struct pp_render *render, double seconds,
                                  struct pp_error *err);
 bool pp_render_done(const struct pp_render *render);
 
-/* Share of the tiles that are done. */
+/* Fraction of the tiles that are done, 0 to 1. */
 double pp_render_progress(const struct pp_render *render);
 
 /* The picture so far, owned by the render; unfinished parts are black. A pixel without
- * a value is NAN: outside the circle of a fisheye view, outside a room that is cut and,
- * in pictures of irradiance, where most of the pixel shows glass or sky. In a pixel on
- * the edge of the circle the part outside is black. */
+ * a value is NAN: outside the circle of a fisheye view, outside a room that is shown
+ * cut, and, in pictures of irradiance, where most of the pixel shows glass or sky. For
+ * a pixel on the edge of the circle, light from outside the circle counts as black. */
 const struct pp_picture *pp_render_picture(const struct pp_render *render);
 
-/* Standard errors of its pixels, by channel; NULL if there are none. Errors of a cache
- * are not included. */
+/* Standard errors of the picture's pixels, by channel; NULL if there are none. Errors
+ * of a cache are not included. */
 const struct pp_picture *pp_render_errors(const struct pp_render *render);
 
 /* Moves the finished picture and its errors (empty if not requested) to the caller, who
- * clears them; the render's own become empty. */
+ * must clear them. Afterwards the render has an empty picture. */
 void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture,
                             struct pp_picture *errors);
 
@@ -90,7 +90,7 @@ void pp_render_take_picture(struct pp_render *render, struct pp_picture *picture
 const int *pp_render_tags(const struct pp_render *render);
 
 struct pp_render_work {
-    long long rays, leaks; /* leaks: rays lost between the edges of two surfaces */
+    long long rays, leaks; /* leaks: rays lost in gaps between two surfaces */
 };
 struct pp_render_work pp_render_work(const struct pp_render *render);
 
@@ -107,9 +107,9 @@ struct pp_render_tile pp_render_tile(const struct pp_render *render, int tile);
 bool pp_render_camera_ray(const struct pp_render *render, const double place[2],
                           struct pp_light_ray *ray);
 
-/* Allowance for the deterioration of the room's decorations, on internally reflected
- * light, for irradiances; 1 for radiances, which are those of surfaces with their
- * stated finishes. */
+/* Allowance for the deterioration of the room's decorations: a factor for the
+ * internally reflected light of irradiances. 1 for radiances, which always apply to
+ * surfaces with their stated finishes. */
 double pp_render_decorations(const struct pp_render *render);
 
 #endif

@@ -7,7 +7,8 @@
 #include "simulate/render/render_parts.h"
 #include "simulate/sampling/hash.h"
 
-/* A record is visible if the ray towards it ends within this share of the distance. */
+/* A record is visible if the ray towards it ends nearer to it than this fraction of the
+ * distance. */
 static const double seen_share = 1e-3;
 
 uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache)
@@ -25,8 +26,8 @@ uint64_t pp_render_cache_hash(const struct pp_irradiance_cache *cache)
     return hash;
 }
 
-/* True if the point is within the picture and nothing hides it. place: its position in
- * pixels. */
+/* True if the point is within the picture and nothing hides it. place: position in the
+ * picture (pixels). */
 static bool is_seen(const struct pp_render *render, struct pp_vec3 point,
                     double place[2])
 {

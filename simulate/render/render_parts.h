@@ -9,7 +9,7 @@ enum { PP_RENDER_TILE = 16 }; /* width of a tile, pixels */
 
 struct pp_render {
     const struct pp_light_scene *scene;
-    const struct pp_environment *environment; /* NULL: of a description */
+    const struct pp_environment *environment; /* NULL: scene from a description */
     struct pp_render_options options;         /* samples: a power of two */
     struct pp_planner *planner;
     struct pp_render_tile tile;        /* the current tile */
@@ -20,8 +20,7 @@ struct pp_render {
     int tiles_across, tile_count;
     unsigned char *tile_done; /* 1: the tile is done */
     int done_count;
-    struct pp_render_work resumed; /* work done before the checkpoint from which the
-                                    * render was resumed */
+    struct pp_render_work resumed; /* work done before the checkpoint */
 };
 
 #endif

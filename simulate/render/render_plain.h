@@ -8,8 +8,8 @@
 struct pp_rgb pp_render_plain_radiance(struct pp_path_walk *walk,
                                        struct pp_light_ray ray);
 
-/* One sample of the irradiance of the surface that the ray meets, with light reflected
- * indoors times `decorations`. False: the ray meets glass, or nothing. */
+/* One sample of the irradiance of the surface that the ray meets. Light reflected
+ * indoors is multiplied by `decorations`. False if the ray meets glass or nothing. */
 bool pp_render_plain_irradiance(struct pp_path_walk *walk, struct pp_light_ray ray,
                                 double decorations, struct pp_rgb *value);
 

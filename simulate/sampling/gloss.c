@@ -7,7 +7,7 @@
 
 enum {
     COSINES = PP_GLOSS_COSINES,
-    SLOPES = 64, /* slopes of facets: this many sizes times this many azimuths */
+    SLOPES = 64, /* slopes of facets: SLOPES radii times SLOPES azimuths */
     FACETS = SLOPES * SLOPES,
     ROUNDS = 60, /* iterations; after 40 nothing changes in the twelfth digit */
 };
@@ -36,11 +36,11 @@ static double roughness_towards(const struct pp_gloss *gloss, struct pp_vec3 d)
     return sqrt((x * x + y * y) / flat2);
 }
 
-/* The scale changes most where the cosine is about the roughness: this factor, chosen
- * by trial, makes columns densest from there down to grazing incidence. */
+/* The scale changes most where the cosine is about as large as the roughness. With this
+ * factor, chosen by trial, columns are densest from there down to grazing incidence. */
 static const double COLUMN_SPACING = 4.0;
 
-/* The table's cell around a direction: the lower row and column, and the interpolation
+/* Cell of the table around a direction: the lower row and column, and the interpolation
  * weights of the next row and column. */
 struct gloss_node {
     int row, column;
@@ -97,7 +97,7 @@ double pp_gloss_scale(const struct pp_gloss *gloss, struct pp_vec3 direction)
 
 /* ---- the lobe ---- */
 
-/* f without the scale; the slope of h, in units of the roughness, goes to *p and *q. */
+/* f without the scale. *p and *q: the slope of h, in units of the roughness. */
 static double ward(const struct pp_gloss *gloss, struct pp_vec3 i, struct pp_vec3 o,
                    double *p, double *q)
 {
@@ -133,8 +133,8 @@ double pp_gloss_sample(const struct pp_gloss *gloss, struct pp_vec3 i, double u,
 {
     double r = sqrt(-log(u)), sine, cosine;
     sincos(2.0 * PP_PI * v, &sine, &cosine);
-    /* Near grazing incidence usually only one of two opposite slopes mirrors light
-     * down. That slope is then used, with half its weight since it is drawn twice as
+    /* Near grazing incidence, usually only one of two opposite slopes mirrors light
+     * down. This slope is then used with half its weight, since it is drawn twice as
      * often. */
     struct pp_vec3 opposite;
     double weight = mirrored(gloss, i, r * cosine, r * sine, o);
@@ -173,7 +173,8 @@ static void draw_facets(double (*facets)[2])
         }
 }
 
-/* The share of light from one direction that goes to the neighbourhood of each node. */
+/* The fraction of light from one direction that goes to the neighbourhood of each
+ * node. */
 static void distribute(const struct pp_gloss *gloss, const double (*facets)[2],
                        struct pp_vec3 from, double *to_node)
 {
@@ -194,8 +195,8 @@ static void distribute(const struct pp_gloss *gloss, const double (*facets)[2],
     }
 }
 
-/* The iteration of [SK67] for a symmetric lobe: each scale is divided by the root of
- * the light that it scatters in all, which should be 1. */
+/* The iteration of [SK67] for a symmetric lobe: each scale is divided by the square
+ * root of the total light that it scatters, which should be 1. */
 static void balance(double *scale, const double *lobe, int nodes)
 {
     double next[PP_GLOSS_AZIMUTHS * COSINES];

@@ -1,5 +1,5 @@
 /* hash.h - seeds as hashes of the point, randomisation and path that they belong to, so
- * that no two parts of the work share one.
+ * that no two parts of the work share a seed.
  *
  * The 64-bit mixer is the finaliser of SplitMix64 [SLF14]; the 32-bit one is lowbias32
  * [WELLONS18]. Both are bijections without state.
@@ -51,7 +51,7 @@ static inline uint64_t pp_hash_vec(uint64_t seed, struct pp_vec3 part)
     return pp_hash_double(seed, part.z);
 }
 
-/* Works on one number or on lanes of them (lanes.h). */
+/* Applies to one number or to lanes of numbers (lanes.h). */
 #define PP_HASH_MIX32(x)                                                               \
     do {                                                                               \
         x ^= x >> 16;                                                                  \

@@ -1,10 +1,10 @@
 /* lanes.h - arithmetic on several numbers at once.
  *
- * The compiler's own vectors: an operator works on each number by itself, so that the
- * results are those of the same operations one by one, bit by bit. A function is
- * compiled twice: its body is written once as PP_LANES_BODY and called from a plain
- * function and from one marked PP_LANES_WIDE, for processors with registers of 256
- * bits. pp_lanes_are_wide tests the processor.
+ * Uses the compiler's vector types. An operator works on each number separately, so the
+ * results are bit-identical to the same operations on single numbers. A function is
+ * compiled twice: its body is written once as PP_LANES_BODY. It is called from a plain
+ * function, and from a function marked PP_LANES_WIDE for processors with registers of
+ * 256 bits. pp_lanes_are_wide tests the processor.
  */
 #ifndef PP_SIMULATE_SAMPLING_LANES_H
 #define PP_SIMULATE_SAMPLING_LANES_H

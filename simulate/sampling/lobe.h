@@ -1,7 +1,7 @@
 /* lobe.h - frames about a normal, and cosine-weighted directions in them.
  *
- * Sine and cosine are calculated here for the small range needed, by arithmetic that
- * gives bit-identical results with any compiler and is faster than the library.
+ * Sine and cosine are calculated here, only for the small range needed. This arithmetic
+ * gives bit-identical results with any compiler, and is faster than the library.
  */
 #ifndef PP_SIMULATE_SAMPLING_LOBE_H
 #define PP_SIMULATE_SAMPLING_LOBE_H

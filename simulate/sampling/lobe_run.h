@@ -5,9 +5,9 @@
 #include "model/geometry/frame.h"
 #include "simulate/sampling/lanes.h"
 
-/* Computes pp_lobe_sample_in_frame of u[0][i] and u[1][i], bit by bit, for the first
- * `count`, at most PP_RUN_MOST; the rest, up to a multiple of PP_LANES, is
- * undefined. */
+/* Computes pp_lobe_sample_in_frame of u[0][i] and u[1][i] for the first `count`
+ * directions (at most PP_RUN_MOST); results are bit-identical. Further directions up to
+ * a multiple of PP_LANES are undefined. */
 void pp_lobe_run(const struct pp_frame *frame, double u[2][PP_RUN_MOST], int count,
                  struct pp_lanes_directions *to);
 

@@ -6,9 +6,9 @@
 /* The table of radii for one direction of the eye. */
 struct rough_radii {
     const struct pp_rough_surface *surface;
-    const double *low, *high; /* cumulative shares at two angles, */
-    double next;              /* and the weight of the second */
-    double sine, cosine;      /* |i_xy|, and the eye's cosine */
+    const double *low, *high; /* cumulative probabilities at two angles of incidence */
+    double next;              /* weight of the second angle */
+    double sine, cosine;      /* |i_xy|; cosine of the eye's direction */
 };
 
 static struct rough_radii radii_of(const struct pp_rough_surface *surface,
@@ -33,7 +33,7 @@ static double radius_at(const struct rough_radii *radii, int k)
     return radii->surface->radius[k] * (1.0 + radii->sine);
 }
 
-/* Density per area of i_xy + r_xy, in interval k. */
+/* Density per area of i_xy + r_xy, in interval k. reach: the largest azimuth (phi). */
 static double density_in(const struct rough_radii *radii, int k, double reach)
 {
     double low = radius_at(radii, k), high = radius_at(radii, k + 1);
@@ -64,7 +64,8 @@ double pp_rough_lobe_sample(const struct pp_rough_surface *surface, struct pp_ve
     if (!(reach > 0.0))
         return 0.0;
     sincos(reach * (2.0 * v - 1.0), &sine, &cosine);
-    /* The azimuth is measured from i_xy; any, if the eye looks along the normal. */
+    /* The azimuth is measured from i_xy, or from any direction if the eye looks along
+     * the normal. */
     double along = radii.sine > 0.0 ? eye.x / radii.sine : 1.0;
     double across = radii.sine > 0.0 ? eye.y / radii.sine : 0.0;
     to->x = radius * (cosine * along - sine * across) - eye.x;

@@ -1,4 +1,5 @@
-/* sample_discrete.h - index i at random, with probability in proportion to importance. */
+/* sample_discrete.h - draws an index at random, with probability in proportion to
+ * importance. */
 #ifndef PP_SIMULATE_SAMPLING_SAMPLE_DISCRETE_H
 #define PP_SIMULATE_SAMPLING_SAMPLE_DISCRETE_H
 
@@ -18,9 +19,9 @@ static inline int pp_sample_discrete(const double *weights, int count, double le
     return chosen;
 }
 
-/* Index i by u in [0, 1), and its *probability; -1 if no importance is above 0.
- * importance(data, i) is called twice per i. Defensive sampling: the share `uniform` of the
- * sum is added in equal parts to all importances above 0. */
+/* Draws an index i by u in [0, 1), and sets its *probability; -1 if no importance is
+ * above 0. importance(data, i) is called twice per i. Defensive sampling: the fraction
+ * `uniform` of the sum is added in equal parts to all importances above 0. */
 static inline int pp_sample_discrete_of(double (*importance)(const void *data, int i),
                                         const void *data, int count, double uniform,
                                         double u, double *probability)
@@ -49,10 +50,10 @@ static inline int pp_sample_discrete_of(double (*importance)(const void *data, i
     return chosen;
 }
 
-/* Share of the probability that is spread evenly, since estimated importances may be
- * wrong. Without it a window with 7 % of a point's light, under a clear sky, had 0.5 %
- * of the directions; of 6,400 values in 40 random rooms 14 were off by more than 4
- * standard errors, with it 3. */
+/* Fraction of the probability that is spread evenly, since estimated importances may be
+ * wrong. Without it, a window with 7 % of a point's light, under a clear sky, got 0.5 %
+ * of the directions. Of 6,400 values in 40 random rooms, 14 were off by more than 4
+ * standard errors without this fraction, and 3 with it. */
 #define PP_SAMPLE_DISCRETE_UNIFORM 0.1
 
 static inline double pp_sample_discrete_estimate(const void *estimates, int i)

@@ -7,8 +7,8 @@
 #include "model/geometry/min_max.h"
 #include "simulate/sampling/triangle.h"
 
-/* Least density in the unit square, as a share of the mean: limits the variance that a
- * wrong estimate can cause. Chosen by trial. */
+/* Least density in the unit square, as a fraction of the mean. Limits the variance that
+ * a wrong estimate can cause. Chosen by trial. */
 static const double LEAST_WEIGHT = 0.05;
 
 /* A rectangle nearer than this many of its diagonals is sampled by solid angle; chosen
@@ -16,19 +16,19 @@ static const double LEAST_WEIGHT = 0.05;
 static const double NEAR_DIAGONALS = 0.6;
 
 /* Distance, in diagonals, below which the importance of a rectangle is estimated by its
- * solid angle: from so near, the middle of a long rectangle does not represent its
- * ends. */
+ * solid angle. At such short distances, the middle of a long rectangle does not
+ * represent its ends. */
 static const double GUESSED_DIAGONALS = 1.0;
 
 /* Least weight of an opening in the choice, since the estimate of its light may be
  * wrong. */
 static const double LEAST_CHOICE = 0.1;
 
-/* Least height over an opening's plane that the estimate assumes, so that it is
- * positive for all points that see the opening. */
+/* Least height above an opening's plane that the estimate assumes, so that the estimate
+ * is positive for all points that see the opening. */
 static const double LEAST_HEIGHT_M = 1e-3;
 
-/* Triangles of smaller solid angle are sampled by area: there Arvo's formulae lose
+/* Triangles of smaller solid angle are sampled by area, since Arvo's formulae then lose
  * digits. */
 static const double SMALL_TRIANGLE_SR = 1e-3;
 
@@ -83,9 +83,9 @@ static void turn_by_solid_angle(double z[2], double sign, double x, double y,
     z[0] = turned;
 }
 
-/* Importance of a rectangle to a near point, for which the middle is not
- * representative: its solid angle times the larger weight of its middle and its nearest
- * point. */
+/* Importance of a rectangle for a near point, for which the middle is not
+ * representative: its solid angle times the larger of the weights of its middle and its
+ * nearest point. */
 static double importance_when_near(const struct pp_target *target, struct pp_vec3 from,
                                    struct pp_vec3 n, struct pp_brightness brightness,
                                    double middle_weight)
@@ -127,8 +127,8 @@ double pp_sample_polygon_importance(const struct pp_target *target, struct pp_ve
     return solid * pp_max(weight, LEAST_CHOICE);
 }
 
-/* The weight of this corner of a rectangle: cosine times brightness, per solid angle
- * or, by area, per area. */
+/* Weight of this corner of a rectangle: cosine times brightness, per solid angle or, if
+ * sampled by area, per area. */
 static double corner_value(const struct pp_polygon_sampler *sampler, struct pp_vec3 n,
                            struct pp_brightness brightness, int right, int top)
 {
@@ -153,7 +153,7 @@ static void weigh_corners(struct pp_polygon_sampler *sampler, struct pp_vec3 n,
             sampler->corner_weight[top][right] = value;
             sum += value;
         }
-    /* The guess and a uniform density, mixed in a fixed proportion. */
+    /* A fixed mixture of the estimated and a uniform density. */
     double scale = sum > 0.0 ? (1.0 - LEAST_WEIGHT) * 4.0 / sum : 0.0;
     double least = sum > 0.0 ? LEAST_WEIGHT : 1.0;
     for (int top = 0; top < 2; top++)
@@ -286,8 +286,8 @@ static double per_area(const struct pp_polygon_sampler *sampler,
     return sampler->distance_m / (r * r * r);
 }
 
-/* The triangle selected by u in proportion to solid angle or area. u is rescaled to (0,
- * 1) within it; returns the index, and the triangle's probability. */
+/* Index of the triangle selected by u in proportion to solid angle or area, with its
+ * size and probability. u is rescaled to (0, 1) within the triangle. */
 static int choose_triangle(const struct pp_polygon_sampler *sampler, double *u,
                            double *size, double *probability)
 {
@@ -401,8 +401,8 @@ static double rectangle_pdf(const struct pp_polygon_sampler *sampler,
     double u = x / target->width_m, v = y / target->height_m;
     double size = target->area_m2 * per_area(sampler, at);
     if (!sampler->by_area) {
-        /* Shares of the solid angle to the left of the point and, within its column,
-         * below it. */
+        /* Fraction of the solid angle to the left of the point; within its column,
+         * fraction below it. */
         double z2 = sampler->distance_m * sampler->distance_m;
         x += sampler->x0;
         y += sampler->y0;

@@ -1,12 +1,12 @@
 /* sample_polygon.h - directions towards an opening, by importance sampling.
  *
  * A rectangle is sampled uniformly in solid angle by the area-preserving map of Ureña,
- * Fajardo and King [URENA13], a triangle by Arvo's [ARVO95b]; an opening of small
+ * Fajardo and King [URENA13], a triangle by Arvo's map [ARVO95b]. An opening of small
  * angular size is sampled by area. A bilinear density over the unit square [PJH23] then
  * makes the samples follow, from corner to corner, the cosine at the receiving surface
  * and the brightness behind the opening. The estimate of that brightness affects the
- * variance alone: the density of each direction is exact, and every direction to the
- * opening has one.
+ * variance alone, since the density of each direction is known exactly and is above 0
+ * for every direction to the opening.
  */
 #ifndef PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
 #define PP_SIMULATE_SAMPLING_SAMPLE_POLYGON_H
@@ -15,7 +15,7 @@
 
 #include "model/geometry/vec.h"
 
-/* A plane figure to sample directions to. It emits on the side of `normal`. */
+/* A plane shape to which directions are sampled. It emits on the side of `normal`. */
 struct pp_target {
     struct pp_vec3 normal; /* unit, into the room */
     struct pp_vec3 middle;
@@ -25,8 +25,8 @@ struct pp_target {
     struct pp_vec3 corner, along, up; /* rectangle; along and up of unit length */
     double width_m, height_m;
 
-    struct pp_vec3 (*triangles)[3]; /* triangles of any other figure, else NULL; not
-                                     * owned */
+    struct pp_vec3 (*triangles)[3]; /* triangles of any shape but a rectangle, else
+                                     * NULL; not owned */
     int triangle_count;
 };
 
@@ -44,10 +44,11 @@ static inline struct pp_vec3 pp_target_point(const struct pp_target *target, dou
     return pp_vec_along(pp_vec_along(target->corner, x, target->along), y, target->up);
 }
 
-/* Estimated luminance outside the openings, over that of the horizon. */
+/* Estimated luminance outside the openings, relative to the luminance of the
+ * horizon. */
 struct pp_brightness {
     double ground;    /* below the horizon */
-    double gradation; /* above it 1 + gradation sin altitude */
+    double gradation; /* above the horizon: 1 + gradation sin(altitude) */
 };
 
 /* A target as seen from one point of a surface. */
@@ -56,19 +57,19 @@ struct pp_polygon_sampler {
     struct pp_vec3 from, facing;    /* the point, and the normal of its surface */
     bool by_area;
     double distance_m;          /* to the target's plane, greater than 0 */
-    double x0, x1, y0, y1;      /* rectangle, from the foot of the point */
+    double x0, x1, y0, y1;      /* sides of the rectangle, from the foot of the point */
     double b0, b1, k, solid;    /* parameters of the map of [URENA13]; solid angle in
                                  * sr */
     double corner_weight[2][2]; /* [v][u], their mean is 1 */
 };
 
-/* True if the front of the target is visible, at least in part, from this side of a
- * surface (at `from`, normal n), if obstructions are ignored. */
+/* True if the front of the target is at least partly visible from this side of a
+ * surface (at `from`, normal n). Obstructions are ignored. */
 bool pp_sample_polygon_in_sight(const struct pp_target *target, struct pp_vec3 from,
                                 struct pp_vec3 n);
 
-/* Estimated light of the target at `from`, as a weight for choosing one of several;
- * never 0 for a visible one. */
+/* Estimated light of the target at `from`, as a weight for the choice among several
+ * targets; never 0 for a visible target. */
 double pp_sample_polygon_importance(const struct pp_target *target, struct pp_vec3 from,
                                     struct pp_vec3 n, struct pp_brightness brightness);
 
@@ -77,8 +78,8 @@ void pp_sample_polygon_init(struct pp_polygon_sampler *sampler,
                             const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 n, struct pp_brightness brightness);
 
-/* A point of the target for two numbers in (0, 1), its direction from sampler->from,
- * its distance, and 1/density in steradians. */
+/* A point of the target for two numbers in (0, 1), its direction and distance from
+ * sampler->from, and 1/density in steradians. */
 struct pp_direction_sample {
     struct pp_vec3 point, direction;
     double distance_m, per_density;
@@ -87,7 +88,7 @@ struct pp_direction_sample pp_sample_polygon_draw(
     const struct pp_polygon_sampler *sampler, double u, double v);
 
 /* The density with which pp_sample_polygon_draw gives a direction to the target, per
- * steradian; 0 for one that does not meet its front. */
+ * steradian; 0 for a direction that does not meet the target's front. */
 double pp_sample_polygon_pdf(const struct pp_polygon_sampler *sampler,
                              struct pp_vec3 direction);
 

@@ -88,8 +88,8 @@ static void lay_frame(struct pp_frame *frame, const struct pp_material *material
 
 /* ---- scattering panes ---- */
 
-/* A direction in the axes of a pane, one of whose sides has that frame: x of the frame is
- * up, y of the pane. */
+/* Converts a direction to the axes of a pane. The frame belongs to one side of the
+ * pane; x of the frame and y of the pane point up. */
 static struct pp_vec3 in_pane_axes(const struct pp_frame *frame, bool is_outside,
                                    struct pp_vec3 direction)
 {
@@ -97,7 +97,7 @@ static struct pp_vec3 in_pane_axes(const struct pp_frame *frame, bool is_outside
     return is_outside ? pp_vec(d.y, d.x, -d.z) : pp_vec(-d.y, d.x, d.z);
 }
 
-/* The reverse. */
+/* Converts a direction from the axes of a pane. */
 static struct pp_vec3 out_of_pane_axes(const struct pp_frame *frame, bool is_outside,
                                        struct pp_vec3 d)
 {

@@ -1,10 +1,10 @@
 /* scatter.h - the BRDF and BTDF of a material at one point, as a sum of lobes.
  *
- * Diffuse lobes are Lambertian, glosses those of gloss.h; the lobe of a transmitted
+ * Diffuse lobes are Lambertian; glosses are those of gloss.h. The lobe of a transmitted
  * gloss is the same, with its direction mirrored in the surface. The spike of a
- * physically rough surface is a mirror lobe, the rest of its reflection takes the place
- * of the gloss. The transmitted gloss of a scattering pane is its btdf
- * (model/light/pane_scatter.h).
+ * physically rough surface is a mirror lobe; the rest of its reflection replaces the
+ * gloss. For a scattering pane, the BTDF (model/light/pane_scatter.h) replaces the
+ * transmitted gloss.
  */
 #ifndef PP_SIMULATE_SAMPLING_SCATTER_H
 #define PP_SIMULATE_SAMPLING_SCATTER_H
@@ -42,18 +42,18 @@ struct pp_lobes {
     const struct pp_gloss *gloss;         /* NULL: none, or a mirror; not owned */
     const struct pp_rough_surface *rough; /* NULL: none; not owned */
     bool rough_is_grey;
-    const struct pp_pane_scatter *scatter; /* of the lobe PP_LOBE_THROUGH_GLOSS; NULL:
-                                            * a gloss; not owned */
+    const struct pp_pane_scatter *scatter; /* BTDF of the lobe PP_LOBE_THROUGH_GLOSS;
+                                            * NULL: a gloss; not owned */
     bool is_outside;                       /* as in the material */
 };
 
-/* True if there is a gloss, a rough surface or a btdf. */
+/* True if there is a gloss, a rough surface or a BTDF. */
 static inline bool pp_scatter_has_gloss(const struct pp_lobes *lobes)
 {
     return lobes->gloss || lobes->rough || lobes->scatter;
 }
 
-/* gloss: gloss of the material; NULL if it has none or is a mirror. */
+/* gloss: gloss of the material; NULL if the material has no gloss or is a mirror. */
 void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
                      const struct pp_gloss *gloss, struct pp_vec3 n,
                      struct pp_vec3 eye);
@@ -63,12 +63,13 @@ void pp_scatter_init(struct pp_lobes *lobes, const struct pp_material *material,
 struct pp_rgb pp_scatter_regular_transmittance(const struct pp_material *material,
                                                double cos_incidence);
 
-/* The same of any material, for light that leaves towards `eye`; n: the normal on the
- * eye's side. */
+/* Regular transmittance of any material, including scattering panes, for light that
+ * leaves towards `eye`. n: the normal on the eye's side. */
 struct pp_rgb pp_scatter_straight(const struct pp_material *material, struct pp_vec3 n,
                                   struct pp_vec3 eye);
 
-/* Reflectance of the material's mirror, spike or gloss, at that cosine. */
+/* Reflectance of the material's mirror, spike or gloss, at this cosine of the angle of
+ * incidence. */
 struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material,
                                               double cos_incidence);
 
@@ -76,13 +77,13 @@ struct pp_rgb pp_scatter_specular_reflectance(const struct pp_material *material
  * 1/sr. */
 struct pp_rgb pp_scatter_gloss_brdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
-/* Density (per steradian) of direction o (unit, any side) in the gloss lobe of that
- * side when drawn by pp_scatter_sample. */
+/* Density (per steradian) of direction o (unit, on either side) in the gloss lobe of
+ * that side, if drawn by pp_scatter_sample. */
 double pp_scatter_gloss_pdf(const struct pp_lobes *lobes, struct pp_vec3 o);
 
 /* Samples a direction of the lobe from two numbers in (0, 1). *factor: BRDF times
- * cosine over density and share. False if the direction would point into the
- * surface. */
+ * cosine, divided by the density and by the lobe's share. False if the direction would
+ * point into the surface. */
 bool pp_scatter_sample(const struct pp_lobes *lobes, enum pp_lobe lobe, double u,
                        double v, struct pp_vec3 *o, struct pp_rgb *factor);
 

@@ -19,7 +19,7 @@ static const struct joe_kuo joe_kuo[PP_SOBOL_DIMENSIONS - 1] = {
     {3, 2, {1, 1, 1}}, {4, 1, {1, 1, 3, 3}},
 };
 
-/* Works on one number or on lanes of them. */
+/* Applies to one number or to lanes of numbers. */
 #define REVERSE_IN_BYTES(x)                                                            \
     do {                                                                               \
         x = (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;         \
@@ -90,8 +90,8 @@ void pp_sobol_init(struct pp_sobol *sobol)
     }
 }
 
-/* Seeds of vertices from `first` on: of the shuffle, then of each dimension's scramble,
- * one in each lane. */
+/* Seeds of vertices from `first`, one vertex per row: first the seed of the shuffle,
+ * then of each dimension's scramble. */
 PP_LANES_BODY void vertex_seeds(uint64_t seed, int first, int count,
                                 uint32_t seeds[][PP_INT_LANES])
 {
@@ -132,7 +132,7 @@ void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
     make_seeds(seed, 0, PP_SOBOL_KEPT, sequence->kept);
 }
 
-/* Seeds of a vertex: the stored ones, or ones calculated in `deep`. */
+/* Seeds of a vertex: stored ones, or seeds calculated in `deep`. */
 static const uint32_t *seeds_of(const struct pp_sobol_sequence *sequence, int vertex,
                                 uint32_t deep[1][PP_INT_LANES])
 {
@@ -170,7 +170,7 @@ static const pp_int_lanes steps = {0,
                                    UINT32_C(7) << 29};
 
 /* Vectorised draw of PP_INT_LANES points. Their indices differ in the last three bits
- * only. After shuffling and reversal they differ in the highest byte only, since in a
+ * only. After shuffling and reversal they differ in the highest byte only, because in a
  * scramble the change of a bit depends on lower bits only. */
 PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seeds,
                               uint32_t first, int dimensions, int at,
@@ -190,7 +190,7 @@ PP_LANES_BODY void draw_lanes(const struct pp_sobol *sobol, const uint32_t *seed
         REVERSE_IN_BYTES(x);
         x = (x >> 8 & UINT32_C(0x00ff00ff)) | (x & UINT32_C(0x00ff00ff)) << 8;
         x = x >> 16 | x << 16;
-        /* x + 0.5, exactly, by way of signed integers, which can be converted to
+        /* Computes x + 0.5 exactly, by signed integers, which can be converted to
          * doubles in lanes. */
         typedef int32_t half __attribute__((vector_size(16)));
         half part[2];

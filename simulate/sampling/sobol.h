@@ -1,11 +1,12 @@
 /* sobol.h - Owen-scrambled Sobol points, drawn vertex by vertex along a path.
  *
- * Six dimensions of the Sobol sequence with the direction numbers of Joe and Kuo [JK08]
- * serve each vertex of a path; vertices are padded: each has its own shuffle of the
- * order and its own scramble, so that they are independent of each other. Scrambles are
- * nested uniform ones [OWEN97] by hashing [LK11], as laid out by Burley [BURLEY20],
- * with Vegdahl's hash [VEGDAHL21]. An aligned run of 2^k points is a net in the first
- * two dimensions of every vertex, in the order 0, 1, 2, ...: a sum may be extended.
+ * Each vertex of a path uses six dimensions of the Sobol sequence with the direction
+ * numbers of Joe and Kuo [JK08]. Vertices are padded: each has its own shuffle of the
+ * order and its own scramble, so that vertices are independent of each other. Scrambles
+ * are nested uniform ones [OWEN97] by hashing [LK11], as described by Burley
+ * [BURLEY20], with Vegdahl's hash [VEGDAHL21]. An aligned run of 2^k points is a net in
+ * the first two dimensions of every vertex. A sum over the points 0, 1, 2, ... may
+ * therefore be extended.
  */
 #ifndef PP_SIMULATE_SAMPLING_SOBOL_H
 #define PP_SIMULATE_SAMPLING_SOBOL_H
@@ -16,12 +17,12 @@
 
 enum {
     PP_SOBOL_DIMENSIONS = 6,
-    PP_SOBOL_KEPT = 3, /* vertices whose seeds are calculated once: most of the draws of
-                        * light paths, about a dozen in a sequence */
+    PP_SOBOL_KEPT = 3, /* number of vertices whose seeds are stored: they have most of
+                        * the draws of light paths, about a dozen in a sequence */
 };
 
-/* The sequence itself: the summand for each dimension and each byte of the index (both
- * with their bits reversed). Shared by all randomisations; 24 kB. */
+/* The sequence itself: the summand for each dimension and each byte of the index (with
+ * the bits of both reversed). Shared by all randomisations; 24 kB. */
 struct pp_sobol {
     uint32_t table[PP_SOBOL_DIMENSIONS][4][256];
 };
@@ -44,9 +45,9 @@ void pp_sobol_sequence_init(struct pp_sobol_sequence *sequence,
 void pp_sobol_sequence_draw(const struct pp_sobol_sequence *sequence, uint32_t index,
                             int vertex, int count, double u[]);
 
-/* Draws `count` points from index `first` on at once: u[k][i] is coordinate k of point
- * first + i. count: 1, 2, 4, 8 or 16; first: a multiple of it. The part of u after the
- * last point may be overwritten. */
+/* Draws `count` points from index `first` at once: u[k][i] is coordinate k of point
+ * first + i. count: 1, 2, 4, 8 or 16; first: a multiple of count. The part of u after
+ * the last point may be overwritten. */
 void pp_sobol_sequence_draw_run(const struct pp_sobol_sequence *sequence,
                                 uint32_t first, int count, int vertex, int dimensions,
                                 double u[][PP_RUN_MOST]);

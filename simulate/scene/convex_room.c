@@ -8,23 +8,23 @@
 
 #include "simulate/scene/light_scene_parts.h"
 
-/* Points nearer to a plane than this count as in the room as well as in the plane. */
+/* Points nearer to a plane than this count as in the room and in the plane. */
 static const double IN_PLANE_M = 1e-9;
 
-/* Greatest distance behind a plane at which a ray may start: in a corner it is a
- * rounding error. */
+/* Greatest distance behind a plane at which a ray may start; in a corner, such a
+ * distance is only a rounding error. */
 static const double BEHIND_M = 1e-5;
 
-/* If the scalar product of their normals is above this, two faces lie in one plane, or
- * in two that rounding might confuse. */
+/* Two faces lie in one plane, or in planes that rounding might confuse, if the scalar
+ * product of their normals is above this value. */
 static const double SAME_NORMAL = 1.0 - 1e-6;
 
 struct convex_plane {
     struct pp_vec3 normal; /* into the room */
-    double offset_m;       /* normal . x of all its points x */
+    double offset_m;       /* normal . x for all points x of the plane */
     int part;
     int first, count; /* range of the plane's panes in the list */
-    bool niches;      /* true if one of them has a reveal */
+    bool niches;      /* true if one of the panes has a reveal */
 };
 
 struct pp_convex_room {
@@ -173,7 +173,8 @@ static bool in_triangle(const struct pp_vec3 t[3], struct pp_vec3 normal,
     return true;
 }
 
-/* True if the point is in the figure, or on the normal through a point of it. */
+/* True if the point is in the target, or on the normal through a point of the
+ * target. */
 static bool in_target(const struct pp_target *target, struct pp_vec3 point)
 {
     if (target->rectangle) {
@@ -191,8 +192,9 @@ static bool in_target(const struct pp_target *target, struct pp_vec3 point)
     return false;
 }
 
-/* Sets nearest->plane to -1 if the ray starts close to that plane and it has niches,
- * since the ray may start near the mouth of one. Negative distances become 0. */
+/* Sets nearest->plane to -1 if the ray starts close to the plane and the plane has
+ * niches, since the ray may start near the mouth of a niche. Negative distances become
+ * 0. */
 static void settle_nearest_plane(struct pp_convex_nearest *nearest,
                                  const struct pp_convex_room *room, double from_m)
 {
@@ -224,7 +226,8 @@ static struct pp_convex_nearest nearest_plane(const struct pp_convex_room *room,
     return nearest;
 }
 
-/* Vectorised nearest_plane for PP_LANES rays from one point; false if it is outside. */
+/* Vectorised nearest_plane for PP_LANES rays from one point; false if the point is
+ * outside. */
 PP_LANES_BODY bool nearest_of_lanes(const struct pp_convex_room *room,
                                     struct pp_vec3 from, const double *to_x,
                                     const double *to_y, const double *to_z,
@@ -291,8 +294,8 @@ bool pp_convex_room_nearest(const struct pp_convex_room *room, struct pp_vec3 fr
                                                                 nearest);
 }
 
-/* Ray parameter at which a coordinate x that changes by `step` per metre reaches 0 or
- * `width`; *high: it reaches `width`. */
+/* Distance along a ray at which a coordinate x that changes by `step` per metre reaches
+ * 0 or `width`. *high: true if it reaches `width`. */
 static double to_side(double x, double width, double step, bool *high)
 {
     *high = step > 0.0;
@@ -317,15 +320,15 @@ int pp_convex_room_behind_mouth(const struct pp_pane *pane, struct pp_vec3 at,
     return x_m < y_m ? pane->sides[right] : pane->sides[2 + top];
 }
 
-/* Moves a point on to its plane, to remove rounding. */
+/* Moves a point onto its plane, to remove rounding errors. */
 static struct pp_vec3 on_plane(struct pp_vec3 normal, double offset_m,
                                struct pp_vec3 point)
 {
     return pp_vec_along(point, offset_m - pp_vec_dot(normal, point), normal);
 }
 
-/* The part that a ray meets beyond a point of a niche's mouth; moves the point
- * there. */
+/* The part that a ray meets beyond a point of a niche's mouth; moves *point to the
+ * hit. */
 static int go_in(const struct pp_light_scene *scene, const struct pp_pane *pane,
                  struct pp_vec3 to, double *distance_m, struct pp_vec3 *point)
 {

@@ -8,7 +8,7 @@
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/round.h"
 
-/* Relative tolerance of opposite edges and right angles within which a quadrangle
+/* Relative tolerance for opposite edges and right angles, within which a quadrilateral
  * counts as a rectangle. */
 static const double SAME_SHAPE = 1e-6;
 
@@ -227,8 +227,8 @@ bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
     }
 }
 
-/* Evaluates a round emitter at a point that was drawn by area; false if its surface
- * faces away there. */
+/* Evaluates a round emitter at a point that was drawn by area; false if the surface
+ * faces away at that point. */
 static bool sample_at(const struct pp_emitter_sampler *sampler, struct pp_vec3 point,
                       struct pp_direction_sample *sample)
 {

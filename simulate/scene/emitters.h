@@ -1,8 +1,9 @@
-/* emitters.h - concentrated emitters, sampled by next-event estimation: their sides of
- * parts, and directions to them.
+/* emitters.h - concentrated emitters, which next-event estimation samples: the sides of
+ * parts that emit, and directions to them.
  *
- * Plane emitters are sampled as openings are (sample_polygon.h), spheres by the cone of
- * directions that they fill, distant ones by their own cone, cones and rings by area.
+ * Plane emitters are sampled like openings (sample_polygon.h), spheres by the cone of
+ * directions that they fill, distant emitters by their own cone, and cones and rings by
+ * area.
  */
 #ifndef PP_SIMULATE_SCENE_EMITTERS_H
 #define PP_SIMULATE_SCENE_EMITTERS_H
@@ -13,12 +14,12 @@
 
 enum pp_emitter_shape {
     PP_EMITTER_PLANE,  /* sampled by its target */
-    PP_EMITTER_SPHERE, /* by the cone that it fills */
+    PP_EMITTER_SPHERE, /* by the cone of directions that it fills */
     PP_EMITTER_ROUND,  /* a cone or ring, by area */
     PP_EMITTER_DISTANT,
 };
 
-/* One side of a part that emits, or a distant source. */
+/* A side of a part that emits, or a distant source. */
 struct pp_emitter {
     enum pp_emitter_shape shape;
     int part;     /* -1: distant */
@@ -60,19 +61,19 @@ struct pp_emitter_sampler {
     struct pp_vec3 from;
     struct pp_polygon_sampler plane;
     struct pp_vec3
-        axis;    /* of the cone of directions: to a sphere's middle, or a distant
-                          * source's own */
-    double fall; /* 1 - cos of the cone's half angle: accurate for small angles */
+        axis;    /* axis of the cone of directions: to a sphere's middle, or of a
+                  * distant source */
+    double fall; /* 1 - cos of the cone's half angle; accurate for small angles */
 };
 
-/* False if no light of the emitter can reach that side of the surface; n is its
- * normal. */
+/* False if no light of the emitter can reach this side of the surface. n: normal of
+ * this side. */
 bool pp_emitters_sampler_init(struct pp_emitter_sampler *sampler,
                               const struct pp_light_scene *scene,
                               const struct pp_emitter *emitter, struct pp_vec3 from,
                               struct pp_vec3 n);
 
-/* A direction to the emitter; false if the emitter sends no light along it. The
+/* Samples a direction to the emitter; false if the emitter sends no light along it. The
  * distance of a distant source is INFINITY. */
 bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, double v,
                         struct pp_direction_sample *sample);
@@ -82,8 +83,8 @@ bool pp_emitters_sample(const struct pp_emitter_sampler *sampler, double u, doub
 double pp_emitters_pdf(const struct pp_emitter_sampler *sampler,
                        struct pp_vec3 direction);
 
-/* Estimated light of an emitter at a point, as a weight for choosing one of several;
- * above 0 if it contributes any. */
+/* Estimated light of an emitter at a point, as a weight for the choice among several
+ * emitters; above 0 if the emitter contributes any light. */
 double pp_emitters_importance(const struct pp_emitter *emitter,
                               const struct pp_light_scene *scene, struct pp_vec3 from,
                               struct pp_vec3 n);

@@ -107,7 +107,7 @@ static bool is_rough(const struct pp_material *material)
            && !pp_gloss_is_mirror(material->roughness[0], material->roughness[1]);
 }
 
-/* Index of the gloss with these roughnesses, calculated if it is new. */
+/* Index of the gloss with these roughnesses. Calculates the gloss if it is new. */
 static enum pp_status find_gloss(struct pp_light_scene *scene,
                                  const double roughness[2], int *number,
                                  struct pp_error *err)
@@ -132,7 +132,8 @@ static bool has_one_glass(const struct pp_material *material)
            && pp_glass_is_same(&material->glass[0], &material->glass[2]);
 }
 
-/* Most tabulated curves, 16 kB each; further kinds of glass use the law itself. */
+/* Most tabulated curves, 16 kB each; further kinds of glass are evaluated without a
+ * table. */
 enum { CURVES_MOST = 64 };
 
 /* Tabulates a curve for each kind of glass; equal kinds share one. */
@@ -223,7 +224,7 @@ enum pp_status pp_light_scene_add_rays(struct pp_light_scene *scene,
     return status;
 }
 
-/* Moves the hit on to the part itself, in double precision. */
+/* Moves the hit onto the part itself, in double precision. */
 static void refine(const struct pp_light_scene *scene, const struct pp_light_part *part,
                    const struct pp_light_ray *ray, struct pp_vec3 start,
                    struct pp_light_hit *hit)
@@ -247,9 +248,9 @@ static void refine(const struct pp_light_scene *scene, const struct pp_light_par
         hit->normal = pp_vec_scale(hit->normal, -1.0);
 }
 
-/* True if a point of the ground plane is within the room. No ground exists there if the
- * ground is higher than the floor. This matters for rays that start in a reveal, which
- * are not known to be indoors. */
+/* True if a point of the ground plane is within the room. If the ground is higher than
+ * the floor, there is no ground in the room. This matters for rays that start in a
+ * reveal, which are not known to be indoors. */
 static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 point)
 {
     static const double OVER_GROUND_M = 1e-3;
@@ -258,9 +259,9 @@ static bool is_under_roof(const struct pp_light_scene *scene, struct pp_vec3 poi
     return pp_position_in_room(scene->world, point);
 }
 
-/* True if the ground is nearer along the ray than hit->distance_m, which then becomes
- * the ground's distance. A surface on the ground, to single precision, hides the
- * ground. */
+/* True if the ground is nearer along the ray than hit->distance_m, which is then set to
+ * the ground's distance. A surface that lies on the ground, within single precision,
+ * hides the ground. */
 static bool meets_ground(const struct pp_light_scene *scene,
                          const struct pp_light_ray *ray, struct pp_light_hit *hit)
 {
@@ -392,8 +393,8 @@ struct pp_rgb pp_light_scene_distant_radiance(const struct pp_light_scene *scene
         pp_scene_description_pattern_value(&scene->patterns[material->pattern], u));
 }
 
-/* The extended distant source in direction u; of several the one of smallest solid
- * angle. -1: none. */
+/* The extended distant source in direction u; if there are several, the one of smallest
+ * solid angle. -1: none. */
 static int distant_in(const struct pp_light_scene *scene, struct pp_vec3 u)
 {
     int found = -1;

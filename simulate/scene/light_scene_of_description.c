@@ -26,8 +26,8 @@ static bool is_polygon(const struct pp_shape *shape)
     return shape->kind == PP_SHAPE_POLYGON;
 }
 
-/* Sets the box round all shapes and the scene's centre, which is the mean of their
- * points: most points are near it, where single precision is best. */
+/* Sets the box around all shapes, and the scene's centre, which is the mean of their
+ * points. Most points are then near the centre, where single precision is best. */
 static void measure_described_scene(struct pp_light_scene *scene,
                                     const struct pp_scene_description *from)
 {

@@ -5,7 +5,7 @@
 #include "model/light/scene_description.h"
 #include "simulate/scene/light_scene.h"
 
-/* Copies the needed data: the description may be cleared. */
+/* Copies the needed data; the description may be cleared afterwards. */
 enum pp_status pp_light_scene_of_description(struct pp_light_scene **scene,
                                              const struct pp_scene_description *from,
                                              struct pp_error *err);

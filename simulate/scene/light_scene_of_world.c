@@ -14,8 +14,8 @@
 #include "simulate/scene/emitters.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* Sets the box round all surfaces, and the scene's centre and size: those of the room's
- * box or, without a room, of the box round all surfaces. */
+/* Sets the box around all surfaces, and the scene's centre and size. Centre and size
+ * are those of the room's box or, without a room, of the box around all surfaces. */
 static void measure_world_scene(struct pp_light_scene *scene)
 {
     const struct pp_world *world = scene->world;
@@ -119,7 +119,7 @@ static enum pp_status add_world_triangles(struct pp_light_scene *scene,
     return status == PP_OK ? pp_light_scene_add_rays(scene, list, err) : status;
 }
 
-/* Adds the sun as a disc of half a degree that causes its illuminance. */
+/* Adds the sun as a disc of half a degree that produces the sun's illuminance. */
 static enum pp_status add_sun_disc(struct pp_light_scene *scene,
                                    const struct pp_outside_sun *sun,
                                    struct pp_error *err)

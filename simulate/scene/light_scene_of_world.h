@@ -24,7 +24,7 @@ enum pp_status pp_light_scene_of_world_matt(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err);
 
-/* Does the same, but physically rough surfaces scatter light as they are. */
+/* Makes the same scene, but physically rough surfaces keep their own scattering. */
 enum pp_status pp_light_scene_of_world_grey(struct pp_light_scene **scene,
                                             const struct pp_world *world,
                                             struct pp_error *err);

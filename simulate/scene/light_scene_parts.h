@@ -16,19 +16,20 @@
 #include "simulate/scene/scene_skylines.h"
 #include "simulate/scene/images/window_images.h"
 
-/* A piece of surface with one plane or one curve. */
+/* A part of the scene: one plane or one curved surface. */
 struct pp_light_part {
     struct pp_vec3 normal; /* unit normal of the front of a plane part */
     struct pp_vec3 a, b;   /* axes of a plane part: a right-handed frame with the
                             * normal */
-    double offset_m;       /* normal . x of its points, from the centre */
+    double offset_m;       /* normal . x for all points x of the plane, from the
+                            * centre */
     double area_m2;
     int material[2]; /* front and back */
     int tag;
-    int round;        /* index of its round shape; -1: plane */
+    int round;        /* index of the part's round shape; -1: plane */
     int window;       /* index of its pane's opening; -1: none */
-    int niche;        /* index of the rectangular opening of whose niche it is a side;
-                       * -1: none */
+    int niche;        /* index of the rectangular opening if the part is a side of its
+                       * niche; -1: none */
     int emitter[2];   /* front and back; -1: not a concentrated emitter */
     int mirror;       /* index of the mirror in its plane; -1: none */
     int reflector[2]; /* front and back; -1: none */
@@ -40,15 +41,15 @@ struct pp_light_part {
 };
 
 struct pp_light_scene {
-    struct pp_vec3 centre; /* points below are measured from there */
+    struct pp_vec3 centre; /* origin of the points below */
 
     /* World of the scene. */
-    const struct pp_world *world; /* NULL: of a description; not owned */
+    const struct pp_world *world; /* NULL: scene from a description; not owned */
     bool has_room;                /* false: every point is outside */
     double size_m;                /* greatest coordinate of the room */
     struct pp_pane *panes;
     int pane_count;
-    bool has_niches; /* true if one of them has a reveal */
+    bool has_niches; /* true if one of the openings has a reveal */
     struct pp_vec3 (*pane_triangles)[3];
     struct pp_vec3 (*plane)[3]; /* the working plane's triangles */
     int plane_count;
@@ -56,7 +57,7 @@ struct pp_light_scene {
     struct pp_scene_skylines skylines;
     struct pp_scene_ground ground;
     double decorations;   /* allowance on internally reflected light, not applied to
-                           * paths; 1 also for a description */
+                           * paths; 1 for a description */
     double most_exitance; /* the greatest emission (exitance) of any surface */
     bool reflects;        /* a surface visible in the room reflects */
 
@@ -68,7 +69,7 @@ struct pp_light_scene {
     int *gloss_of_material; /* index by material; -1: none, or a mirror */
     struct pp_pattern *patterns;
     int pattern_count;
-    struct pp_measured_pane **measured; /* held, of a description */
+    struct pp_measured_pane **measured; /* measured panes of a description; owned */
     int measured_count;
     struct pp_light_part *parts;
     int part_count;
@@ -99,7 +100,7 @@ struct pp_light_scene {
     int glass_image_count;
     double unsampled_share; /* the greatest reflectance of parts outside mirror paths */
     struct pp_rgb glow;     /* radiance of the brightest extended emitter that is not
-                         * distant */
+                             * distant */
 
     struct pp_bounds3 bounds; /* bounds of everything that is not distant, in the
                                * scene's coordinates */
@@ -128,7 +129,7 @@ static inline struct pp_vec3 pp_light_scene_parts_point(
     return pp_vec_along(pp_vec_along(foot, a, part->a), b, part->b);
 }
 
-/* Space of a ray that leaves a hit, on the side that was met or through the part. */
+/* Space of a ray that leaves a hit, on the side that was hit or through the part. */
 static inline enum pp_space pp_light_scene_parts_space(
     const struct pp_light_scene *scene, const struct pp_light_hit *hit, bool through)
 {
@@ -136,14 +137,14 @@ static inline enum pp_space pp_light_scene_parts_space(
                    : hit->space;
 }
 
-/* The lobes of the part that a ray along `to` has met, for light scattered back along
+/* The lobes of the part that a ray along `to` has hit, for light scattered back along
  * the ray. */
 void pp_light_scene_parts_lobes(const struct pp_light_scene *scene,
                                 const struct pp_light_hit *hit, struct pp_vec3 to,
                                 struct pp_lobes *lobes);
 
-/* Continues the ray straight through the part that it has met, or mirrors it; *light is
- * multiplied by the transmittance or reflectance. False if that is 0. */
+/* Continues the ray straight through the part that it has hit, or mirrors it.
+ * Multiplies *light by the transmittance or reflectance. False if the result is 0. */
 bool pp_light_scene_parts_pass(const struct pp_light_scene *scene,
                                const struct pp_light_hit *hit, struct pp_light_ray *ray,
                                struct pp_rgb *light);

@@ -1,5 +1,5 @@
-/* openings.c - the openings of a world as targets, with facts about their visibility
- * that save rays, and the choice among them. */
+/* openings.c - the openings of a world as targets, properties of their visibility that
+ * save rays, and the choice among openings. */
 #include "simulate/scene/openings.h"
 
 #include <float.h>
@@ -25,8 +25,8 @@ static bool is_unobstructed(const struct pp_world *world,
     return true;
 }
 
-/* True if any opening has a reveal; its sides may hide any pane from points inside
- * it. */
+/* True if any opening has a reveal. From points inside a reveal, its sides may hide any
+ * pane. */
 static bool has_reveals(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)

@@ -12,17 +12,19 @@
 
 enum { PP_PANE_SIDES = 4 };
 
-/* An opening, with visibility facts that save rays. */
+/* An opening, with properties of its visibility that save rays. */
 struct pp_pane {
     struct pp_target target;
-    struct pp_target mouth;   /* mouth of the niche, in the face; equal to the target
-                               * without a niche */
+    struct pp_target mouth;   /* mouth of the niche, in the face; without a niche, the
+                               * same as the target */
     int sides[PP_PANE_SIDES]; /* parts that are the sides of a rectangular niche, with
                                * the normals along, -along, up and -up; -1: no niche */
     const struct pp_opening *opening; /* not owned */
     int part;
-    bool seen_by_all;  /* no surface can stand between it and a point in the room */
-    bool unobstructed; /* a ray that leaves through it meets no further surface */
+    bool seen_by_all;  /* no surface can be between the opening and a point in the
+                        * room */
+    bool unobstructed; /* a ray that leaves through the opening meets no further
+                        * surface */
 };
 
 /* Target of directions to an opening. */
@@ -32,14 +34,14 @@ static inline const struct pp_target *pp_openings_aim(const struct pp_pane *pane
     return mouths ? &pane->mouth : &pane->target;
 }
 
-/* Fills scene->panes from scene->world; triangles: those of all parts, the openings'
- * own from `first` on. */
+/* Fills scene->panes from scene->world. triangles: those of all parts; the triangles of
+ * openings begin at `first`. */
 enum pp_status pp_openings_find(struct pp_light_scene *scene,
                                 const struct pp_triangles *triangles, int first,
                                 struct pp_error *err);
 
 /* Importance of each opening for one side of a surface, from the estimated brightness
- * outside; stored, since a point chooses several times. */
+ * outside. Stored, since several choices are made at one point. */
 enum { PP_OPENINGS_KEPT = 16 };
 
 struct pp_openings_shares {
@@ -56,9 +58,9 @@ struct pp_openings_viewer {
     bool mouths;                     /* true: targets are mouths of niches, not panes */
 };
 
-/* Chooses an opening by u in [0, 1), in proportion to its possible light at the viewer,
- * with its probability; -1: none can contribute. shares: of one scene and brightness,
- * initially all zero. */
+/* Chooses an opening by u in [0, 1), in proportion to its possible light at the viewer.
+ * Also sets the probability of the choice. -1: no opening can contribute. shares: for
+ * one scene and brightness, initially all zero. */
 int pp_openings_choose(const struct pp_light_scene *scene,
                        const struct pp_openings_viewer *viewer,
                        struct pp_openings_shares *shares, double u,

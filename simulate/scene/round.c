@@ -1,5 +1,5 @@
-/* round.c - quadrics and rings met by rays, with their normals, boxes, areas and
- * points. */
+/* round.c - intersections of rays with quadrics and rings; their normals, boxes, areas
+ * and points. */
 #include "simulate/scene/round.h"
 
 #include <math.h>
@@ -51,7 +51,7 @@ static struct axis axis_of(const struct pp_shape *cone)
 }
 
 /* With x measured from the first end, h its component along the axis, k the growth and
- * r the first radius, points of the cone satisfy x^2 - h^2 = (r + k h)^2 */
+ * r the first radius, points of the cone satisfy x^2 - h^2 = (r + k h)^2. */
 static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec3 u,
                       double t[2])
 {
@@ -65,7 +65,8 @@ static bool meet_cone(const struct pp_shape *shape, struct pp_vec3 p, struct pp_
     return roots(a, b, c, t);
 }
 
-/* True if the point of the double cone is between its ends, on the right nappe. */
+/* True if the point of the double cone is between the ends of the shape, on the right
+ * nappe. */
 static bool on_cone(const struct pp_shape *shape, struct pp_vec3 point)
 {
     struct axis axis = axis_of(shape);

@@ -13,12 +13,12 @@
 #include "model/geometry/vec.h"
 #include "model/light/scene_description.h"
 
-/* The first distance t with least < t < most at which the ray from p along u (any
- * length, t in units of it) meets the shape; false if it does not. */
+/* The first distance t, least < t < most, at which the ray from p along u meets the
+ * shape; false if there is none. u may have any length; t is in units of it. */
 bool pp_round_meet(const struct pp_shape *shape, struct pp_vec3 p, struct pp_vec3 u,
                    double least, double most, double *t);
 
-/* The unit normal of its front at a point of the shape. */
+/* Unit normal of the front at a point of the shape. */
 struct pp_vec3 pp_round_normal(const struct pp_shape *shape, struct pp_vec3 point);
 
 /* Bounding box of the shape, tight except at a cone's ends. */

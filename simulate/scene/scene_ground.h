@@ -1,10 +1,10 @@
 /* scene_ground.h - the ground outside, for rays: an infinite horizontal plane, visible
  * from above.
  *
- * It is a diffuse surface like others, in the shadow of objects on it; its reflectance
- * belongs to the environment (environment.h). Rays that are indoors, or start below it,
- * do not meet it. An open ground is not a surface: it belongs to the light from
- * outside.
+ * The ground is a diffuse surface like others, on which objects cast shadows; its
+ * reflectance belongs to the environment (environment.h). Rays that run indoors, or
+ * start below the ground, do not meet it. An open ground, without shadows, is not a
+ * surface; it belongs to the light from outside.
  */
 #ifndef PP_SIMULATE_SCENE_SCENE_GROUND_H
 #define PP_SIMULATE_SCENE_SCENE_GROUND_H
@@ -14,8 +14,8 @@
 
 #include "model/geometry/vec.h"
 
-/* Distance beyond which the ground counts as unobstructed: the shadow of a tower 300 m
- * high there covers 1e-7 of the ground visible from a window. */
+/* Distance beyond which the ground counts as unobstructed. At this distance, the shadow
+ * of a tower 300 m high covers 1e-7 of the ground visible from a window. */
 #define PP_SCENE_GROUND_FARTHEST_M 1e6
 
 struct pp_scene_ground {
@@ -24,7 +24,7 @@ struct pp_scene_ground {
 };
 
 /* Distance at which the ray from p along u (unit), outdoors, meets the ground if
- * nothing is in front; INFINITY: it does not, or only beyond
+ * nothing is in front. INFINITY if it never meets the ground, or only beyond
  * PP_SCENE_GROUND_FARTHEST_M. */
 static inline double pp_scene_ground_distance(const struct pp_scene_ground *ground,
                                               struct pp_vec3 p, struct pp_vec3 u)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The horizontal outward direction of the wall that a skyline is parallel to. */
+/* The horizontal outward direction of the wall to which a skyline is parallel. */
 static struct pp_vec3 outward_of(const struct pp_world *world,
                                  const struct pp_skyline *skyline)
 {

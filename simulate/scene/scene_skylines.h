@@ -5,9 +5,9 @@
  *
  *     0 < u.z < tan(angle) (u.o)
  *
- * where o is the horizontal outward normal of its wall: the limit of an infinitely wide
- * vertical face at increasing distance and height. Its light is part of the environment
- * (environment.h).
+ * where o is the horizontal outward normal of the skyline's wall. This is the limit of
+ * an infinitely wide vertical face at increasing distance and height. Its light is part
+ * of the environment (environment.h).
  */
 #ifndef PP_SIMULATE_SCENE_SCENE_SKYLINES_H
 #define PP_SIMULATE_SCENE_SCENE_SKYLINES_H
@@ -31,7 +31,7 @@ enum pp_status pp_scene_skylines_init(struct pp_scene_skylines *skylines,
                                       struct pp_error *err);
 void pp_scene_skylines_clear(struct pp_scene_skylines *skylines);
 
-/* The skyline that hides the direction u (unit, rising); -1: none. */
+/* The skyline that hides the direction u (unit, above the horizon); -1: none. */
 int pp_scene_skylines_far(const struct pp_scene_skylines *skylines, struct pp_vec3 u);
 
 #endif

@@ -47,7 +47,7 @@ static bool outline_is_convex(const struct pp_polygon *polygon)
     return round < 3.0 * PP_PI;
 }
 
-/* Appends a convex figure as a fan of triangles. */
+/* Appends a convex polygon as a fan of triangles. */
 static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *polygon,
                           int facet, struct pp_vec3 centre, struct pp_error *err)
 {
@@ -60,8 +60,8 @@ static enum pp_status fan(struct pp_triangles *list, const struct pp_polygon *po
     return status;
 }
 
-/* Appends a figure, less the openings in `face` (-1: none), as the clipper's
- * triangles. */
+/* Appends the clipper's triangles of a polygon, without the openings in `face` (-1:
+ * none). */
 static enum pp_status triangulate(struct pp_triangles *list, struct pp_clipper *clipper,
                                   const struct pp_polygon *polygon, int facet,
                                   const struct pp_world *world, int face,

@@ -1,4 +1,5 @@
-/* unsampled.c - sums and bounds the light that rays can find only by chance. */
+/* unsampled.c - sums and upper bounds of the light that rays can find only by
+ * chance. */
 #include "simulate/scene/unsampled.h"
 
 #include <math.h>
@@ -15,8 +16,8 @@ static struct pp_rgb greater(struct pp_rgb a, struct pp_rgb b)
     return pp_rgb(fmax(a.r, b.r), fmax(a.g, b.g), fmax(a.b, b.b));
 }
 
-/* Adds one emitter with a solid angle of `solid` sr and the share of its light that is
- * found only by chance. */
+/* Adds one emitter with a solid angle of `solid` sr; `share` is the fraction of its
+ * light that is found only by chance. */
 static void add_emitter(struct pp_unsampled *light, struct pp_rgb radiance,
                         double solid, double share)
 {
@@ -74,15 +75,15 @@ struct pp_rgb pp_unsampled_bound(const struct pp_unsampled *unsampled, bool foun
 /* ---- probes ---- */
 
 enum {
-    PROBES = 4096,   /* rays of a distant emitter, over the scene's cross-section */
+    PROBES = 4096,   /* rays from a distant emitter, over the scene's cross-section */
     MOST_EVENTS = 16 /* most reflections and transmissions of a ray */
 };
 
-/* Beams of less than this share of the emitter's light are not followed. */
+/* Beams with less than this fraction of the emitter's light are not followed. */
 static const double LEAST_BEAM = 1e-4;
 
-/* The mirror path of the mirrors that a beam has met, in the order from a point to the
- * emitter; -1: there is none. */
+/* The mirror path that consists of the mirrors a beam has met, in the order from a
+ * point to the emitter; -1: there is none. */
 static int mirrors_met(const struct pp_light_scene *scene, const int *met, int count)
 {
     int path = -1;
@@ -94,9 +95,9 @@ static int mirrors_met(const struct pp_light_scene *scene, const int *met, int c
     return path;
 }
 
-/* Follows the emitter's light by way of mirrors and clear surfaces. *most: the greatest
- * share of the light that arrives by reflections which next-event estimation does not
- * sample. */
+/* Follows the emitter's light through mirrors and clear surfaces. *most: greatest
+ * fraction of the light that arrives by reflections which next-event estimation does
+ * not sample. */
 static void probe(const struct pp_light_scene *scene, struct pp_light_ray ray,
                   double share, const int *met, int count, int events, double *most)
 {
@@ -165,9 +166,9 @@ static double pane_importance(const struct pp_light_scene *scene,
                                                         normal, bright));
 }
 
-/* True if the point may receive light from the opening in an upward direction (rising)
- * or in a downward one. Conservative: an opening partly behind the point's plane counts
- * as a whole. */
+/* True if a ray from the point to the opening may point upwards (rising) or downwards
+ * (not rising). Conservative: an opening partly behind the point's plane counts as a
+ * whole. */
 static bool shows(const struct pp_vec3 *position, struct pp_vec3 n,
                   const struct pp_pane *pane, bool rising)
 {

@@ -8,8 +8,8 @@ struct pp_irradiance {
     struct pp_rgb sources; /* concentrated emitters, by next-event estimation */
     struct pp_rgb sky;     /* directly from the sky, through openings by next-event
                             * estimation */
-    struct pp_rgb outside; /* directly from ground, skylines and surfaces outside,
-                            * sampled as the sky is */
+    struct pp_rgb outside; /* directly from ground, skylines and surfaces outside;
+                            * sampled like the sky */
     struct pp_rgb rest;    /* all other light: pi times the radiance of
                             * pp_radiance_indirect over the cosine lobe */
 };

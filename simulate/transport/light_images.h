@@ -1,10 +1,11 @@
-/* light_images.h - next-event estimation of openings by way of polished planes and of other
- * openings' glass: from a diffuse surface, a direction to an opening's image in a reflector
- * (window_images.h) or in glass (glass_images.h), and on from there. Inside simulate/ only.
+/* light_images.h - next-event estimation of openings by reflection in polished planes
+ * and in other openings' glass. It samples a direction from a diffuse surface to an
+ * opening's image in a reflector (window_images.h) or in glass (glass_images.h), and
+ * from there a direction to the opening. Inside simulate/ only.
  *
- * From the reflector the opening is sampled by a direction of the lobe or, if its solid
- * angle is smaller than the lobe's, by a direction to the opening. light_path.c then
- * adds the light outside:
+ * At the reflector, a direction of the lobe is sampled or, if the opening's solid angle
+ * is smaller than the lobe's, a direction to the opening. light_path.c then adds the
+ * light outside:
  *
  *     if (pp_light_images_view(state, &shading, &view)
  *         && pp_light_images_sample(state, &view, &sample))
@@ -18,14 +19,16 @@
 
 /* A point of a reflector at which an image is sampled. */
 struct pp_image_view {
-    struct pp_shading_point there; /* shading point there, with the lobes below */
+    struct pp_shading_point there; /* shading point at this place, with the lobes
+                                    * below */
     struct pp_lobes lobes;
     int window;
-    struct pp_rgb weight; /* share of the light there that the reflector sends to the
-                           * diffuse surface */
+    struct pp_rgb weight; /* fraction of the light at this point that the reflector
+                           * sends to the diffuse surface */
 };
 
-/* Makes the view; false if no image is sampled, or none is visible there. */
+/* Makes the view. False if no image is sampled, or if none is visible at the shading
+ * point. */
 bool pp_light_images_view(struct pp_radiance_state *state,
                           const struct pp_shading_point *shading,
                           struct pp_image_view *view);
@@ -35,13 +38,13 @@ bool pp_light_images_sample(struct pp_radiance_state *state,
                             const struct pp_image_view *view,
                             struct pp_opening_sample *sample);
 
-/* Probability of sampling an image in glass, whose light is weak but steady. Measured
- * in 93 rooms with openings in several walls, eight points at 1 %: with 1 they take 10
- * % more time, with 0.5 2 % more. */
+/* Probability of sampling an image in glass, whose light is weak and varies little.
+ * Measured in 93 rooms with openings in several walls, eight points at 1 %: with
+ * probability 1 the rooms take 10 % more time, with 0.5 2 % more. */
 #define PP_GLASS_CHANCE 0.25
 
 /* Samples the image of an opening in the glass of another opening (glass_images.h): a
- * path to the glass, and on to the opening. *there is then the point in the glass.
+ * path to the glass, and from there to the opening. *there: the point in the glass.
  * False if no light arrives along this path. */
 bool pp_light_images_in_glass(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,

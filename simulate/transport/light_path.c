@@ -13,25 +13,26 @@
 
 enum {
     MOST_BOUNCES = 1 << 14, /* for scenes without absorption */
-    /* Bounces up to the first scattering surface, for a path that splits there. */
+    /* most bounces up to the first scattering surface, for a path that splits there */
     FIRST_FEW = 3,
-    /* Directions from the ground to each window if it is the first that scatters. */
+    /* Directions from the ground to each window, if the ground scatters first. */
     GROUND_DIRECTIONS = 4,
     /* Directions of a strong gloss that is the first surface that scatters. At 16 paths
      * per pixel a polished floor has a noise of 3.8 % (4 directions: 9.3 %). */
     GLOSS_DIRECTIONS = 32,
 };
 
-/* A gloss that reflects more than this is a strong one. */
+/* A gloss is strong if it reflects more than this. */
 static const double STRONG_GLOSS = 0.1;
 
 /* Rays of gloss, mirrors and panes may reach a window or a lamp, which is far brighter
- * than lit surfaces. For them Russian roulette begins at this share of the throughput
- * for diffuse light, which with separate paths reduced the noise of a polished floor
- * from 41 to 10 %. */
+ * than lit surfaces. For these rays, Russian roulette begins at this fraction of the
+ * throughput for diffuse light. Together with separate paths, this reduced the noise of
+ * a polished floor from 41 to 10 %. */
 static const double LEAST_GLOSS = 0.1;
-/* The same for the ground, whose rays reach the sky: with 0.1 instead of 1 the light of a
- * block and the ground in front of it has an error of 0.7 instead of 1.7 %. */
+/* The same fraction for the ground, whose rays reach the sky. With 0.1 instead of 1,
+ * the light of a block and the ground in front of it has an error of 0.7 instead of 1.7
+ * %. */
 static const double LEAST_GROUND = 0.1;
 
 struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
@@ -50,9 +51,9 @@ struct pp_rgb pp_light_path_follow(struct pp_radiance_state *state,
 
 /* ---- light at a surface ---- */
 
-/* Radiance that arrives at a window from outside, against the direction of the ray:
- * that of the environment if the ray meets no surface, else read from the store if that
- * has it, else found by a path. */
+/* Radiance that arrives at a window from outside, against the direction of the ray. If
+ * the ray meets no surface, it is the radiance of the environment. Otherwise it is read
+ * from the store or, if not stored, found by a path. */
 static struct pp_rgb light_outside(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
                                    const struct pp_opening_sample *sample,
@@ -92,7 +93,7 @@ static struct pp_rgb light_outside(struct pp_radiance_state *state,
     return radiance;
 }
 
-/* Light through an opening, weighted, with that of emitters that its pane scatters. */
+/* Weighted light through an opening, with light of emitters that its pane scatters. */
 static struct pp_rgb light_through(struct pp_radiance_state *state,
                                    const struct pp_shading_point *shading,
                                    const struct pp_opening_sample *sample,
@@ -201,9 +202,9 @@ static struct pp_rgb direct_light_of_lobes(struct pp_radiance_state *state,
     return sum;
 }
 
-/* Diffuse inter-reflection of one side of a surface (times *share), if a cache has it;
- * 0 at the limit of bounces. In both cases *share is set to black, so that no path
- * follows it. */
+/* Diffuse inter-reflection of one side of a surface (times *share), if a cache contains
+ * it; 0 at the limit of bounces. In both cases *share is set to black, so that no path
+ * follows this light. */
 static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
                                        const struct pp_light_hit *hit,
                                        struct pp_vec3 normal, int depth,
@@ -225,7 +226,7 @@ static struct pp_rgb ambient_reflected(const struct pp_radiance_state *state,
 }
 
 /* Adds the surface's own emission, weighted if it was also sampled directly; false if
- * the path ends there. */
+ * the path ends at this surface. */
 static bool add_emission(const struct pp_radiance_state *state,
                          const struct pp_light_path *path,
                          const struct pp_light_hit *hit, struct pp_rgb *total)
@@ -243,7 +244,7 @@ static bool add_emission(const struct pp_radiance_state *state,
     return !material->unseen;
 }
 
-/* Adds the environment's light, and that of distant sources, weighted if they were also
+/* Adds the light of the environment and of distant sources, weighted if it was also
  * sampled directly. */
 static void add_environment(const struct pp_radiance_state *state,
                             struct pp_light_path *path, struct pp_rgb *total)
@@ -268,8 +269,8 @@ static void add_environment(const struct pp_radiance_state *state,
 
 /* ---- on from a surface ---- */
 
-/* Continues the path by one of the lobes, drawn at random; false if it ends, by Russian
- * roulette or because nothing is scattered. */
+/* Continues the path by one of the lobes, drawn at random. False if the path ends, by
+ * Russian roulette or because nothing is scattered. */
 static bool path_goes_on(struct pp_radiance_state *state, struct pp_light_path *path,
                          const struct pp_lobes *lobes, const struct pp_light_hit *hit)
 {
@@ -311,9 +312,9 @@ static struct pp_rgb follow_lobe(struct pp_radiance_state *state,
     return sum;
 }
 
-/* Light by gloss and mirror is large or zero, so separate paths follow these lobes,
- * which are then set to black. If a mirror is the only lobe left, the path itself
- * follows it. */
+/* Light by gloss and mirror is large or zero. Separate paths therefore follow these
+ * lobes, which are then set to black. If a mirror is the only lobe left, the path
+ * itself follows it. */
 static struct pp_rgb follow_gloss_and_mirror(struct pp_radiance_state *state,
                                              const struct pp_light_path *path,
                                              struct pp_lobes *lobes,
@@ -341,8 +342,8 @@ static bool scatters(const struct pp_lobes *lobes)
     return false;
 }
 
-/* Lobes of the material towards the eye. Those through an opening are weighted if its
- * light was also sampled directly. */
+/* Lobes of the material towards the eye. Lobes through an opening are weighted if the
+ * opening's light was also sampled directly. */
 static void lobes_of(struct pp_radiance_state *state, const struct pp_light_path *path,
                      const struct pp_light_hit *hit, struct pp_lobes *lobes)
 {
@@ -394,8 +395,8 @@ static bool scatter_matt(struct pp_radiance_state *state, struct pp_light_path *
     return pp_path_scatter_survives(path, path->least, chance);
 }
 
-/* Scatters at the ground, a diffuse surface outdoors. No cache is read for it, and it
- * does not count among the limited number of diffuse reflections unless requested,
+/* Scatters at the ground, a diffuse surface outdoors. No cache is read for the ground.
+ * It does not count among the limited number of diffuse reflections unless requested,
  * since most of its light comes from the sky. If the path splits into many directions,
  * all but one are separate paths. */
 static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path *path,
@@ -438,8 +439,7 @@ static bool scatter_ground(struct pp_radiance_state *state, struct pp_light_path
            || pp_path_scatter_survives(path, LEAST_GROUND * path->least, chance);
 }
 
-/* Arrival of a ray at a reflector whose light was also sampled directly; reflector -1:
- * there is none. */
+/* Arrival of a ray at a reflector whose light was also sampled directly; -1: none. */
 static struct pp_arrival arrival_of(const struct pp_radiance_state *state,
                                     const struct pp_light_path *path,
                                     const struct pp_light_hit *hit)

@@ -3,10 +3,10 @@
  *
  * Paths run backwards, from the eye or a sensor. At each surface that scatters, light
  * of concentrated emitters and windows is added by next-event estimation
- * (light_sources.h, sample_openings.h); then the path continues by one of the
- * material's lobes. If its own ray reaches an emitter or a window that was sampled
- * directly at the ray's origin, that light counts as zero after a diffuse lobe, and has
- * the weight of multiple importance sampling after a gloss.
+ * (light_sources.h, sample_openings.h). Then the path continues by one of the
+ * material's lobes. Its ray may reach an emitter or a window that was sampled directly
+ * at the ray's origin. After a diffuse lobe, this light counts as zero. After a gloss,
+ * it has the weight of multiple importance sampling.
  */
 #ifndef PP_SIMULATE_TRANSPORT_LIGHT_PATH_H
 #define PP_SIMULATE_TRANSPORT_LIGHT_PATH_H
@@ -16,7 +16,7 @@
 #include "simulate/transport/radiance_state.h"
 
 /* Adds the light found at the surface or environment that the path has reached, and
- * sets its next ray; false if it ends. */
+ * sets the path's next ray; false if the path ends. */
 bool pp_light_path_arrive(struct pp_radiance_state *state, struct pp_light_path *path,
                           enum pp_meeting meeting, const struct pp_light_hit *hit,
                           struct pp_rgb *total);
@@ -44,14 +44,15 @@ static inline struct pp_light_path pp_light_path_outside(
 }
 
 /* One sample of the light from all windows that the shading point sends to the eye.
- * Added to sky, outside or, if an opening leads back into the room, rest of *sum. */
+ * Adds it to the sky, the outside or, if an opening leads back into the room, the rest
+ * of *sum. */
 void pp_light_path_windows(struct pp_radiance_state *state,
                            const struct pp_shading_point *shading,
                            struct pp_irradiance *sum);
 
 /* One sample of the light of other openings that the glass of a room's openings
- * reflects into it (glass_images.h), often none; added to rest. Rays that reach
- * openings by reflection in that glass must then exclude this light. */
+ * reflects into the room (glass_images.h), often none; added to the rest. Rays that
+ * reach openings by reflection in that glass must then exclude this light. */
 void pp_light_path_glass(struct pp_radiance_state *state,
                          const struct pp_shading_point *shading,
                          struct pp_glass_view *view, struct pp_irradiance *sum);

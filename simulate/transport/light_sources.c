@@ -1,5 +1,5 @@
 /* light_sources.c - direct light of concentrated emitters: connections, straight and by
- * mirrors, and the choice among them. */
+ * mirrors, and the choice among connections. */
 #include "simulate/transport/light_sources.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@
 #include "simulate/sampling/sample_discrete.h"
 
 enum {
-    /* Up to this many emitters, all are sampled at the first surface; with more, only
-     * one is. */
+    /* Up to this number, all emitters are sampled at the first surface. If there are
+     * more, only one is sampled. */
     MOST_EMITTERS = 64,
     /* The same limit for connections by mirrors. */
     MOST_MIRRORED = 8,
@@ -24,8 +24,8 @@ struct connection {
     double angular_size;
 };
 
-/* Connection number `index`. The direct ones come first, in the order of the emitters,
- * then those of each mirror path in turn. */
+/* Connection number `index`. Direct connections come first, in the order of the
+ * emitters, then the connections by each mirror path in turn. */
 static struct connection connection_of(const struct pp_light_scene *scene,
                                        const struct pp_shading_point *shading,
                                        int index)
@@ -57,16 +57,16 @@ static struct connection_group group_of(const struct pp_light_scene *scene,
                                      MOST_MIRRORED};
 }
 
-/* True if all connections are sampled: at the first surface, unless there are too many.
- * Otherwise one is chosen at random. */
+/* True if all connections are sampled, which is so at the first surface unless there
+ * are too many. Otherwise one connection is chosen at random. */
 static bool samples_all(struct connection_group group, bool split)
 {
     int count = group.end - group.first;
     return count <= 1 || (split && count <= group.most);
 }
 
-/* Number of directions to an emitter by a connection; the mean number if one is chosen
- * at random. */
+/* Number of directions to an emitter by a connection; if one connection is chosen at
+ * random, the mean number. */
 static double samples_of(const struct pp_radiance_state *state, bool split,
                          const struct connection *connection)
 {
@@ -102,7 +102,7 @@ double pp_light_sources_weight(const struct pp_radiance_state *state,
 }
 
 /* Light from one direction to an emitter: BRDF, cosine and visibility times radiance,
- * over the direction's density. */
+ * divided by the direction's density. */
 static struct pp_rgb light_from(struct pp_radiance_state *state,
                                 const struct pp_shading_point *shading,
                                 const struct connection *connection,
@@ -172,8 +172,8 @@ struct connections {
     int first;
 };
 
-/* Importance of a connection. Never 0 if it may carry light: glass reflects more at
- * oblique than at normal incidence. */
+/* Importance of a connection, never 0 if the connection may carry light: glass reflects
+ * more at oblique than at normal incidence. */
 static double importance_of(const void *of, int index)
 {
     const struct connections *connections = of;

@@ -1,5 +1,5 @@
-/* opening_store.c - the tables of all openings, filled by paths: for each bin of each
- * patch the mean over several paths that leave the opening there. */
+/* opening_store.c - the tables of all openings, filled by paths. The value of each bin
+ * of each patch is the mean over several paths that leave the opening there. */
 #include "simulate/transport/opening_store.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 #include "simulate/transport/light_path.h"
 
 enum {
-    PATHS = 1 << 19,    /* for all bins of all patches, half a microsecond each; the
+    PATHS = 1 << 19,    /* for all bins of all patches, half a microsecond each. The
                          * direct light 8 m deep in a courtyard then has 0.6 % noise */
     LEAST_SAMPLES = 16, /* least number of paths for each bin */
     PROBES = 256,       /* rays that measure the distance of surfaces */
@@ -92,8 +92,8 @@ static int sample_bin(const struct pp_opening_table *table,
     return met;
 }
 
-/* Fills in the mean radiance of each bin; if no path of a bin met a surface, that of
- * all bins. */
+/* Fills in the mean radiance of each bin. A bin whose paths met no surface gets the
+ * mean of all bins. */
 static void fill_patch(struct pp_opening_table *table, struct pp_radiance_state *state,
                        int window, int patch, uint32_t samples)
 {
@@ -139,8 +139,8 @@ static bool fill_opening_patch(void *data, int worker, int patch)
     return true;
 }
 
-/* Number of paths for each bin: a fixed total divided by the number of bins, but at
- * least LEAST_SAMPLES. */
+/* Number of paths for each bin: a fixed total divided by the number of bins, at least
+ * LEAST_SAMPLES. */
 static uint32_t samples_of(const struct pp_opening_store *store)
 {
     long bins = 1;

@@ -1,9 +1,9 @@
 /* opening_store.h - the radiance outside each opening of a room, calculated once for a
  * given light from outside.
  *
- * A path that leaves through an opening then needs at most one ray outside. The ray is
- * still traced to the first surface, so that silhouettes stay sharp, but the surface's
- * radiance is read from the opening's table (opening_table.h).
+ * With a store, a path that leaves through an opening needs at most one ray outside.
+ * This ray is still traced to the first surface, so that silhouettes stay sharp. The
+ * surface's radiance is read from the opening's table (opening_table.h).
  */
 #ifndef PP_SIMULATE_TRANSPORT_OPENING_STORE_H
 #define PP_SIMULATE_TRANSPORT_OPENING_STORE_H

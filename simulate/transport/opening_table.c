@@ -13,7 +13,7 @@ enum {
     MOST_PATCHES = 6, /* along either axis */
 };
 
-/* Greatest size of a patch, as a share of the least distance of surfaces in the
+/* Greatest size of a patch, as a fraction of the least distance of surfaces in the
  * table. */
 static const double PATCH_SIZE = 0.5;
 
@@ -89,7 +89,8 @@ static int patch_at(const struct pp_opening_table *table,
     return row * table->columns + column;
 }
 
-/* Bins are squares in the direction's components along the opening's axes. */
+/* Bins are squares in the plane of the direction's components along the opening's
+ * axes. */
 static int bin_of(const struct pp_target *target, struct pp_vec3 to)
 {
     int column = kept_within((pp_vec_dot(to, target->along) + 1.0) / 2.0 * SIDE, SIDE);

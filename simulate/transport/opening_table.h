@@ -2,9 +2,9 @@
  * direction.
  *
  * The opening is divided into patches, smaller ones if surfaces outside are near. For
- * each patch and each direction (bins of equal projected solid angle) the table holds
- * the mean radiance of the surfaces met there, if they are at least twice the size of a
- * patch away. Sky, open ground and skylines are not in it.
+ * each patch and each direction (bins of equal projected solid angle), the table
+ * contains the mean radiance of the surfaces met, if they are at least twice the size
+ * of a patch away. It does not contain sky, open ground and skylines.
  */
 #ifndef PP_SIMULATE_TRANSPORT_OPENING_TABLE_H
 #define PP_SIMULATE_TRANSPORT_OPENING_TABLE_H
@@ -35,9 +35,9 @@ enum pp_status pp_opening_table_init(struct pp_opening_table *table,
                                      struct pp_error *err);
 void pp_opening_table_clear(struct pp_opening_table *table);
 
-/* A point of a patch, and a direction of a bin, by two numbers in (0, 1) each.
- * pp_opening_table_direction returns false if it would be behind the opening's
- * plane. */
+/* A point of a patch, and a direction of a bin, each from two numbers in (0, 1).
+ * pp_opening_table_direction returns false if the direction would be behind the
+ * opening's plane. */
 struct pp_vec3 pp_opening_table_point(const struct pp_opening_table *table,
                                       const struct pp_target *target, int patch,
                                       double u, double v);

@@ -22,35 +22,35 @@ enum {
 };
 
 /* Vertex number for a path that branches off a vertex: hashed, so that branches do not
- * share numbers. */
+ * share random numbers. */
 static inline int pp_path_vertex_branch(int vertex, int kind)
 {
     uint32_t mixed = pp_hash_mix32((uint32_t)vertex * PP_DRAWS + (uint32_t)kind + 1);
     return (int)(mixed >> 4) + 64;
 }
 
-/* Lobe by which a ray has left a surface where next-event estimation also sampled
- * light: of emitters and windows. After a diffuse lobe only next-event estimation
- * counts that light; after a gloss, multiple importance sampling combines both
- * [VG95]. */
+/* Lobe by which a ray has left a surface at which next-event estimation also sampled
+ * light of emitters and windows. After a diffuse lobe, only next-event estimation
+ * counts that light. After a gloss, multiple importance sampling combines both
+ * estimates [VG95]. */
 enum pp_directly_sampled {
     PP_DIRECTLY_SAMPLED_NONE,  /* the ray comes from the eye, or from a mirror for which
-                                * emitters are not sampled: it counts all light */
+                                * emitters are not sampled; all light counts */
     PP_DIRECTLY_SAMPLED_GLOSS, /* from a gloss: weighted */
     PP_DIRECTLY_SAMPLED_ALL,   /* from a diffuse surface: the ray counts no such
                                 * light */
 };
 
-/* The power heuristic of [VG95]: weight of a sample for light that two estimators
- * sample, from the densities of its direction (per steradian, times the number of
- * samples) in its own estimator and in the other. */
+/* The power heuristic of [VG95]: weight of a sample of light that two estimators
+ * sample. own, other: densities of the sample's direction (per steradian, times the
+ * number of samples) in its own estimator and in the other one. */
 static inline double pp_path_vertex_mis(double own, double other)
 {
     return own > 0.0 ? 1.0 / (1.0 + other / own * (other / own)) : 0.0;
 }
 
-/* First surface met by a path: the daylight component that its light belongs to, where
- * the path has come through an opening. */
+/* First surface met by a path. It determines the daylight component of the path's
+ * light, if the path has come through an opening. */
 enum pp_first_met { PP_MET_NOTHING, PP_MET_SKY, PP_MET_OUTSIDE, PP_MET_INSIDE };
 
 /* Ray of a diffuse lobe that has reached a reflector directly: the reflector, the ray's
@@ -61,8 +61,8 @@ struct pp_arrival {
     double pdf;
 };
 
-/* Weight of an emitter's light found by the ray at that gloss, if the diffuse surface
- * has also sampled it (reflectors.h). */
+/* Weight of an emitter's light that the ray found at this gloss, if the diffuse surface
+ * has also sampled the light (reflectors.h). */
 static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *scene,
                                                    const struct pp_arrival *arrival,
                                                    int emitter)
@@ -74,16 +74,16 @@ static inline double pp_path_vertex_arrival_weight(const struct pp_light_scene *
         arrival->pdf, pp_reflectors_pdf(scene, reflection, arrival->from, arrival->to));
 }
 
-/* True if openings are sampled by their images in reflectors. A cache that contains the
- * light of openings also contains that of their images. */
+/* True if openings are sampled by their images in reflectors. Not with a cache: a cache
+ * that contains the light of openings also contains the light of their images. */
 static inline bool pp_path_vertex_images(const struct pp_radiance_state *state)
 {
     return state->options.windows && !state->ambient
            && state->scene->window_image_count > 0;
 }
 
-/* Weight of a window's light found by the ray at that reflector, if the diffuse surface
- * has also sampled the window's image in it (window_images.h). */
+/* Weight of a window's light that the ray found at this reflector, if the diffuse
+ * surface has also sampled the window's image in the reflector (window_images.h). */
 static inline double pp_path_vertex_image_weight(const struct pp_radiance_state *state,
                                                  const struct pp_arrival *arrival,
                                                  int window)
@@ -103,57 +103,59 @@ struct pp_light_path {
     struct pp_rgb throughput;
     double least; /* Russian roulette begins below this throughput */
     enum pp_directly_sampled sampled;
-    enum pp_space sampled_in; /* space of the surface that sampled directly; outdoors
-                               * windows are not sampled */
-    int mirror_path;          /* index of the path of mirrors met since then; -1:
+    enum pp_space sampled_in; /* space of the surface at which light was sampled
+                               * directly; outdoors, windows are not sampled */
+    int mirror_path;          /* index of the path of the mirrors met since then; -1:
                                * none */
-    struct pp_vec3 gloss_point, gloss_normal; /* PP_DIRECTLY_SAMPLED_GLOSS: the
-                                               * surface's, */
+    struct pp_vec3 gloss_point, gloss_normal; /* for PP_DIRECTLY_SAMPLED_GLOSS: point
+                                               * and normal of the surface */
     double gloss_pdf; /* density of the ray's direction in the lobe, times the number of
                        * such rays */
-    bool gloss_split; /* several directions were sampled there */
-    bool here_split;  /* the same for the present surface */
+    bool gloss_split; /* several directions were sampled at that gloss */
+    bool here_split;  /* several directions are sampled at the present surface */
     uint32_t gloss_rays, here_gloss_rays;
     bool
-        from_diffuse; /* has the ray come from a diffuse lobe straight? from and off are
-                        * its surface's */
-    struct pp_arrival arrival, here_arrival; /* at the gloss or mirror that the ray
-                                              * comes from, and at the present
+        from_diffuse; /* true if the ray has come straight from a diffuse lobe; from and
+                       * off are then those of the lobe's surface */
+    struct pp_arrival arrival, here_arrival; /* arrival at the gloss or mirror from
+                                              * which the ray comes, and at the present
                                               * surface */
     int depth;                               /* diffuse reflections so far */
     int vertex;                              /* index of the random numbers */
     int bounces;                             /* surfaces met */
-    bool split;       /* take several directions at the next surface that scatters (the
-                       * path's first) */
-    bool from_window; /* begins at a window that was sampled directly: from then on the
-                       * path finds windows by its own rays only. Next-event estimation
-                       * would begin further paths outside, without end */
-    enum pp_first_met first_met; /* first surface so far; panes passed do not count */
+    bool split;       /* take several directions at the first surface of the path that
+                       * scatters */
+    bool from_window; /* the path begins at a window that was sampled directly. It then
+                       * finds windows by its own rays only, since next-event estimation
+                       * would begin further paths outside without end */
+    enum pp_first_met first_met; /* first surface so far; panes that the path has passed
+                                  * do not count */
 };
 
 /* A point on one side of a surface, at which direct light is calculated. */
 struct pp_shading_point {
-    struct pp_vec3 point, normal; /* normal: of that side */
+    struct pp_vec3 point, normal; /* normal: of this side */
     enum pp_space space;
-    struct pp_rgb diffuse;        /* albedo of that side's diffuse lobe */
+    struct pp_rgb diffuse;        /* albedo of this side's diffuse lobe */
     const struct pp_lobes *lobes; /* for the gloss; NULL: there is none; not owned */
-    int vertex, depth;            /* those of the path that has arrived here */
+    int vertex, depth;            /* vertex and depth of the path that has arrived
+                                   * here */
     bool split;
-    bool whole_gloss;    /* rays of the gloss do not count the light */
+    bool whole_gloss;    /* rays of the gloss do not count light that is sampled here */
     uint32_t gloss_rays; /* number of rays of the gloss */
     const struct pp_arrival
-        *arrival;        /* if the gloss is seen by a ray from a diffuse surface; NULL:
-                          * otherwise */
+        *arrival;        /* if a ray from a diffuse surface reached the gloss; else
+                          * NULL */
     uint32_t directions; /* number of directions to windows, each chosen by importance;
                           * 0: by the rule of sample_openings.h */
     const struct pp_niche_light
-        *niches; /* directions are to mouths of niches, for a point in the room. NULL:
+        *niches; /* for a point in the room: directions are to mouths of niches. NULL:
                   * to panes; not owned */
 };
 
 /* The BRDF (or BTDF) between the eye and direction o, 1/sr, for a sample of next-event
- * estimation of that density: the diffuse part, plus the gloss times its weight and
- * `gloss_share`. */
+ * estimation with density `density`: the diffuse part, plus the gloss times its weight
+ * and `gloss_share`. */
 static inline struct pp_rgb pp_path_vertex_brdf(const struct pp_shading_point *shading,
                                                 struct pp_vec3 o, double density,
                                                 double gloss_share)
@@ -177,9 +179,9 @@ static inline struct pp_light_ray pp_path_vertex_shadow_ray(
 }
 
 /* Number of strata, with one direction each, in next-event estimation of a source or
- * window of that angular size: the smallest power of two for which a stratum's angular
- * size is below options.source_size, at most options.source_most; 1 if the path is not
- * split. */
+ * window of this angular size. It is the smallest power of two for which a stratum's
+ * angular size is below options.source_size, at most options.source_most; 1 if the path
+ * is not split. */
 static inline uint32_t pp_path_vertex_direction_count(
     const struct pp_radiance_state *state, bool split, double angular_size)
 {

@@ -9,12 +9,12 @@
 #include "simulate/transport/light_sources.h"
 #include "simulate/transport/path_scatter.h"
 
-/* Up to this number all openings are sampled. Sampling one at random caused most of a
- * path's noise: sampling all gives a quarter less noise in the example studio. */
+/* Up to this number, all openings are sampled. Sampling one at random caused most of a
+ * path's noise; sampling all gives a quarter less noise in the example studio. */
 enum { FEW_OPENINGS = 4 };
 
-/* Most directions to each stratum of an opening from a strong gloss, whose own rays find
- * the opening where its lobe is narrow. */
+/* Most directions to each stratum of an opening from a strong gloss. Where its lobe is
+ * narrow, its own rays find the opening. */
 enum { GLOSS_WINDOWS = 4 };
 
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening)
@@ -54,7 +54,7 @@ static bool samples_all(const struct pp_light_scene *scene, bool split)
     return split || scene->pane_count <= FEW_OPENINGS;
 }
 
-/* Number of directions to each stratum of an opening, by the number of rays of the
+/* Number of directions to each stratum of an opening, for this number of rays of the
  * gloss. */
 static uint32_t gloss_windows(uint32_t gloss_rays)
 {
@@ -96,8 +96,9 @@ double pp_sample_openings_weight(struct pp_radiance_state *state,
                                     * pp_sample_polygon_pdf(sampler, path->ray.to));
 }
 
-/* Light of emitters outside that a pane scatters to the eye at the start of the sample's
- * ray. diffuse: its diffuse transmittance; lobes: its other lobes, NULL: none. */
+/* Light of emitters outside that a pane scatters to the eye at the start of the
+ * sample's ray. diffuse: diffuse transmittance of the pane; lobes: its other lobes;
+ * NULL: none. */
 static struct pp_rgb sources_behind(struct pp_radiance_state *state,
                                     const struct pp_shading_point *shading,
                                     const struct pp_opening_sample *sample,
@@ -117,8 +118,8 @@ static struct pp_rgb sources_behind(struct pp_radiance_state *state,
     return pp_light_sources_next_event(state, &there);
 }
 
-/* Continues the ray to the outside by one of the lobes of a scattering pane; returns the
- * weight of light along it. */
+/* Continues the ray to the outside by one of the lobes of a scattering pane. Returns
+ * the weight of light along the new ray. */
 static struct pp_rgb leave_scattered(struct pp_radiance_state *state,
                                      const struct pp_shading_point *shading,
                                      const struct pp_light_part *part,
@@ -141,8 +142,9 @@ static struct pp_rgb leave_scattered(struct pp_radiance_state *state,
     return pp_rgb_times(weight, factor);
 }
 
-/* Sets the ray that leaves the opening where the direction meets it, and multiplies the
- * weight by the transmittance. Behind a pane that scatters a new direction is sampled. */
+/* Sets the ray that leaves the opening at the place where the direction meets it, and
+ * multiplies the weight by the transmittance. If the pane scatters, a new direction is
+ * sampled behind it. */
 static void leave(struct pp_radiance_state *state,
                   const struct pp_shading_point *shading,
                   const struct pp_direction_sample *to,
@@ -185,8 +187,8 @@ void pp_sample_openings_scale(struct pp_opening_sample *sample, struct pp_rgb by
     sample->sources = pp_rgb_times(sample->sources, by);
 }
 
-/* True if a ray meets this pane first. Another pane in front makes it false, since
- * light through both was sampled with that pane. */
+/* True if a ray meets this pane first. False if another pane is in front, since light
+ * through both panes was sampled with the other one. */
 static bool meets_pane(struct pp_radiance_state *state,
                        const struct pp_shading_point *shading, struct pp_vec3 to,
                        const struct pp_pane *pane)
@@ -206,8 +208,8 @@ static bool is_open(const struct pp_shading_point *shading, const struct pp_pane
     return pane->seen_by_all && shading->space == PP_INDOORS;
 }
 
-/* Extends a direction from the mouth of the opening's niche: *to is moved to the pane,
- * or the sample is on one of the niche's sides. */
+/* Extends a direction from the mouth of the opening's niche into the niche. Either
+ * moves *to to the pane, or marks the sample as on one of the niche's sides. */
 static void go_in(const struct pp_light_scene *scene, struct pp_direction_sample *to,
                   struct pp_opening_sample *sample)
 {
@@ -275,8 +277,8 @@ bool pp_sample_openings_aim(struct pp_radiance_state *state,
     return sample_opening(state, &one, 1.0, u, sample);
 }
 
-/* Finds the point where a ray from inside meets the rectangular pane; false: it does
- * not. */
+/* Finds the point where a ray from inside meets the rectangular pane; false if it does
+ * not meet the pane. */
 static bool meets_rectangle(const struct pp_target *target, struct pp_vec3 from,
                             struct pp_vec3 to, struct pp_vec3 *point)
 {
@@ -335,8 +337,8 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
     sampling->direction = sampling->count = 0;
     sampling->index = state->index;
     /* The random numbers of all directions are drawn together if
-     * pp_sobol_sequence_draw_run allows it: the number of directions is a power of two, at
-     * most PP_RUN_MOST. */
+     * pp_sobol_sequence_draw_run allows this: the number of directions must be a power
+     * of two, at most PP_RUN_MOST. */
     sampling->drawn = !none && shading->directions > 1
                       && shading->directions <= PP_RUN_MOST
                       && (shading->directions & (shading->directions - 1)) == 0;
@@ -367,8 +369,8 @@ static bool next_opening(struct pp_radiance_state *state,
     return true;
 }
 
-/* Draws the random numbers of the present direction: two, or three if one of the
- * openings is chosen at random. */
+/* Draws the random numbers of the present direction: two, or three if one opening is
+ * chosen at random. */
 static void draw_opening_numbers(const struct pp_radiance_state *state,
                                  const struct pp_opening_sampling *sampling,
                                  double u[3])
@@ -394,7 +396,7 @@ bool pp_sample_openings_next(struct pp_radiance_state *state,
         if (sampling->direction == sampling->count && !next_opening(state, sampling))
             return false;
         double u[3] = {0.0},
-               probability = 1.0; /* place in the opening (2), choice of it */
+               probability = 1.0; /* place in the opening (2), choice of the opening */
         state->index = sampling->index * sampling->count + sampling->direction;
         sample->opening = sampling->opening;
         draw_opening_numbers(state, sampling, u);

@@ -1,9 +1,10 @@
-/* sample_openings.h - next-event estimation of a room's openings: directions to an opening
- * are sampled as to a lamp, whose radiance is the light of sky, ground and obstructions
- * through it. Inside simulate/ only.
+/* sample_openings.h - next-event estimation of a room's openings. Directions to an
+ * opening are sampled as if it were a lamp that emits the light of sky, ground and
+ * obstructions passing through it. Inside simulate/ only.
  *
- * If there are up to four openings, or at the first surface of a path, all openings are
- * sampled; otherwise one, chosen by importance. light_path.c adds the light outside:
+ * All openings are sampled if there are at most four, or at the first surface of a
+ * path. Otherwise one opening is chosen by importance. light_path.c adds the light
+ * outside:
  *
  *     pp_sample_openings_begin(state, &shading, &sampling);
  *     while (pp_sample_openings_next(state, &sampling, &sample))
@@ -17,10 +18,11 @@
 /* A direction to an opening, or to the mouth of its niche. */
 struct pp_opening_sample {
     int opening;
-    struct pp_light_ray ray; /* leaves it to the outside */
-    struct pp_rgb weight;    /* BRDF, cosine and transmittance over density */
+    struct pp_light_ray ray; /* leaves the opening to the outside */
+    struct pp_rgb weight;    /* BRDF times cosine times transmittance, divided by the
+                              * density */
     struct pp_rgb sources; /* weighted light of emitters outside, such as the sun, that
-                               * a pane scatters; not included in the light along ray */
+                            * a pane scatters; not included in the light along ray */
     bool on_side;          /* true: the direction ends on a side of the niche, */
     struct pp_light_hit side; /* at this hit; the weight then contains no
                                * transmittance */
@@ -45,32 +47,34 @@ void pp_sample_openings_begin(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading,
                               struct pp_opening_sampling *sampling);
 
-/* Returns false at the end. While it returns true, state->index is that of the
- * direction. */
+/* Returns false at the end. While the function returns true, state->index is the index
+ * of the direction. */
 bool pp_sample_openings_next(struct pp_radiance_state *state,
                              struct pp_opening_sampling *sampling,
                              struct pp_opening_sample *sample);
 
-/* Samples a direction to that opening by two numbers in (0, 1); false if no light
+/* Samples a direction to this opening by two numbers in (0, 1); false if no light
  * arrives along it. */
 bool pp_sample_openings_aim(struct pp_radiance_state *state,
                             const struct pp_shading_point *shading, int opening,
                             const double u[2], struct pp_opening_sample *sample);
 
-/* Evaluates a direction that was sampled elsewhere: false if it does not reach that
- * opening first. The weight is the transmittance alone. */
+/* Evaluates a direction that was sampled elsewhere; false if the direction does not
+ * reach this opening first. The weight is the transmittance alone. */
 bool pp_sample_openings_along(struct pp_radiance_state *state,
                               const struct pp_shading_point *shading, int opening,
                               struct pp_vec3 to, struct pp_opening_sample *sample);
 
-/* Multiplies the light of a sample that is not on a side. */
+/* Multiplies the light of a sample by `by`, for a sample that is not on a side of a
+ * niche. */
 void pp_sample_openings_scale(struct pp_opening_sample *sample, struct pp_rgb by);
 
 /* Vertex for the random numbers of events behind an opening. */
 int pp_sample_openings_vertex(const struct pp_shading_point *shading, int opening);
 
 /* Weight of light that the path's own ray has found at the inside of the opening: 0 if
- * next-event estimation includes it, 1 if it does not. */
+ * next-event estimation includes the light, 1 if not, a value between for multiple
+ * importance sampling. */
 double pp_sample_openings_weight(struct pp_radiance_state *state,
                                  const struct pp_light_path *path, int opening);
 

@@ -2,10 +2,11 @@
  *
  * The caller runs the loop, as with the tracer: create, advance until done, with
  * readings at any time, then destroy. The result depends on the scene, points, options
- * and seed alone, bit by bit, for any number of threads and any length of the slices.
+ * and seed alone. It is bit-identical for any number of threads and any duration of the
+ * calls.
  *
- * The planner of simulate/estimate plans each point for a standard error of the
- * luminance-weighted irradiance of the largest of
+ * The planner of simulate/estimate plans each point for a target standard error of the
+ * luminance-weighted irradiance. The target is the largest of
  *
  *     error x value,  error x 0.001 of the largest value,  0.00002 of the open sky
  *
@@ -24,26 +25,25 @@
 
 struct pp_sensor {
     struct pp_vec3 position, normal; /* normal: unit */
-    int line;                        /* in its file */
+    int line;                        /* line number of the point in its file */
 };
 
 struct pp_sensors_options {
-    double error; /* target standard error over value. 0: by samples or the caller's
-                   * clock alone */
+    double error; /* target standard error relative to the value. 0: by samples or the
+                   * caller's clock alone */
     long samples; /* paths per point in each randomisation; 0: not set */
     uint64_t seed;
     int threads;        /* 0: one for each processor */
     double horizontal;  /* irradiance of open horizontal ground; 0: unknown */
-    bool limited;       /* at most `bounces` (0 or more) diffuse reflections on the way,
+    bool limited;       /* at most `bounces` (0 or more) diffuse reflections of a path,
                          * including those outside */
     bool ground_counts; /* reflections by the ground also count */
     int bounces;
-    bool by_chance; /* no next-event estimation: concentrated sources are found by rays
-                     * only */
+    bool by_chance; /* no next-event estimation: only rays find concentrated sources */
 };
 
 struct pp_sensor_reading {
-    struct pp_rgb irradiance, std_error; /* NAN before there is any */
+    struct pp_rgb irradiance, std_error; /* NAN if not known yet */
     double grey, grey_error;             /* luminance-weighted */
 };
 
@@ -64,8 +64,9 @@ enum pp_status pp_sensors_advance(struct pp_sensors *sensors, double seconds,
                                   struct pp_error *err);
 bool pp_sensors_done(const struct pp_sensors *sensors);
 
-/* The share of the work that is done, 0 to 1, by the present plan; and the largest
- * standard error over value so far, NAN before there is any. */
+/* pp_sensors_progress: fraction of the present plan's work that is done, 0 to 1.
+ * pp_sensors_error: largest relative standard error so far; NAN if no value is known
+ * yet. */
 double pp_sensors_progress(const struct pp_sensors *sensors);
 double pp_sensors_error(const struct pp_sensors *sensors);
 

@@ -10,7 +10,8 @@
 #include "simulate/year/sun_on_surface.h"
 
 /* Direction of the middle of a cell, in the view's frame. A disc of radius r maps to
- * the cap with the same share of the hemisphere: 1 - cos s = r^2. */
+ * the cap with the same fraction of the hemisphere: 1 - cos s = r^2, where s is the
+ * half angle of the cap. */
 static struct pp_vec3 direction_of(int side, int column, int row)
 {
     struct pp_vec3 disc =

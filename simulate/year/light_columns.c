@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The task of the workers of a pool: filling the columns of several hours. */
+/* Task of a pool's workers: filling the columns of several hours. */
 struct columns_work {
     struct pp_light_columns *light;
     const struct pp_environment *environment;
@@ -12,8 +12,8 @@ struct columns_work {
     double *solid_angles;
 };
 
-/* Exitance over pi of a skyline under one sky: sun and sky on its face, and the ground
- * in front of it (environment.h). */
+/* Exitance of a skyline, divided by pi, under one sky: sun and sky illuminate its face
+ * and the ground in front of it (environment.h). */
 static double skyline_of(const struct columns_work *work,
                          const struct pp_perez_sky *sky,
                          const struct pp_far_skyline *far)

@@ -1,8 +1,9 @@
-/* light_columns.h - skies and suns of many hours, as coefficients of light paths:
- * luminances by patch, exitances of skylines, horizontal illuminances.
+/* light_columns.h - skies and suns of many hours, as quantities that multiply the
+ * coefficients of light paths: luminances of patches, exitances of skylines, horizontal
+ * illuminances.
  *
- * Columns are: the patches of the sky; the horizontal illuminance; the skylines without a
- * distance.
+ * Columns are: the patches of the sky; the horizontal illuminance; the skylines without
+ * a distance.
  */
 #ifndef PP_SIMULATE_YEAR_LIGHT_COLUMNS_H
 #define PP_SIMULATE_YEAR_LIGHT_COLUMNS_H
@@ -24,11 +25,11 @@ struct pp_light_columns {
     int column_count;
     float
         *columns; /* [hour / PP_LIGHT_LANES][column][hour % PP_LIGHT_LANES]: cd/m2, lx,
-                     * exitance over pi */
+                   * or exitance divided by pi */
 };
 
-/* skies: in the axes of the scene's room; they must outlive *light. patch_count: 145,
- * 577 or 2305. On success the caller clears *light. */
+/* skies: in the axes of the scene's room; must outlive *light. patch_count: 145, 577 or
+ * 2305. On success the caller must clear *light. */
 enum pp_status pp_light_columns_init(struct pp_light_columns *light,
                                      const struct pp_environment *environment,
                                      const struct pp_perez_sky *skies, int count,
@@ -36,7 +37,7 @@ enum pp_status pp_light_columns_init(struct pp_light_columns *light,
                                      struct pp_thread_pool *pool, struct pp_error *err);
 void pp_light_columns_clear(struct pp_light_columns *light);
 
-/* Eh of the open sky: sky and sun. */
+/* Horizontal illuminance Eh of the unobstructed sky, including the sun (lx). */
 static inline double pp_light_columns_horizontal(const struct pp_perez_sky *sky)
 {
     return sky->diffuse_lx + (sky->sun.z > 0.0 ? sky->direct_lx * sky->sun.z : 0.0);

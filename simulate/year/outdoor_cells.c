@@ -42,7 +42,7 @@ static uint64_t key_of(const struct pp_outdoor_cells *cells,
     return key;
 }
 
-/* The slot of the key, or the free one where it belongs. */
+/* The slot of the key, or the free slot where the key belongs. */
 static int slot_of(const struct pp_outdoor_cells *cells, uint64_t key)
 {
     int slot = (int)(key % PP_OUTDOOR_SLOTS);

@@ -1,8 +1,10 @@
-/* outdoor_cells.h - cells of outdoor surfaces, made where light paths meet them.
+/* outdoor_cells.h - cells of outdoor surfaces, made where light paths meet the
+ * surfaces.
  *
- * A cell is a cube of space with one of six main directions of the normal; the cubes
- * grow with their distance from the room. One of the places that were met, drawn in
- * proportion to their weights, represents the cell in tests of the sun.
+ * A cell is a cube of space with one of six main directions of the normal; cubes are
+ * larger at a greater distance from the room. In tests of the sun, the cell is
+ * represented by one of the places that paths met, drawn in proportion to their
+ * weights.
  */
 #ifndef PP_SIMULATE_YEAR_OUTDOOR_CELLS_H
 #define PP_SIMULATE_YEAR_OUTDOOR_CELLS_H
@@ -14,7 +16,7 @@
 enum { PP_OUTDOOR_SLOTS = 1024 };
 
 struct pp_outdoor_cells {
-    double reach_m; /* size of the room; cubes up to that distance are a third of it
+    double reach_m; /* size of the room; cubes up to this distance are a third of it
                      * wide */
     int count, most;
     struct pp_lit_point *points;      /* by cell; not owned */
@@ -24,13 +26,13 @@ struct pp_outdoor_cells {
     uint64_t dice;
 };
 
-/* points: has room for `most` cells, at most half of PP_OUTDOOR_SLOTS. */
+/* points: has space for `most` cells, at most half of PP_OUTDOOR_SLOTS. */
 void pp_outdoor_cells_init(struct pp_outdoor_cells *cells,
                            const struct pp_light_scene *scene,
                            struct pp_lit_point *points, int most, uint64_t seed);
 
-/* The cell of a place that is met with that weight. If all cells are in use, further
- * places share the last six, by main direction. */
+/* The cell of a place that a path met with this weight. If all cells are in use,
+ * further places share the last six, one for each main direction. */
 int pp_outdoor_cells_find(struct pp_outdoor_cells *cells, const struct pp_lit_point *at,
                           double weight);
 

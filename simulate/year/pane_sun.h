@@ -1,7 +1,9 @@
-/* pane_sun.h - sunlight that scattering panes send into a room, in every hour of a year.
+/* pane_sun.h - sunlight that scattering panes send into a room, in every hour of a
+ * year.
  *
- * The panes of a group are alike. With Es the mean illuminance of the sun on their outside,
- * and C the coefficient of a receiver for a class of leaving light (year_batch.h),
+ * The panes of a group are of the same kind. Es is the mean illuminance of the sun on
+ * their outside, C the coefficient of a receiver for a class of leaving light
+ * (year_batch.h), and E the illuminance of the receiver:
  *
  *     E = Es sum over classes of C btdf(sun, class)
  */
@@ -13,15 +15,17 @@
 
 struct pp_pane_sun {
     int class_count, hours;
-    const struct pp_opening **panes; /* [group]: a scattering pane of it; NULL: none */
-    float *btdf;                     /* [group][hour][class]; 0 of other groups */
+    const struct pp_opening **panes; /* [group]: one scattering pane of the group; NULL:
+                                      * none */
+    float *btdf;                     /* [group][hour][class], 1/sr; 0 for groups without
+                                      * such a pane */
 };
 
 /* Most classes of any pane of the scene's world; 0: no pane scatters. */
 int pp_pane_sun_classes(const struct pp_light_scene *scene);
 
-/* Calculates the btdf for the sun of every hour. The caller clears *panes, even after a
- * failure. */
+/* Calculates the BTDF for the sun of every hour. The caller must clear *panes, even
+ * after a failure. */
 enum pp_status pp_pane_sun_init(struct pp_pane_sun *panes,
                                 const struct pp_year_task *task,
                                 const struct pp_light_columns *light,
@@ -33,8 +37,8 @@ double pp_pane_sun_lx(const struct pp_year_task *task,
                       const struct pp_year_batch *batch, int group,
                       const struct pp_perez_sky *sky);
 
-/* Sum over classes for a receiver with those coefficients: lx over the lx of sun on the
- * outside of the panes. */
+/* Sum over classes for a receiver with these coefficients: its illuminance (lx) divided
+ * by the illuminance of the sun (lx) on the outside of the panes. */
 float pp_pane_sun_share(const struct pp_pane_sun *panes, const float *coefficients,
                         int group, int hour);
 

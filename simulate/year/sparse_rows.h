@@ -10,21 +10,22 @@ struct pp_sparse_entry {
 };
 
 struct pp_sparse_rows {
-    int count;  /* number of rows that have ended */
+    int count;  /* number of completed rows */
     int *first; /* entries of row i: first[i] to first[i + 1] - 1 */
-    struct pp_sparse_entry *entries; /* by rising column within a row */
+    struct pp_sparse_entry *entries; /* in ascending order of column within a row */
     int first_capacity, entry_capacity, width;
     double *sums; /* sums of the row being filled, by column */
     int *touched, touched_count;
     unsigned char *is_touched;
 };
 
-/* Columns 0 to width - 1. The caller clears *rows, even after a failure. */
+/* Columns are 0 to width - 1. The caller must clear *rows, even after a failure. */
 enum pp_status pp_sparse_rows_init(struct pp_sparse_rows *rows, int width,
                                    struct pp_error *err);
 void pp_sparse_rows_clear(struct pp_sparse_rows *rows);
 
-/* Adds to a value of the row being filled; ends that row. */
+/* pp_sparse_rows_add adds to a value of the row being filled; pp_sparse_rows_end
+ * completes that row. */
 void pp_sparse_rows_add(struct pp_sparse_rows *rows, int column, double value);
 enum pp_status pp_sparse_rows_end(struct pp_sparse_rows *rows, struct pp_error *err);
 

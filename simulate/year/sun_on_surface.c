@@ -1,4 +1,5 @@
-/* sun_on_surface.c - tests for openings in the sun's direction, then traces the ray. */
+/* sun_on_surface.c - tests whether openings are in the sun's direction, then traces the
+ * ray. */
 #include "simulate/year/sun_on_surface.h"
 
 #include <math.h>
@@ -6,8 +7,8 @@
 #include "simulate/scene/light_scene_parts.h"
 #include "simulate/scene/rays.h"
 
-/* Intersection of the line from a point along u with a target's plane from the room's
- * side; false if there is none. */
+/* Intersection of a target's plane, from the room's side, with the line from a point
+ * along u; false if there is none. */
 static bool meets_plane(const struct pp_target *target, struct pp_vec3 point,
                         struct pp_vec3 u, struct pp_vec3 *at)
 {
@@ -26,8 +27,8 @@ static bool in_rectangle(const struct pp_target *target, struct pp_vec3 at)
     return x >= 0.0 && x <= target->width_m && y >= 0.0 && y <= target->height_m;
 }
 
-/* True if u leads from an indoor point to some pane. *free: the pane is one that
- * nothing can hide, on either side; *pane is then set. */
+/* True if u leads from an indoor point to a pane. *free: nothing can hide this pane, on
+ * either side; *pane is then set. */
 static bool leads_to_pane(const struct pp_light_scene *scene, struct pp_vec3 point,
                           struct pp_vec3 u, int *pane, bool *free)
 {
@@ -60,7 +61,7 @@ static double regular_transmittance(const struct pp_light_scene *scene, int pane
         .g;
 }
 
-/* The transmittance along the ray to the sun; 0 if it meets an opaque surface.
+/* The transmittance along the ray to the sun; 0 if the ray meets an opaque surface.
  * *opening: the last opening passed. */
 static double traced(const struct pp_light_scene *scene, struct pp_light_ray ray,
                      int *opening)

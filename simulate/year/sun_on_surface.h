@@ -8,15 +8,15 @@
 
 #include "simulate/path_tracer/path_trace.h"
 
-/* Illuminance over that of a plane normal to the sun: cosine times transmittance, 0 in
- * shade. sun: unit, towards it. *opening: index of the opening through which the
- * sunlight enters; -1: none. */
+/* Illuminance divided by that of a plane normal to the sun: cosine times transmittance,
+ * 0 in shade. sun: unit, towards the sun. *opening: index of the opening through which
+ * the sunlight enters; -1: none. */
 double pp_sun_on_surface(const struct pp_light_scene *scene,
                          const struct pp_lit_point *at, struct pp_vec3 sun,
                          int *opening);
 
-/* Btdf of a scattering pane for light of the sun (unit, towards it) and that class of
- * leaving light. */
+/* BTDF of a scattering pane for light of the sun and this class of leaving light. sun:
+ * unit, towards the sun. */
 double pp_sun_on_surface_scattered(const struct pp_opening *opening, struct pp_vec3 sun,
                                    int leaving);
 

@@ -13,7 +13,7 @@
 #include "simulate/year/year_path.h"
 #include "simulate/year/year_solve.h"
 
-/* Paths do not end at surfaces nearer than this many cell sizes. */
+/* Paths do not end at surfaces nearer than this many cell sizes (see year_batch.h). */
 static const double NEAR = 1.5;
 
 /* State of one randomisation. */
@@ -27,8 +27,9 @@ struct batch_work {
     struct pp_sparse_rows of_cells[PP_YEAR_ROWS_COUNT], of_points[PP_YEAR_ROWS_COUNT],
         of_panes[PP_YEAR_ROWS_COUNT];
     struct pp_sparse_rows *rows; /* rows being filled */
-    double scale;                /* one over the number of paths */
-    bool views_sky;              /* the receiver has its direct light in closed form */
+    double scale;                /* 1 divided by the number of paths */
+    bool views_sky;              /* direct light of the receiver is calculated in closed
+                                  * form */
 };
 
 static int column_of(const struct batch_work *work, int opening, int column)
@@ -129,13 +130,14 @@ static void follow_both(struct batch_work *work, const struct pp_lit_point *at)
 {
     struct pp_year_sink sink = batch_sink;
     sink.data = work;
-    sink.pane_sun_apart = work->views_sky; /* cells have no samples apart */
+    sink.pane_sun_apart = work->views_sky; /* cells have no separate samples of sun on
+                                            * panes */
     pp_year_path_openings(&work->walk, &sink, at);
     pp_year_path_lobe(&work->walk, &sink, at);
 }
 
-/* Draws a point for every path of a cell; points off its surface get a zero normal.
- * Returns the number of points on the surface. */
+/* Draws a point for every path of a cell. Points outside the surface's outline get a
+ * zero normal. Returns the number of points on the surface. */
 static int draw_places(struct batch_work *work, int cell, struct pp_lit_point *places)
 {
     int drawn = 0;
@@ -153,7 +155,7 @@ static int draw_places(struct batch_work *work, int cell, struct pp_lit_point *p
 }
 
 /* Traces the paths of a cell that has a point. Points on the surface are used equally
- * often; if there are none, all paths begin at the cell's point. */
+ * often. If there are none, all paths begin at the cell's point. */
 static void follow_cell(struct batch_work *work, int cell, struct pp_lit_point *places)
 {
     const struct pp_year_task *task = work->task;
@@ -171,13 +173,13 @@ static void follow_cell(struct batch_work *work, int cell, struct pp_lit_point *
 }
 
 /* Finds the points at which the sun is tested, with a limited number of draws for each
- * cell. Different randomisations use different parts of the cell. */
+ * cell. The randomisations use different parts of the cell. */
 static void place_suns(struct batch_work *work, int index)
 {
     enum { DRAWS = 64 };
     const struct pp_year_cells *cells = work->task->cells;
     for (int c = 0; c < cells->count; c++) {
-        /* A 4 x 4 grid over the cell, in another order for each cell. */
+        /* parts of a 4 x 4 grid over the cell, in a different order for each cell */
         uint64_t order = pp_hash(work->task->seed, (uint64_t)c);
         int part = (int)((index * 7 + order) % 16);
         begin_paths(work, (UINT64_C(1) << 40) + (uint64_t)c);
@@ -196,7 +198,7 @@ static void place_suns(struct batch_work *work, int index)
     }
 }
 
-/* Ends a row of each matrix; PP_INTERRUPTED if the task shall not go on. */
+/* Ends a row of each matrix. PP_INTERRUPTED if the task is to be stopped. */
 static enum pp_status end_row(const struct batch_work *work,
                               struct pp_sparse_rows *rows, struct pp_error *err)
 {
@@ -224,8 +226,9 @@ static enum pp_status follow_cells(struct batch_work *work, struct pp_error *err
     return status;
 }
 
-/* Adds the sunlight that scattering panes send directly to a receiver. Bright directions
- * of a pane fill a small part of its view, so that it takes many samples. */
+/* Adds the sunlight that scattering panes send directly to a receiver. Bright
+ * directions of a pane fill a small part of its view; therefore many samples are
+ * needed. */
 static void add_direct_pane_sun(struct batch_work *work, const struct pp_lit_point *at,
                                 uint64_t place)
 {
@@ -328,7 +331,7 @@ static enum pp_status follow_panes(struct batch_work *work, struct pp_error *err
                 pp_year_path_lobe(&work->walk, &sink, &at);
         }
         status = end_row(work, rows, err);
-        /* Light that enters again through any opening. */
+        /* Adds light that enters again through any opening. */
         const struct pp_sparse_rows *D = &rows[PP_YEAR_ROWS_D];
         for (int k = D->first[g]; status == PP_OK && k < D->first[g + 1]; k++) {
             int column = D->entries[k].column % pp_year_solve_columns(task);

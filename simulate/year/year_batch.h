@@ -3,8 +3,8 @@
  *
  * The inside surfaces are divided into cells (year_cells.h). Paths from a point or a
  * cell end at the next inside surface that is far enough for its cell to count as
- * uniformly lit; at nearer surfaces paths continue. With E the illuminance at a
- * receiver without direct sun, of the points x and of the cells c:
+ * uniformly lit. At nearer surfaces paths continue. E is the illuminance without direct
+ * sun; x are the points (receivers), c the cells:
  *
  *     E_c = D_c + N_c s + G_c (E + s),     E_x = D_x + N_x s + G_x (E + s)         (1)
  *
@@ -14,15 +14,16 @@
  *   N   from sunlight on cells at which a path has continued
  *   G   from the cells at which paths end
  *
- * Solved, with V = G_x (1 - G)^-1:
+ * The solution, with V = G_x (1 - G)^-1, is
  *
  *     E_x = (D_x + V D) light + (N_x + V + V N) s                                  (2)
  *
- * Light that comes directly from sky or open ground, through clear glass, is not in
- * D_x: it is added in closed form. The sun is tested at one random point of each cell;
- * the tests of all randomisations fill the cell. Sunlight that a pane scatters comes from
- * the panes of a group by classes of leaving light, with the mean sunlight on them. Outdoor surfaces have cells of a size
- * that grows with their distance; the sun is tested where a path has met one.
+ * D_x does not include light that comes directly from sky or open ground, through clear
+ * glass, which is added in closed form. The sun is tested at one random point of each
+ * cell; the points of all randomisations together fill the cell. Sunlight that panes
+ * scatter is represented by groups of panes and classes of leaving light, with the mean
+ * sunlight on the panes of the group. Outdoor surfaces have cells whose size grows with
+ * their distance. There, the sun is tested where a path has met the surface.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_BATCH_H
 #define PP_SIMULATE_YEAR_YEAR_BATCH_H
@@ -51,29 +52,29 @@ struct pp_year_task {
     int point_paths;  /* from each receiver; a power of two */
     const struct pp_sobol *sobol;
     uint64_t seed;
-    /* False ends the calculation with PP_INTERRUPTED; called between rows, by each
-     * worker with its number. */
+    /* Called between rows, by each worker with its number. If it returns false, the
+     * calculation ends with PP_INTERRUPTED. */
     bool (*goes_on)(void *data, int worker);
     void *data;
 };
 
 /* One randomisation. Rows of a receiver have an entry for every group and column. */
 struct pp_year_batch {
-    float *light;   /* [receiver][group][column]: lx over a column's unit */
-    float *outdoor; /* [receiver][group][outdoor cell]: lx over lx of sun on it */
-    float *inside;  /* [receiver][cell]: the same of inside cells */
-    float *classes; /* [receiver][group][class]: lx over the lx of sun on the outside of
-                     * the group's panes and their btdf, 1/sr */
+    float *light;   /* [receiver][group][column]: lx per unit of the column */
+    float *outdoor; /* [receiver][group][outdoor cell]: lx per lx of sun on the cell */
+    float *inside;  /* [receiver][cell]: lx per lx of sun on the inside cell */
+    float *classes; /* [receiver][group][class]: lx divided by the lx of sun on the
+                     * outside of the group's panes and by their BTDF (1/sr) */
     struct pp_lit_point *cell_points; /* points at which the sun is tested */
     bool *cell_has_point;
     struct pp_lit_point outdoor_points[PP_YEAR_OUTDOOR_CELLS];
     bool outdoor_is_used[PP_YEAR_OUTDOOR_CELLS];
 
     /* For blinds: */
-    float
-        *by_pane; /* [receiver][group]: lx by panes with an even exitance of 1 lm/m2 */
-    float *on_pane;         /* [group][column]: mean lx on the outside of panes */
-    float *on_pane_outdoor; /* [group][outdoor cell] */
+    float *by_pane; /* [receiver][group]: lx due to panes with a uniform exitance of 1
+                     * lm/m2 */
+    float *on_pane; /* [group][column]: mean lx on the outside of panes */
+    float *on_pane_outdoor;           /* [group][outdoor cell] */
     struct pp_lit_point *pane_points; /* [group][PP_YEAR_PANE_POINTS]: for the sun */
 };
 

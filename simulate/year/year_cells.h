@@ -2,7 +2,7 @@
  *
  * Every side of an inside surface that reflects is divided along the axes of its plane.
  * The cell of a hit follows from its position; points of a cell are drawn within the
- * surface's outline and outside its openings.
+ * surface's outline, outside its openings.
  */
 #ifndef PP_SIMULATE_YEAR_YEAR_CELLS_H
 #define PP_SIMULATE_YEAR_YEAR_CELLS_H
@@ -25,17 +25,17 @@ struct pp_year_cells {
     int *part_of;                     /* by cell */
 };
 
-/* About `wanted` cells. On success the caller clears *cells. */
+/* Makes about `wanted` cells. On success the caller must clear *cells. */
 enum pp_status pp_year_cells_init(struct pp_year_cells *cells,
                                   const struct pp_light_scene *scene, int wanted,
                                   struct pp_error *err);
 void pp_year_cells_clear(struct pp_year_cells *cells);
 
-/* The cell that was hit; -1: there is none. */
+/* Index of the cell that was hit; -1: there is none. */
 int pp_year_cells_of(const struct pp_year_cells *cells, const struct pp_light_hit *hit);
 
 /* The point of a cell at relative coordinates u and v (0 to 1), with its normal; false
- * if it is not on the surface. */
+ * if the point is not on the surface. */
 bool pp_year_cells_point(const struct pp_year_cells *cells, int cell, double u,
                          double v, struct pp_lit_point *point);
 

@@ -1,5 +1,5 @@
-/* year_coefficients.c - traces the batches, finds the sun on their cells, and computes
- * the hours of a point. */
+/* year_coefficients.c - traces the batches, finds the sun on their cells, and
+ * calculates the light of a point in every hour. */
 #include "simulate/year/year_coefficients.h"
 
 #include <math.h>
@@ -28,11 +28,12 @@ struct pp_year_coefficients {
     const struct pp_year_stores *stores;
     bool (*goes_on)(void *data, double done);
     void *data;
-    double done; /* share of the batches; only worker 0 uses it */
+    double done; /* fraction of the batches; only worker 0 uses it */
     atomic_bool stopped;
 };
 
-/* Worker 0 is the calling thread, which watches for all. */
+/* Called by the workers between rows. Worker 0 is the calling thread; it calls the
+ * caller's goes_on on behalf of all workers. */
 static bool year_goes_on(void *data, int worker)
 {
     struct pp_year_coefficients *c = data;
@@ -320,7 +321,7 @@ enum pp_status pp_year_coefficients_sky(const struct pp_year_coefficients *c, in
 
 /* ---- panes ---- */
 
-/* The work of one batch on a group's panes. */
+/* Work on one group's panes in one batch. */
 struct panes_work {
     const struct pp_year_coefficients *c;
     int group;

@@ -1,8 +1,9 @@
 /* year_coefficients.h - the illuminances of a room's points in every hour of a year,
  * without direct light, in independent randomisations.
  *
- *     coefficients, by paths alone:     light columns, sun on cells  (year_batch.h)
- *     hours, without any path:          sky by patch, sun by its true position
+ * Paths are traced only once, for coefficients that do not depend on the hour: for the
+ * columns of light, and for sun on cells (year_batch.h). The hours need no paths: the
+ * sky is given by its patches, and the sun is tested at its true position.
  *
  * Usage: create the coefficients for a room, add the light of a year, then read points,
  * from several threads at once if needed.
@@ -23,20 +24,20 @@ struct pp_year_coefficient_options {
     uint64_t seed;
     const struct pp_year_stores *stores; /* NULL: none */
 
-    /* Called between two batches by the thread that called the function; done: the
-     * share of the batches done. Returning false stops. NULL: never stops. */
+    /* Called between two batches by the thread that called the function. done: fraction
+     * of the batches that are done. Return false to stop. NULL: never stops. */
     bool (*goes_on)(void *data, double done);
     void *data;
 };
 
 struct pp_year_coefficients;
 
-/* PP_INTERRUPTED: goes_on has returned false; here and in pp_year_coefficients_light.
- * scene: of a world, with diffuse finishes only. group_of_opening: group of each
- * opening, 0 to group_count - 1, at most PP_YEAR_GROUPS_MOST groups; openings of a
- * group that scatter light by direction must be alike, and in one face, and none of it
- * may be clear. All arguments, the
- * receivers and the pool must outlive *coefficients. */
+/* scene: of a world, with diffuse finishes only. group_of_opening: group of each
+ * opening, 0 to group_count - 1, with at most PP_YEAR_GROUPS_MOST groups. If a group
+ * contains openings that scatter light by direction, all its openings must be of the
+ * same kind and in one face, and none may be clear. All arguments, the receivers and
+ * the pool must outlive *coefficients. PP_INTERRUPTED if goes_on has returned false;
+ * likewise in pp_year_coefficients_light. */
 enum pp_status pp_year_coefficients_create(
     struct pp_year_coefficients **coefficients, const struct pp_light_scene *scene,
     const struct pp_environment *environment, const struct pp_receiver *receivers,
@@ -51,13 +52,13 @@ enum pp_status pp_year_coefficients_light(struct pp_year_coefficients *coefficie
                                           const struct pp_light_columns *light,
                                           struct pp_error *err);
 
-/* Mean illuminance (lx) over the outside of a group's panes in every hour and batch:
+/* Mean illuminance (lx) on the outside of a group's panes in every hour and batch:
  * lx[batch][hour]. Each row has tiles x PP_LIGHT_LANES entries. */
 void pp_year_coefficients_on_panes(const struct pp_year_coefficients *coefficients,
                                    int group, float *lx);
 
-/* Illuminance of a receiver from a group's panes, each with a uniform exitance of 1
- * lm/m2, in one batch. */
+/* Illuminance (lx) of a receiver from a group's panes, each with a uniform exitance of
+ * 1 lm/m2, in one batch. */
 float pp_year_coefficients_by_panes(const struct pp_year_coefficients *coefficients,
                                     int receiver, int group, int batch);
 
@@ -80,13 +81,12 @@ enum pp_status pp_year_coefficients_sun(const struct pp_year_coefficients *coeff
                                         int first, int count, float *sun,
                                         struct pp_error *err);
 
-/* Standard error of a point's simulated light over that light, under a uniform sky and
- * with equal sunlight on all cells: an estimate that needs no hours. 0 without
- * light. */
+/* Relative standard error of a point's simulated light, under a uniform sky and with
+ * equal sunlight on all cells. This estimate needs no hours; 0 without light. */
 double pp_year_coefficients_spread(const struct pp_year_coefficients *coefficients,
                                    int receiver);
 
-/* Mean over the batches of a receiver's coefficients by column, for all groups
+/* Mean of a receiver's coefficients over the batches, by column, for all groups
  * together, without direct light. */
 void pp_year_coefficients_mean(const struct pp_year_coefficients *coefficients,
                                int receiver, float *mean);

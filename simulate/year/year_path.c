@@ -1,4 +1,5 @@
-/* year_path.c - the loop of path_trace.c, with events instead of light. */
+/* year_path.c - the loop of path_trace.c, which here reports events instead of
+ * light. */
 #include "simulate/year/year_path.h"
 
 #include <stddef.h>
@@ -19,11 +20,11 @@ struct year_path {
     int opening;
     bool counted, aims;
     bool scattered; /* by anything except clear glass */
-    bool is_first;  /* the receiver itself aims */
+    bool is_first;  /* at the receiver itself, which aims at openings */
 };
 
-/* As pp_path_walk_meet, but with the short cut for convex rooms, which saves a tenth of
- * the time of a year. */
+/* Like pp_path_walk_meet, but with the short cut for convex rooms, which saves a tenth
+ * of the time of a year. */
 static enum pp_meeting meet_next(struct year_path *path, struct pp_light_hit *hit)
 {
     struct pp_path_walk *walk = path->walk;
@@ -73,7 +74,8 @@ static void add_exitance(const struct year_path *path, const struct pp_light_hit
 
 static void follow(struct year_path *path);
 
-/* Reports the sunlight that a scattering pane, met from inside, sends along the path. */
+/* Reports the sunlight that a scattering pane, hit from inside, sends along the
+ * path. */
 static void add_pane_sun(const struct year_path *path, const struct pp_lobes *lobes,
                          const struct pp_light_hit *hit)
 {
@@ -97,9 +99,9 @@ static void add_pane_sun(const struct year_path *path, const struct pp_lobes *lo
     path->sink->pane_sun(path->sink->data, &event);
 }
 
-/* Chooses a direction to an opening, from one side of a surface, with `weight` for
- * radiance arriving there; sets the path, and the lobes through the pane that it has hit.
- * False if none is hit. */
+/* Chooses a direction to an opening, from one side of a surface; `weight` is the weight
+ * of radiance arriving there. Sets the path, and the lobes through the pane that it has
+ * hit. False if no pane is hit. */
 static bool aim_at_pane(struct year_path *path, const struct pp_lit_point *at,
                         double weight, struct pp_light_hit *hit, struct pp_lobes *lobes)
 {
@@ -132,7 +134,7 @@ static bool aim_at_pane(struct year_path *path, const struct pp_lit_point *at,
     return true;
 }
 
-/* Next-event estimation from one side of a surface. */
+/* Next-event estimation of openings from one side of a surface. */
 static void aim(const struct year_path *from, const struct pp_lit_point *at,
                 double weight)
 {
@@ -143,7 +145,8 @@ static void aim(const struct year_path *from, const struct pp_lit_point *at,
     if (!aim_at_pane(&path, at, weight, &hit, &lobes))
         return;
 
-    /* Out through the pane. A pane that scatters is lit by the sun outside. */
+    /* The path goes out through the pane. A pane that scatters is lit by the sun
+     * outside. */
     if (path.sink->pane) {
         struct pp_year_event event = event_of(&path, path.weight);
         path.sink->pane(path.sink->data, &event);
@@ -194,7 +197,8 @@ static void add_diffuse(struct year_path *path, const struct pp_lobes *lobes,
     }
 }
 
-/* True if the sink knows all light that leaves the surface towards the path. */
+/* True if the surface is diffuse and the sink knows its irradiance. The path then
+ * ends. */
 static bool ends_known(struct year_path *path, const struct pp_lobes *lobes,
                        const struct pp_light_hit *hit)
 {
@@ -225,8 +229,8 @@ static void follow(struct year_path *path)
         if (meeting == PP_MEETS_PART)
             add_exitance(path, &hit);
 
-        /* 2. The lobes of its BSDF. Light that comes in by an opening has been counted
-         * where the ray began. */
+        /* 2. The lobes of its BSDF. Light that enters through an opening was already
+         * counted where the ray began. */
         struct pp_vec3 wo = pp_vec_scale(path->ray.to, -1.0);
         struct pp_lobes lobes = pp_path_walk_lobes(walk, &hit, wo);
         int window =

@@ -1,4 +1,4 @@
-/* year_product.c - four rows and sixteen hours at a time, in registers. */
+/* year_product.c - calculates four rows and sixteen hours at a time, in registers. */
 #include "simulate/year/year_product.h"
 
 #include "simulate/sampling/lanes.h"

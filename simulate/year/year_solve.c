@@ -1,5 +1,5 @@
-/* year_solve.c - V of equation (2), summed up term by term for a block of receivers at
- * once: V = G_x + G_x G + ... */
+/* year_solve.c - sums V of equation (2) term by term, for a block of receivers at once:
+ * V = G_x + G_x G + ... */
 #include "simulate/year/year_solve.h"
 
 #include <stdlib.h>
@@ -13,7 +13,7 @@ int pp_year_solve_columns(const struct pp_year_task *task)
 }
 
 enum { BLOCK = 8, TERMS_MOST = 400 };
-static const double LAST_TERM = 1e-5; /* terms below this share of the sum are
+static const double LAST_TERM = 1e-5; /* terms below this fraction of the sum are
                                        * dropped */
 
 typedef float block_row[BLOCK];

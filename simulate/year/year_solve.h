@@ -1,4 +1,5 @@
-/* year_solve.h - equation (2) of year_batch.h for the receivers of one randomisation. */
+/* year_solve.h - solves equation (2) of year_batch.h for the receivers of one
+ * randomisation. */
 #ifndef PP_SIMULATE_YEAR_YEAR_SOLVE_H
 #define PP_SIMULATE_YEAR_YEAR_SOLVE_H
 
@@ -13,8 +14,8 @@ enum pp_year_rows {
     PP_YEAR_ROWS_COUNT
 };
 
-/* Columns of D for each group: those of light, the outdoor cells, the classes of light that
- * leaves scattering panes, and the panes as emitters, which are the last. */
+/* Number of columns of D for each group: the columns of light, the outdoor cells, the
+ * classes of light that leaves scattering panes and, last, the panes as emitters. */
 int pp_year_solve_columns(const struct pp_year_task *task);
 
 /* Fills light, outdoor, inside and by_pane of the batch. of_cells, of_points: by

@@ -5,8 +5,8 @@
 #include "simulate/sampling/lobe.h"
 #include "simulate/sampling/sample_discrete.h"
 
-/* Russian roulette applies to photons with less than this share of the mean flux of
- * all. Measured: 0.1 takes 20 % more work, 0.6 the same. */
+/* Russian roulette applies to photons with less than this fraction of the mean flux of
+ * all photons. Measured: 0.1 takes 20 % more work, 0.6 the same. */
 static const double LEAST = 0.3;
 
 static struct pp_rgb through_of(const struct pp_photon_state *state,
@@ -20,8 +20,8 @@ static struct pp_rgb through_of(const struct pp_photon_state *state,
 }
 
 /* Light that enters at a point of an opening from a sampled direction, divided by the
- * density of that direction relative to the cosine lobe's. At clear glass the photon
- * continues in this direction. */
+ * density of the direction. The density is relative to that of the cosine lobe. At
+ * clear glass the photon continues in this direction. */
 static struct pp_rgb enter(struct pp_photon_state *state,
                            const struct pp_photon_source *source, const double u[2],
                            int vertex, struct pp_photon *photon)
@@ -131,8 +131,8 @@ bool pp_photon_arrive(struct pp_photon_state *state, struct pp_photon *photon)
     return true;
 }
 
-/* Component of the photon's light. Light through a diffusing pane has the component of
- * its source outside, as through clear glass. */
+/* Component of the photon's light. Light through a diffusing pane belongs to the same
+ * component as light through clear glass. */
 static enum pp_photon_last last_of(const struct pp_photon *photon, bool through,
                                    enum pp_space space)
 {

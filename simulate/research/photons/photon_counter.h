@@ -3,7 +3,7 @@
  *
  * A photon that crosses the sensor from its front adds flux / area and continues
  * unaffected. The sum is the mean irradiance over the sensor, without connections or
- * limits; light reflected by mirrors and panes is counted like any other.
+ * limits. Light reflected by mirrors and panes is counted like any other light.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_COUNTER_H
@@ -11,7 +11,7 @@
 #include "simulate/research/photons/photon.h"
 
 struct pp_photon_counter {
-    struct pp_vec3 point, normal;         /* point of the plane, and normal of its
+    struct pp_vec3 point, normal;         /* point of the sensor's plane; normal of its
                                            * front */
     double area_m2;                       /* 0: there is no counter */
     double radius_m;                      /* radius of a disc about the point; 0: not

@@ -11,15 +11,16 @@ enum { OF_OUTSIDE, OF_PHOTON, OF_CONNECTION };
 
 /* A ray on its way from a receiver. */
 struct gathering {
-    struct pp_photon_receiver receiver; /* place of the last diffuse scattering, from
-                                         * which the ray comes */
+    struct pp_photon_receiver receiver; /* place of the last diffuse scattering, where
+                                         * the ray starts */
     struct pp_light_ray ray;
     struct pp_rgb throughput; /* irradiance at the first receiver for unit radiance
                                * along the ray */
     double here;              /* cosine at the receiver */
     double gone_m;
     bool straight; /* the ray arrived directly, or through clear glass */
-    bool seen;     /* the first receiver's component is known: `what` */
+    bool seen;     /* true if the component at the first receiver is already known:
+                    * `what` */
     enum pp_photon_last what;
     struct pp_light_hit hit;
     struct pp_lobes lobes;
@@ -34,7 +35,7 @@ static void add_gathered_light(struct gathering *ray, struct pp_rgb radiance,
     ray->sums[ray->seen ? ray->what : what] += share * pp_rgb_luminance(light);
 }
 
-/* Share of the light at the ray's end that connections do not cover. */
+/* Fraction of the light at the ray's end that connections do not cover. */
 static double left_of(const struct pp_photon_state *state, const struct gathering *ray,
                       int source)
 {
@@ -46,7 +47,7 @@ static double left_of(const struct pp_photon_state *state, const struct gatherin
     return projected > limit ? 1.0 - limit / projected : 0.0;
 }
 
-/* Adds light that enters through the pane that the ray has met from inside. */
+/* Adds the light that enters through the pane, which the ray has hit from inside. */
 static void add_entering(struct pp_photon_state *state, struct gathering *ray, int pane)
 {
     double share = left_of(state, ray, pane), u[2];
@@ -85,8 +86,7 @@ static void add_sources(struct pp_photon_state *state, struct gathering *ray)
     }
 }
 
-/* Follows a photon and adds its light at the ray's end, which has become a receiver
- * itself. */
+/* Follows a photon and adds its light at the ray's end, which acts as a receiver. */
 static void add_photon(struct pp_photon_state *state, struct gathering *ray)
 {
     struct pp_photon photon;

@@ -7,8 +7,8 @@
 
 enum { MOST_PANES = 64 }; /* most panes that a shadow ray passes */
 
-/* Surfaces hit at less than this height over the receiver's plane do not hide it. They
- * may be the receiver's own surface, since intersections have single precision. */
+/* Surfaces at less than this height above the receiver's plane do not hide it. They may
+ * be the receiver's own surface, since intersections have single precision. */
 static const double OVER_PLANE_M = 1e-5;
 
 double pp_photon_receiver_limit(const struct pp_photon_state *state,
@@ -22,7 +22,7 @@ double pp_photon_receiver_limit(const struct pp_photon_state *state,
     return of->limit;
 }
 
-/* True if only clear surfaces are met within the distance; *through is multiplied by
+/* True if the ray meets only clear surfaces within the distance; multiplies *through by
  * their transmittance. cosine: at the receiver. */
 static bool passes(struct pp_photon_state *state, struct pp_light_ray ray,
                    double distance_m, double cosine, struct pp_rgb *through)

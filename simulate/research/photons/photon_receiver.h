@@ -1,13 +1,14 @@
 /* photon_receiver.h - the contribution of a light-emitting place to a receiver: a
  * connection, (1) of photon_sources.h, with a shadow ray.
  *
- * cos cos'/d^2 is clamped to the place's limit. The remaining share,
+ * cos cos'/d^2 is clamped to the place's limit. The fraction of light that remains,
  *
  *     w = min(1, limit d^2 / (cos cos'))
  *
- * depends on the two places alone, not on how they were drawn: a ray from the receiver
- * that reaches the same place directly, or through clear glass, gets 1 - w of its light
- * (photon_gather.h), as in [KK06]. Their sum is unbiased, and both are bounded.
+ * depends on the two places alone, not on how they were drawn. A ray from the receiver
+ * that reaches the same place directly, or through clear glass, gets the fraction 1 - w
+ * of the place's light (photon_gather.h), as in [KK06]. The sum of both estimates is
+ * unbiased, and both are bounded.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_RECEIVER_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_RECEIVER_H
@@ -17,7 +18,7 @@
 struct pp_photon_receiver {
     struct pp_vec3 point, normal;
     enum pp_space space;
-    const double *chances; /* probabilities of openings if drawn for this receiver;
+    const double *chances; /* probability of each opening if drawn for this receiver;
                             * NULL: by power; not owned */
 };
 

@@ -11,23 +11,23 @@
 #include "simulate/sampling/triangle.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* Limit of cos cos'/d^2 in units of pi over the area, which is its mean over a source
- * (or over all surfaces) that fills the half space. Measured in 40 rooms, by the work
- * for a given error: for sources, 0.5 to 2 agree within 6 %, 32 takes 15 % more; for
- * surfaces, 8 to 32 are equal, 2 and 100 take 5 to 10 % more. */
+/* Limit of cos cos'/d^2 in units of pi over the area. This unit is the mean of cos
+ * cos'/d^2 over a source (or over all surfaces) that fills the half space. Measured in
+ * 40 rooms, by the work for a given error. For sources, 0.5 to 2 agree within 6 %; 32
+ * takes 15 % more. For surfaces, 8 to 32 are equal; 2 and 100 take 5 to 10 % more. */
 static const double SOURCE_LIMIT = 1.0, SURFACE_LIMIT = 8.0;
 
 /* Weight added to every direction of a table, relative to the mean luminance. */
 static const double LEAST_CELL = 0.2;
 
-/* Luminance over Eh that the estimate adds outside an opening, since only black
- * surfaces may be visible from its middle. */
+/* Luminance over Eh that is added to the estimate outside an opening, since perhaps
+ * only black surfaces are visible from its middle. */
 static const double LEAST_LUMINANCE = 0.003;
 
-/* Estimated light of a surface outside, relative to that of an unshaded one. */
+/* Estimated illuminance on a shaded surface outside, relative to an unshaded one. */
 static const double SHADED = 0.3;
 
-/* Least share of an opening among the visible ones, relative to its share under uniform
+/* Least probability of a visible opening, relative to its probability under uniform
  * brightness. */
 static const double LEAST_IMPORTANCE = 0.02;
 
@@ -261,8 +261,8 @@ struct pp_vec3 pp_photon_sources_point(const struct pp_light_scene *scene,
                                 source->area_m2, u, v);
 }
 
-/* Cell drawn by u in (0, 1) and the weights, whose mean is `mean`; u becomes the
- * position within it. */
+/* Cell drawn by u in (0, 1) according to the weights, whose mean is `mean`. u becomes
+ * the position within the cell, 0 to 1. */
 static int source_cell(const double *weights, double mean, double *u)
 {
     double left = *u * PP_PHOTON_CELLS * mean;
@@ -301,8 +301,8 @@ static double projected(const struct pp_target *target, struct pp_vec3 on,
     return fmin(here * there / (d2 * d2), PP_PI / target->area_m2);
 }
 
-/* Projected area of a triangle over the squared distance, from its corners and middle;
- * *seen is set if it is above 0 at one of these points. */
+/* Projected area of a triangle over the squared distance, estimated from its corners
+ * and middle. Sets *seen if the value is above 0 at one of these points. */
 static double projected_triangle(const struct pp_target *target, int index,
                                  struct pp_vec3 point, struct pp_vec3 normal,
                                  bool *seen)

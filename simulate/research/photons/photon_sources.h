@@ -1,20 +1,20 @@
 /* photon_sources.h - sources of photons: the openings of a room, for the light of sky
- * and ground, and the self-luminous surfaces in it.
+ * and ground, and the self-luminous surfaces in the room.
  *
- * A source is drawn in proportion to its estimated light, and a point of it uniformly.
- * At clear glass a direction is drawn in proportion to the luminance outside times the
- * glass's transmittance and the projected area, by a table over the unit square, which
- * the concentric map [SC97] maps to the cosine lobe. The estimates, made from the
- * middle of each opening, affect the variance alone: every direction has a known
- * density, by which light is divided.
+ * A source is drawn in proportion to its estimated light, and a point on the source
+ * uniformly. At clear glass, a direction is drawn in proportion to the luminance
+ * outside times the glass's transmittance times the projected area. It is drawn from a
+ * table over the unit square, which the concentric map [SC97] maps to the cosine lobe.
+ * The estimates are made from the middle of each opening. They affect the variance
+ * alone, since the light is divided by the known density of the direction.
  *
  * A photon that starts at x with density p(x) contributes to a receiver at distance d
  *
  *     L cos cos'/d^2 / p(x)                                              (1)
  *
  * which is unbounded as d approaches 0. Therefore cos cos'/d^2 is clamped to a limit,
- * for sources and for surfaces that photons hit. The part cut off is sampled by rays
- * from the receiver (photon_gather.h), whose weights are bounded where (1) is not.
+ * for sources and for surfaces that photons hit. Rays from the receiver sample the part
+ * cut off (photon_gather.h); their weights are bounded where (1) is not.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_SOURCES_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTON_SOURCES_H
@@ -25,16 +25,15 @@ enum { PP_PHOTON_CELLS = 16 }; /* cells along either side of the table */
 
 struct pp_photon_source {
     int pane; /* index of the opening's pane in the scene; -1: a lamp */
-    int part; /* the part, and whether light leaves from its back */
+    int part; /* the part; whether light leaves from its back */
     bool back;
     const struct pp_vec3 (*triangles)[3]; /* not owned */
     int triangle_count;
     double area_m2;
     struct pp_rgb radiance; /* radiance of a lamp */
     double power;           /* estimated flux */
-    double chance;          /* probability with which it is drawn */
-    double limit;           /* limit of cos cos'/d^2 (1/m2), if drawn with that
-                             * probability */
+    double chance;          /* probability with which the source is drawn */
+    double limit;           /* limit of cos cos'/d^2 (1/m2) for this probability */
     bool clear;             /* true if directions are drawn from the table: */
     double rows[PP_PHOTON_CELLS];
     double cells[PP_PHOTON_CELLS][PP_PHOTON_CELLS]; /* values with a mean of 1 */
@@ -51,7 +50,8 @@ struct pp_photon_sources {
     struct pp_vec3 (*triangles)[3]; /* triangles of lamps */
 };
 
-/* environment: of the same scene, of a world; both must outlive *sources. */
+/* environment: of the same scene, of a world. Scene and environment must outlive
+ * *sources. */
 enum pp_status pp_photon_sources_create(struct pp_photon_sources **sources,
                                         const struct pp_light_scene *scene,
                                         const struct pp_environment *environment,
@@ -68,8 +68,8 @@ struct pp_vec3 pp_photon_sources_point(const struct pp_light_scene *scene,
                                        const struct pp_photon_source *source, double u,
                                        double v);
 
-/* Direction about n by the source's table and two numbers in (0, 1); *density: relative
- * to that of the cosine lobe, cos/pi. */
+/* Direction about n, drawn from the source's table by two numbers in (0, 1). *density:
+ * relative to that of the cosine lobe, cos/pi. */
 struct pp_vec3 pp_photon_sources_direction(const struct pp_light_scene *scene,
                                            const struct pp_photon_source *source,
                                            struct pp_vec3 n, double u, double v,

@@ -41,7 +41,7 @@ static inline int pp_photon_state_branch(int vertex, int kind)
     return (int)(mixed >> 4) + 64;
 }
 
-/* pp_light_scene_meet, with the ray counted. */
+/* Calls pp_light_scene_meet, and counts the ray. */
 static inline enum pp_meeting pp_photon_state_meet(struct pp_photon_state *state,
                                                    const struct pp_light_ray *ray,
                                                    struct pp_light_hit *hit)
@@ -53,8 +53,8 @@ static inline enum pp_meeting pp_photon_state_meet(struct pp_photon_state *state
 }
 
 /* Point of a hit, moved back along the ray by half of the distance by which rays are
- * lifted off surfaces (rays.h): in a corner it would otherwise also be in the other
- * surface. */
+ * lifted off surfaces (rays.h). Otherwise a point in a corner would also lie in the
+ * other surface. */
 static inline struct pp_vec3 pp_photon_state_drawn_back(const struct pp_light_hit *hit,
                                                         struct pp_vec3 to)
 {

@@ -86,7 +86,7 @@ static void follow_photon_set(struct pp_photon_state *state, struct photon_set *
     }
 }
 
-/* Task shared by the workers of a pool: how many photons each set needs. */
+/* Task shared by the workers of a pool: number of photons that each set needs. */
 struct photon_extension {
     const struct pp_photon_store *store;
     const uint32_t *wanted;

@@ -12,17 +12,18 @@
 #include "simulate/research/photons/photon_store.h"
 #include "simulate/scene/unsampled.h"
 
-/* The estimators. Their sums: direct light has PP_SC and PP_ERC, photons PP_ERC and
- * PP_IRC, rays from the receiver all three. */
+/* Estimators, and offsets of their sums. Direct light has sums for PP_SC and PP_ERC,
+ * photons for PP_ERC and PP_IRC, rays from the receiver for all three. */
 enum { DIRECT, PHOTONS, GATHER, ESTIMATORS };
 enum { SUM_DIRECT = 0, SUM_PHOTONS = 2, SUM_GATHER = 4 };
 
 /* Most photons that receivers share in a randomisation: about 5 MB each in a bright
- * room, with 64 in memory at a time. If that is not enough there are more
+ * room, with 64 in memory at a time. If more photons are needed, there are more
  * randomisations. */
 enum { MOST_SHARED = 1024 };
 
-/* Cost of a shared photon to a receiver, in rays, as if about 25 receivers used it. */
+/* Cost of a shared photon to a receiver, in rays, as if about 25 receivers used the
+ * photon. */
 static const double SHARED_COST = 0.3;
 
 /* Smallest target standard error, over Eh: a daylight factor of 0.002 %. */
@@ -65,8 +66,8 @@ static void take_direct(struct pp_photon_state *state, const struct photon_point
     sums[last == PP_PHOTON_FROM_SKY ? PP_SC : PP_ERC] += pp_rgb_luminance(light);
 }
 
-/* Adds the light of a shared photon to sums[0] (PP_ERC) or sums[1] (PP_IRC), depending
- * on whether the last surface that scattered it is outside or inside. */
+/* Adds the light of a shared photon. The last surface that scattered the photon
+ * determines the sum: outside, sums[0] (PP_ERC); inside, sums[1] (PP_IRC). */
 static void take_photon(struct pp_photon_state *state, const struct photon_point *point,
                         const struct pp_photon_place *places, int count, double *sums)
 {
@@ -261,8 +262,8 @@ static struct pp_sampler sharing(void)
 
 /* ---- making ---- */
 
-/* Makes the point of a receiver. Its seed depends on the receiver's position, not on
- * other receivers. */
+/* Makes the point of a receiver. The seed of the point depends on the receiver's
+ * position, not on other receivers. */
 static struct photon_point receiver_of(const struct pp_photons *photons,
                                        const struct pp_receiver *receiver,
                                        double sensor_m, uint64_t seed, double *chances)

@@ -1,10 +1,10 @@
 /* photons.h - daylight factors of a room by photons followed from the light sources, as
  * in Genelux [MPF95].
  *
- * Photons enter through the openings in proportion to the luminance outside and the
- * projected area of the opening, or leave a lamp, and are followed from surface to
+ * Photons enter through the openings, in proportion to the luminance outside and the
+ * projected area of the opening, or leave a lamp. They are followed from surface to
  * surface. At each surface their scattered light is added to every receiver
- * (photon_receiver.h), with the same photons for all receivers (photon_store.h).
+ * (photon_receiver.h); all receivers use the same photons (photon_store.h).
  * Alternatively, photons are counted where they cross a sensor of finite size
  * (photon_counter.h), as always for the average over the working plane. Direct light of
  * openings is a separate estimator, and light not covered by connections a third one
@@ -12,11 +12,12 @@
  *
  * The estimators are unbiased, since there is no density estimation with a radius.
  * Transport, directions to openings and the choice of paths are independent of the path
- * tracer, with which only ray intersection and the planning of errors are shared.
+ * tracer. The two engines share only ray intersection and the planning of errors.
  *
  * The caller runs the loop, as with the tracer: create, advance until done, with
- * readings at any time, then destroy. With a target error or a number of samples the
- * result depends on the world, light, receivers and seed alone, bit by bit.
+ * readings at any time, then destroy. With a target error or a number of samples, the
+ * result depends on the world, light, receivers and seed alone, and is bit-identical in
+ * every run.
  */
 #ifndef PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
 #define PP_SIMULATE_RESEARCH_PHOTONS_PHOTONS_H
@@ -31,16 +32,16 @@
 
 struct pp_photons_options {
     double
-        error; /* target standard error over the daylight factor, at every point; never
-                * under 0.00002 of Eh. 0: by samples or the caller's clock alone */
+        error; /* target standard error relative to the daylight factor, at every point;
+                * at least 0.00002 of Eh. 0: by samples or the caller's clock alone */
     long
         samples; /* photons per point and randomisation, instead of error; 0: not set */
     uint64_t seed;
     int threads;  /* 0: one for each processor */
     bool average; /* also the average over the working plane */
     double
-        sensor_m; /* radius of discs round the receivers on which photons are counted;
-                      * 0: the receivers are points */
+        sensor_m; /* radius of discs around the receivers on which photons are counted;
+                   * 0: the receivers are points */
 };
 
 struct pp_photons;
@@ -57,11 +58,11 @@ enum pp_status pp_photons_advance(struct pp_photons *photons, double seconds,
                                   struct pp_error *err);
 bool pp_photons_done(const struct pp_photons *photons);
 
-/* The share of the work that is done, 0 to 1, by the present plan. */
+/* Fraction of the present plan's work that is done, 0 to 1. */
 double pp_photons_progress(const struct pp_photons *photons);
 
-/* The largest standard error, relative to the daylight factor, over all points so far;
- * NAN before the first value. */
+/* Largest relative standard error of a daylight factor, over all points so far; NAN
+ * before the first value. */
 double pp_photons_error(const struct pp_photons *photons);
 
 /* The readings so far of receiver `index`, or of the average over the working plane for
@@ -69,14 +70,14 @@ double pp_photons_error(const struct pp_photons *photons);
 void pp_photons_read(const struct pp_photons *photons, int index,
                      struct pp_reading readings[PP_COMPONENT_COUNT]);
 
-/* Correlated share of the variance of the receivers' daylight factors, 0 to 1
- * (common_variance.h), since they share photons: among all of them; and among
+/* Correlated fraction of the variance of the receivers' daylight factors, 0 to 1
+ * (common_variance.h), due to shared photons: among all receivers; and among
  * neighbours. */
 double pp_photons_common(const struct pp_photons *photons);
 double pp_photons_common_near(const struct pp_photons *photons);
 
-/* The work done so far: photons and rays from receivers; all rays; and rays lost
- * between the edges of two surfaces. */
+/* Amount of work done so far. paths: photons, and rays from receivers. rays: all rays.
+ * leaks: rays lost in gaps between the edges of two surfaces. */
 struct pp_photons_work {
     long long paths, rays, leaks;
 };

@@ -6,8 +6,8 @@
 #include "simulate/research/radiosity/form_factor.h"
 
 /* Corners are moved towards the middle by this factor before their visibility is
- * tested: at the common edge of two neighbours that hide each other the test would have
- * no clear result. */
+ * tested. At the common edge of two neighbours that hide each other, the test would
+ * have no clear result. */
 static const double WITHIN = 0.9;
 
 struct descent {
@@ -25,7 +25,7 @@ static double factor_of(const struct descent *g, const struct pp_vec3 *corners,
     return pp_form_factor(g->taker->point, g->taker->normal, corners, count);
 }
 
-/* Visible share of a polygon, tested at its middle and corners: 0, 1, or a value
+/* Visible fraction of a polygon, tested at its middle and corners: 0, 1, or a value
  * between. by_middle: tested at its middle only. */
 static double seen_of(const struct descent *g, const struct pp_vec3 *corners, int count,
                       bool by_middle)
@@ -61,8 +61,8 @@ static double factor_seen(const struct descent *g, int index,
 }
 
 /* Possible variation of the light received from an element: its spread times the form
- * factor. For distant elements, whose parts have similar form factors, it is reduced by
- * size over distance. */
+ * factor. For distant elements, whose parts have similar form factors, this is reduced
+ * by the ratio of size to distance. */
 static double unevenness(const struct descent *g, const struct pp_element *element,
                          double factor)
 {

@@ -14,15 +14,14 @@
 
 struct pp_element_light_accuracy {
     double
-        tolerance;  /* greatest uncertainty of illuminance over Eh for which an element
+        tolerance;  /* greatest uncertainty of illuminance over Eh with which an element
                      * represents its parts */
-    double divided; /* greatest such uncertainty; above it an undivided element is to
-                     * be divided */
-    double
-        most_factor; /* limit for an element that may be partly hidden; a larger one is
-                      * divided */
-    double least_factor; /* below this form factor only the middle is tested for
-                          * visibility */
+    double divided; /* an undivided element with a greater uncertainty is to be
+                     * divided */
+    double most_factor; /* greatest form factor of an element that may be partly hidden;
+                         * above it, its parts are used */
+    double least_factor; /* below this form factor, visibility is only tested at the
+                          * middle */
 };
 
 /* Elements to divide; freed by the caller. */

@@ -6,8 +6,8 @@
 #include <string.h>
 
 enum {
-    PLANE_POINTS = 600, /* number at the first level */
-    FEWER_POINTS = 6,   /* divisor of that number for reflected light */
+    PLANE_POINTS = 600, /* number of points at the first level */
+    FEWER_POINTS = 6,   /* divisor of the number of points for reflected light */
 };
 
 static bool has_room(const struct pp_facets *facets)
@@ -54,7 +54,7 @@ void pp_element_receivers_clear(struct pp_element_receivers *receivers)
 }
 
 /* Sets the points of the plane. If there is a diffusing pane, which emits like a
- * surface, all points receive reflected light. */
+ * surface, reflected light is gathered at all points. */
 static enum pp_status set_plane(struct pp_element_receivers *receivers,
                                 const struct pp_facets *facets, int level,
                                 struct pp_error *err)
@@ -218,8 +218,8 @@ enum pp_status pp_element_receivers_by_elements(struct pp_element_receivers *rec
     return by_elements(receivers, 0, receivers->asked, err);
 }
 
-/* For the plane's average: gathers direct light at its points, then reflected light at
- * its (usually fewer) points for reflected light. */
+/* Gathers light for the plane's average: direct light at the points for direct light,
+ * then reflected light at the (usually fewer) points for reflected light. */
 enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receivers,
                                              struct pp_error *err)
 {

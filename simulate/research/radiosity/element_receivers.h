@@ -16,17 +16,18 @@ struct pp_element_receiver {
     struct pp_light_sum openings, elements;
     struct pp_wanted wanted;
     double openings_value[PP_LIGHT_PARTS], elements_value[PP_LIGHT_PARTS];
-    double df; /* both, without an allowance for decorations */
+    double df; /* direct and reflected light, without an allowance for decorations */
 };
 
 struct pp_element_receivers {
     struct pp_element_receiver
-        *list; /* receivers requested, the plane's points for openings, the plane's
-                * points for elements */
+        *list; /* requested receivers, then the plane's points for openings, then those
+                * for elements */
     int asked, count;
     struct pp_plane_points direct, reflected; /* points of the plane for direct and for
                                                * reflected light */
-    struct pp_radiosity_system *system;       /* source of their light; not owned */
+    struct pp_radiosity_system *system;       /* source of the receivers' light; not
+                                               * owned */
     int level;
 };
 
@@ -42,7 +43,7 @@ enum pp_status pp_element_receivers_begin(struct pp_element_receivers *receivers
                                           struct pp_radiosity_system *system, int level,
                                           struct pp_error *err);
 
-/* Accuracy with which elements are summed by any receiver. */
+/* Accuracy with which the light of elements is summed at any receiver. */
 struct pp_element_light_accuracy pp_element_receivers_accuracy(int level);
 
 /* Gathers light for the requested receivers. Elements that need division are listed in
@@ -58,7 +59,8 @@ enum pp_status pp_element_receivers_on_plane(struct pp_element_receivers *receiv
                                              struct pp_error *err);
 
 /* Daylight factors of a requested receiver, or the plane's average for index -1 (NAN if
- * it has no points); reflected light times an allowance for decorations. */
+ * the plane has no points). Reflected light is multiplied by the allowance
+ * `decorations`. */
 void pp_element_receivers_value(const struct pp_element_receivers *receivers, int index,
                                 double decorations, double value[PP_COMPONENT_COUNT]);
 

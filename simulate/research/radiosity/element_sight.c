@@ -19,7 +19,7 @@ static const struct pp_facet *inside(const struct pp_element_sight *sight, int i
     return &sight->facets->list[sight->inside[i]];
 }
 
-/* Lowest and highest corner of inside[i], as heights over the plane of
+/* Lowest and highest corner of inside[i], as heights (m) above the plane of
  * inside[plane]. */
 static void reach(const struct pp_element_sight *sight, int i, int plane, double *low,
                   double *high)

@@ -1,9 +1,9 @@
 /* element_sight.h - visibility between two places in the room.
  *
- * Most pairs of places see each other, and most facets cannot be between a given pair:
- * a facet cannot if some plane has both places on one side and the facet on the other.
- * This is decided from precomputed signs; only the few remaining facets are tested,
- * with one intersection each.
+ * Most pairs of places see each other. A facet cannot be between two places if some
+ * plane has both places on one side and the facet on the other. Precomputed signs
+ * exclude most facets in this way. Each of the few remaining facets is tested by one
+ * intersection.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_SIGHT_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_ELEMENT_SIGHT_H
@@ -31,8 +31,8 @@ void pp_element_sight_destroy(struct pp_element_sight *sight); /* NULL is allowe
 struct pp_element_view {
     const struct pp_element_sight *sight; /* not owned */
     struct pp_vec3 point;
-    uint64_t above, below; /* the planes that it is above or below */
-    int *blockers;         /* facets that may be between it and the target */
+    uint64_t above, below; /* planes that the point is above or below */
+    int *blockers;         /* facets that may be between the point and the target */
     int blocker_count;
 };
 
@@ -45,7 +45,7 @@ void pp_element_sight_view_clear(struct pp_element_view *view);
 /* Sets the target to inside[target], and lists its possible blockers. */
 void pp_element_sight_look_at(struct pp_element_view *view, int target);
 
-/* True if no blocker is in front of that point. */
+/* True if no blocker hides this point of the target. */
 bool pp_element_sight_shows(const struct pp_element_view *view, struct pp_vec3 point);
 
 #endif

@@ -7,7 +7,7 @@
 #include "model/base/array.h"
 #include "model/geometry/clip.h"
 
-/* Parts smaller than this share of an element are dropped. */
+/* Parts smaller than this fraction of an element are dropped. */
 static const double NOTHING = 1e-9;
 
 struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side)
@@ -273,7 +273,8 @@ int pp_element_tree_at(const struct pp_element_tree *tree, int side,
 }
 
 /* Sets the spread within each undivided part of an element: half of `spread`, the
- * difference between the parts, since a part extends over half of their distance. */
+ * difference between the parts, since a part extends over half of the distance between
+ * their middles. */
 static void spread_within(struct pp_element_tree *tree, const struct pp_element *parent,
                           double spread)
 {

@@ -1,6 +1,6 @@
 /* element_tree.h - the elements of the room's sides, as trees: the roots are the pieces
- * of a side, and each level consists of the parts of the level above. An element's
- * radiosity is uniform; that of a divided element is the mean of its parts.
+ * of a side, and each level consists of the parts of the level above. The radiosity of
+ * an element is uniform; a divided element has the mean radiosity of its parts.
  *
  * A side without emission and reflection has no elements.
  */
@@ -17,8 +17,8 @@ enum {
 };
 
 struct pp_element {
-    int side;                /* index of the side: twice the facet's, plus 1 for the
-                              * back */
+    int side;                /* index of the side: twice the facet's index, plus 1 for
+                              * the back */
     int first_corner, count; /* corners of the convex outline */
     struct pp_vec3 middle;   /* centre of area */
     double area_m2;
@@ -35,22 +35,22 @@ struct pp_element {
 
 struct pp_element_tree {
     const struct pp_facets *facets; /* not owned */
-    struct pp_element *list;        /* roots first, by sides */
+    struct pp_element *list;        /* roots first, in the order of the sides */
     int count, room;
     struct pp_vec3 *corners;
     int corner_count, corner_room;
     int (*roots)[2]; /* for each side: the first root, and the number of roots */
 };
 
-/* Makes elements with a length of at most size_m and at most PP_ELEMENT_LONG times
- * their width. facets must outlive *tree. */
+/* Makes elements that are at most size_m long, and at most PP_ELEMENT_LONG times as
+ * long as wide. facets must outlive *tree. */
 enum pp_status pp_element_tree_create(struct pp_element_tree **tree,
                                       const struct pp_facets *facets, double size_m,
                                       struct pp_error *err);
 void pp_element_tree_destroy(struct pp_element_tree *tree); /* NULL is allowed */
 
-/* Divides an undivided element into halves if it is long, else into quarters. The parts
- * begin with its radiosity. */
+/* Divides an undivided element: into halves if it is long, otherwise into quarters. The
+ * parts initially have the radiosity of the whole. */
 enum pp_status pp_element_tree_divide(struct pp_element_tree *tree, int element,
                                       struct pp_error *err);
 
@@ -62,19 +62,19 @@ int pp_element_tree_at(const struct pp_element_tree *tree, int side,
  * elements. */
 void pp_element_tree_average(struct pp_element_tree *tree);
 
-/* The side's normal, on the side of emission. */
+/* Normal of the side, pointing to where its light goes. */
 struct pp_vec3 pp_element_tree_normal(const struct pp_element_tree *tree, int side);
 
 /* The parts of a convex polygon after a division. */
 struct pp_element_parts {
-    int count, counts[PP_ELEMENT_PARTS]; /* number of parts, and of each part's
-                                          * corners */
+    int count, counts[PP_ELEMENT_PARTS]; /* number of parts; number of corners of each
+                                          * part */
     struct pp_vec3 corners[PP_ELEMENT_PARTS][PP_FORM_FACTOR_MOST];
 };
 
 /* Divides a convex polygon of a facet, with up to PP_FORM_FACTOR_MOST / 2 corners,
  * through the middle of its extent along the facet's axes: into halves if it is long,
- * else into quarters. */
+ * otherwise into quarters. */
 void pp_element_tree_cut(struct pp_element_parts *parts, const struct pp_facet *facet,
                          const struct pp_vec3 *corners, int count);
 

@@ -12,8 +12,8 @@
 
 /* Lines nearer to each other than this are merged (m). */
 static const double SAME_LINE_M = 1e-6;
-/* A cell filled by less than this share counts as empty, by more than 1 - this as
- * full. */
+/* A cell counts as empty if less than this fraction is filled, and as full if more than
+ * 1 - this fraction is filled. */
 static const double NOTHING = 1e-9;
 
 enum { MOST_LINES = 32 };
@@ -146,7 +146,7 @@ static bool is_cover_of(const struct pp_world *world, int surface, int wall)
            && world->surfaces[surface].owner == wall;
 }
 
-/* Subtracts the covers of the wall from its region. */
+/* Subtracts the doors and dados (covers) of the wall from its region. */
 static enum pp_status less_covers(const struct cutting *work, struct pp_region *region,
                                   struct pp_error *err)
 {

@@ -39,9 +39,9 @@ static void set_side(struct pp_facet *facet, int side, bool indoors,
                                .exitance = PP_PI * material->radiance.g};
 }
 
-/* A cover is treated as part of its wall's plane, although for rays it is in front of
- * it. Both cover and wall belong to the envelope; outdoors both have the wall's
- * finish. */
+/* A cover (a door or dado) is treated as part of its wall's plane, although it is in
+ * front of the wall for rays. Both cover and wall belong to the envelope; outdoors both
+ * have the wall's finish. */
 static void set_surface(struct pp_facet *facet, const struct pp_world *world, int index)
 {
     const struct pp_surface *surface = &world->surfaces[index];
@@ -103,7 +103,8 @@ static enum pp_status fan(struct triangles *triangles, const struct pp_vec3 *cor
     return status;
 }
 
-/* Adds a surface outdoors, by its triangulation if it is not convex. */
+/* Adds the triangles of a surface outdoors; a surface that is not convex is
+ * triangulated. */
 static enum pp_status fan_surface(struct triangles *triangles,
                                   const struct pp_surface *surface, int owner,
                                   struct pp_error *err)

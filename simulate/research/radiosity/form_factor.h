@@ -2,11 +2,13 @@
  * radiosity, in closed form.
  *
  * Stokes' theorem turns the integral of cos cos'/(pi r^2) over the polygon into a sum
- * over its edges, Lambert's [LAM1760]: with a and b the directions to an edge's ends,
+ * over its edges, Lambert's formula [LAM1760]. With a and b the directions to the ends
+ * of an edge,
  *
  *     F = 1/(2 pi) sum angle(a, b) n . (a x b)/|a x b|                    (1)
  *
- * for the part above the point's horizon. Obstructions are handled elsewhere.
+ * for the part of the polygon above the point's horizon. Obstructions are handled
+ * elsewhere.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_FORM_FACTOR_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_FORM_FACTOR_H

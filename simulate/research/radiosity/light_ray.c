@@ -1,11 +1,11 @@
 /* light_ray.c - see light_ray.h. */
 #include "simulate/research/radiosity/light_ray.h"
 
-/* Rays are dropped if their weight is below LEAST, and after MOST_PANES panes. */
+/* A ray is dropped if its weight is below LEAST, or after MOST_PANES panes. */
 static const double LEAST = 1e-5;
 enum { MOST_PANES = 12 };
 
-/* Assumed illuminance of a place outside whose radiosity is not yet known, over Eh. */
+/* Assumed illuminance over Eh of a place outside whose radiosity is not yet known. */
 static const double GUESS = 0.4;
 
 struct walk {

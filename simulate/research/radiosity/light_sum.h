@@ -2,8 +2,8 @@
  * system of equations.
  *
  * Sky and fixed light outside are numbers. Elements and places outside are unknowns,
- * represented by a weight: the form factor times the transmittance. Each term has its
- * component at the place.
+ * represented by a weight: the form factor times the transmittance. Each term belongs
+ * to one component (PP_SC, PP_ERC or PP_IRC) at the place.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_SUM_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_LIGHT_SUM_H
@@ -43,7 +43,7 @@ void pp_light_sum_add(struct pp_light_sum *sum, int source, enum pp_component pa
 void pp_light_sum_hit(struct pp_light_sum *sum, int side, struct pp_vec3 point,
                       enum pp_component part, double weight);
 
-/* Position in a sum; the light added after it can be scaled. */
+/* Position in a sum, used to scale the light that is added later. */
 struct pp_light_mark {
     double fixed[PP_LIGHT_PARTS];
     int term_count, hit_count;
@@ -51,12 +51,12 @@ struct pp_light_mark {
 
 struct pp_light_mark pp_light_sum_mark(const struct pp_light_sum *sum);
 
-/* Multiplies everything added between the two marks by the factor; 0 removes it. No
+/* Multiplies all light added between the two marks by the factor; 0 removes it. No
  * fixed light may have been added after `to`. */
 void pp_light_sum_scale(struct pp_light_sum *sum, const struct pp_light_mark *from,
                         const struct pp_light_mark *to, double factor);
 
-/* Drops terms and hits of no weight. */
+/* Drops terms and hits with weight 0. */
 void pp_light_sum_tidy(struct pp_light_sum *sum);
 
 #endif

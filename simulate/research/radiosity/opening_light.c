@@ -1,5 +1,5 @@
-/* opening_light.c - divides panes into cells, until the light of each cell agrees with
- * that of its parts. */
+/* opening_light.c - divides panes into cells until the light of each cell agrees with
+ * the light of its parts. */
 #include "simulate/research/radiosity/opening_light.h"
 
 #include <math.h>
@@ -11,19 +11,19 @@
 enum {
     DEEPEST = 9, /* most divisions that split a cell's light among its parts */
     NEAREST =
-        48, /* most divisions in all: enough for a point in front of a pane at 1e-14
-             * of the pane's size */
+        48, /* most divisions in all: enough for a point at 1e-14 of the pane's size in
+             * front of it */
 };
 
-/* Smaller differences in light, over Eh, are not resolved: a fifth of the tracer's
- * limit. */
+/* Smaller differences in light, over Eh, are not resolved: a fifth of the path tracer's
+ * least error. */
 static const double UNTOLD = 4e-6;
 
-/* Factor by which corners are moved towards the middle of their cell before they are
+/* Corners are moved towards the middle of their cell by this factor before they are
  * tested. */
 static const double WITHIN = 0.96;
-/* Rough share of a part's area in which light may differ if only the test at the corner
- * shows the difference. */
+/* Rough fraction of a part's area in which light may differ if only the test at the
+ * corner shows the difference. */
 static const double CORNER = 0.25;
 
 struct looking {
@@ -90,8 +90,8 @@ static void add_cell_light(const struct looking *l, struct cell *cell)
     cell->to = pp_light_sum_mark(l->sum);
 }
 
-/* True if the light at a cell's corners also agrees with the light of its parts: the
- * middles of the parts may miss an obstruction at an edge. */
+/* True if the light at a cell's corners also agrees with the light of its parts. The
+ * middles of the parts alone may miss an obstruction at an edge. */
 static bool corners_agree(const struct looking *l, const struct cell *cell,
                           const struct cell *parts, int count, double tolerance)
 {
@@ -123,17 +123,17 @@ static bool corners_agree(const struct looking *l, const struct cell *cell,
     return true;
 }
 
-/* True if the part has most of its cell's form factor, and a form factor too large for
- * a single value. The part is then close to the receiving point, relative to its size:
- * a division approaches the point without splitting the light. */
+/* True if the part has most of its cell's form factor, and this form factor is too
+ * large for a single value. The part is then close to the receiving point, relative to
+ * its size. A division then approaches the point, but does not split the light. */
 static bool is_nearest(const struct looking *l, const struct cell *cell,
                        const struct cell *part)
 {
     return part->factor > 0.5 * cell->factor && part->factor > l->accuracy->most_factor;
 }
 
-/* Replaces the cell by its parts, recursively. depth: divisions so far that split the
- * light, of `divisions` in all. Returns the light. */
+/* Replaces the cell by its parts, recursively. divisions: number of all divisions so
+ * far; depth: number of those that split the light. Returns the light. */
 static double divide_cell(const struct looking *l, const struct cell *cell, int depth,
                           int divisions, double tolerance)
 {
@@ -173,10 +173,10 @@ static double divide_cell(const struct looking *l, const struct cell *cell, int 
     return sum;
 }
 
-/* Clips a convex piece of a pane, exactly, to the part visible through the pane's
- * opening in its face: between the planes through the receiver and the opening's edges.
- * *corners receives the corners of that part; returns their number, less than 3 if
- * nothing is visible. */
+/* Clips a convex piece of a pane exactly to the part visible through the pane's opening
+ * in its face, which lies between the planes through the receiver and the opening's
+ * edges. *corners receives the corners of that part. Returns their number, less than 3
+ * if nothing is visible. */
 static int through_opening(const struct looking *l, const struct pp_piece *piece,
                            struct pp_vec3 seen[2][PP_FORM_FACTOR_MOST + 1],
                            const struct pp_vec3 **corners)
@@ -191,7 +191,7 @@ static int through_opening(const struct looking *l, const struct pp_piece *piece
         struct pp_vec3 a = pp_vec_sub(inner->vertices[i], l->taker->point);
         struct pp_vec3 b = pp_vec_sub(inner->vertices[i + 1 < inner->count ? i + 1 : 0],
                                       l->taker->point);
-        /* Seen against its normal the opening's outline runs counter-clockwise. */
+        /* The opening's outline is counter-clockwise seen against its normal. */
         struct pp_vec3 in = pp_vec_cross(b, a);
         double length = pp_vec_length(in);
         if (!(length > 0.0))
@@ -247,8 +247,8 @@ static bool is_round(const struct pp_facets *facets, const struct pp_opening *op
 }
 
 /* Restricts the view to the opening if the receiving point is in front of its face. The
- * opening's edges then hide all that its face and reveal could hide, so these are
- * removed from the blockers. */
+ * opening's edges then hide everything that its face and reveal could hide. The face
+ * and the reveal are therefore removed from the blockers. */
 static void look_through(struct looking *l)
 {
     struct pp_element_view *view = l->view;

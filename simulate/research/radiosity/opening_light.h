@@ -16,17 +16,17 @@ struct pp_opening_light_accuracy {
     double error;       /* relative error of light through openings, per cell */
     double most_factor; /* greatest form factor of a cell */
     int least_depth;    /* least number of divisions of every pane */
-    double stricter;    /* tolerance of a part over that of its cell: 0.5 to 1 */
+    double stricter;    /* tolerance of a part divided by that of its cell: 0.5 to 1 */
 };
 
 /* A place that receives light. */
 struct pp_taker {
     struct pp_vec3 point, normal; /* unit */
-    int facet;                    /* index of the facet that it lies on; -1: none */
+    int facet;                    /* index of the facet of the place; -1: none */
 };
 
-/* Adds the light received by the taker to the sum; PP_SC and PP_ERC are directly from
- * outside. */
+/* Adds the light received by the taker to the sum. PP_SC and PP_ERC are light directly
+ * from outside. */
 void pp_opening_light_add(const struct pp_light_room *room,
                           const struct pp_taker *taker,
                           const struct pp_opening_light_accuracy *accuracy,

@@ -46,7 +46,7 @@ void pp_outdoors_clear(struct pp_outdoors *outdoors)
     outdoors->skylines = NULL;
 }
 
-/* The light of the first skyline that hides the direction; NAN: none does. */
+/* The light of the first skyline that hides the direction; NAN if none does. */
 static double skyline_light(const struct pp_outdoors *outdoors, struct pp_vec3 to)
 {
     for (int i = 0; to.z > 0.0 && i < outdoors->skyline_count; i++) {

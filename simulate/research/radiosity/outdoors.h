@@ -1,12 +1,13 @@
 /* outdoors.h - the light that a ray outdoors meets if it hits no facet: sky, ground,
  * and skylines without a distance.
  *
- * Light is expressed as pi times luminance over Eh, the unit of exitances. A skyline
- * without a distance has by convention the exitance rho (Ev + rho_ground / 2), with Ev
- * the open sky's illuminance on it. Unshaded ground has an exitance equal to its
- * reflectance. The exitance of ground in the shadow of obstructions is unknown
- * (outside_cells.h). Beyond PP_OUTDOORS_FARTHEST times the reach of all obstructions
- * the ground counts as unshaded; less than 1/1000 of its sky is hidden there.
+ * Light is expressed as pi times luminance over Eh, the unit of exitances. By
+ * convention, a skyline without a distance has the exitance rho (Ev + rho_ground / 2),
+ * where Ev is the illuminance of the skyline from the open sky. Unshaded ground has an
+ * exitance equal to its reflectance. The exitance of ground in the shadow of
+ * obstructions is unknown (outside_cells.h). Beyond PP_OUTDOORS_FARTHEST times the
+ * extent of all obstructions the ground counts as unshaded, since less than 1/1000 of
+ * its sky is hidden.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_OUTDOORS_H
@@ -21,11 +22,11 @@ struct pp_outdoors {
     const struct pp_world *world; /* not owned */
     struct pp_outside_light light;
     double ground_m;   /* z at which rays meet the ground */
-    double farthest_m; /* greatest distance of a ray's end on the ground at which
-                        * shadows count */
+    double farthest_m; /* greatest distance at which shadows on the ground count */
     struct pp_outdoor_skyline {
-        struct pp_vec3 away; /* horizontal, from its wall towards it */
-        double slope;        /* tangent of its angle */
+        struct pp_vec3 away; /* horizontal direction from the wall towards the
+                              * skyline */
+        double slope;        /* tangent of the skyline's angle */
         double exitance;
     } * skylines;
     int skyline_count;

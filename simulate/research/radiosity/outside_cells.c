@@ -62,7 +62,7 @@ static uint64_t mixed(uint64_t h, uint64_t more)
     return h ^ (h >> 29);
 }
 
-/* The slot of the cell, or the empty one where it belongs. */
+/* The slot of the cell in the hash table, or the empty slot where it belongs. */
 static int outside_cell_slot(const struct pp_outside_cells *cells,
                              const struct pp_outside_cell *cell)
 {
@@ -96,7 +96,7 @@ static enum pp_status widen(struct pp_outside_cells *cells, struct pp_error *err
     return PP_OK;
 }
 
-/* Finds the cell of the hit, or adds it; *index: its index. */
+/* Finds the cell of the hit, or adds a new cell; *index: index of the cell. */
 static enum pp_status find_outside_cell(struct pp_outside_cells *cells,
                                         const struct pp_light_room *room,
                                         const struct pp_outside_hit *hit, int *index,

@@ -7,12 +7,12 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-static const double NOTHING = 1e-9; /* share of a square below which it counts as empty
-                                     * (or above 1 - this as full) */
+static const double NOTHING = 1e-9; /* filled fraction below which a square counts as
+                                     * empty; above 1 - NOTHING it counts as full */
 
-/* Position, 0 to 1, of the point of row or column `index` within its square. It follows
- * van der Corput's sequence, so that no two of `count` rows or columns have the same
- * position. */
+/* Position, 0 to 1, of the point of row or column `index` within its square. The
+ * position follows van der Corput's sequence, so that it differs for all of `count`
+ * rows or columns. */
 static double place_within(int index, int count)
 {
     double place = 0.0, half = 0.5;
@@ -54,8 +54,8 @@ static enum pp_status add_plane_triangles(struct pp_plane_points *points,
     return status;
 }
 
-/* Adds the point of a square whose lower corner is (x, y); if the plane fills only a
- * part of the square, the points of the triangles of that part. within: relative
+/* Adds the point of a square whose lower corner is (x, y). If the plane fills only a
+ * part of the square, adds the points of the triangles of that part. within: relative
  * position of the point in both directions. */
 static enum pp_status add_square(struct pp_plane_points *points,
                                  struct pp_clipper *clipper,

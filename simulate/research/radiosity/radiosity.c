@@ -12,21 +12,21 @@ enum {
     MOST_LEVELS = 5,
     ROUNDS = 4,            /* most rounds of division in a level */
     MOST_ELEMENTS = 20000, /* with more elements there is no further division */
-    MOST_TERMS = 4000000, /* with more terms there is no further level, which would have
-                           * about three times as many */
+    MOST_TERMS = 4000000,  /* with more terms there is no further level, since it would
+                            * have about three times as many */
 };
 
-/* Least error of a point, as a share of the RMS error over all points: a single point
- * may change little by chance. */
+/* Least error of a point, as a fraction of the RMS error over all points, since the
+ * value of a single point may change little by chance. */
 static const double SHARE_OF_MEAN = 0.7;
 /* Least relative errors of reflected and of direct light at the first level with an
  * error estimate, halved at each further level. They are needed because changes may
  * cancel. The stated error holds in 98 of 100 cases (docs/theory.md). */
 static const double LEAST_REFLECTED = 0.004, LEAST_DIRECT = 0.003;
-/* The least error of direct light for the average, which is a sum over points. */
+/* Least relative error of direct light for the average, which is a sum over points. */
 static const double LEAST_AVERAGE = 0.005;
-static const double LEAST_FACTOR = 0.002; /* errors and changes are relative to a
-                                           * daylight factor of at least this */
+static const double LEAST_FACTOR = 0.002; /* least daylight factor to which errors and
+                                           * changes are relative */
 
 struct pp_radiosity {
     struct pp_radiosity_options options;
@@ -42,9 +42,9 @@ struct pp_radiosity {
     int asked;
     int level; /* number of levels done */
     double (*now)[PP_COMPONENT_COUNT],
-        (*before)[PP_COMPONENT_COUNT]; /* by requested receiver; the plane last */
-    double
-        off[PP_COMPONENT_COUNT]; /* RMS of the last change, over the daylight factor */
+        (*before)[PP_COMPONENT_COUNT]; /* by requested receiver, then the plane */
+    double off[PP_COMPONENT_COUNT]; /* RMS of the last change, relative to the daylight
+                                     * factor */
     double decorations;
 };
 
@@ -76,8 +76,8 @@ static void set_accuracy(struct pp_radiosity *radiosity)
 
 /* ---- a level ---- */
 
-/* Divides the elements over which the light differs by more than a share of the room's
- * total, and those that receivers have requested. */
+/* Divides the elements over which the light differs by more than a fraction of the
+ * room's total. Also divides the elements that receivers have requested. */
 static enum pp_status divide_elements(struct pp_radiosity *radiosity, int *divided,
                                       struct pp_error *err)
 {
@@ -114,8 +114,8 @@ static enum pp_status rounds(struct pp_radiosity *radiosity, struct pp_error *er
         status = pp_radiosity_system_gather(&radiosity->system, err);
         if (status == PP_OK)
             pp_radiosity_system_solve(&radiosity->system);
-        /* Gathers a second time at the first level: the spreads of elements, which were
-         * unknown at first, follow from the solution. */
+        /* Gathers a second time at the first level, since the spreads of elements were
+         * unknown at first and now follow from the solution. */
         if (status == PP_OK && radiosity->level == 0 && round == 0)
             status = pp_radiosity_system_gather(&radiosity->system, err);
         if (status == PP_OK && round == 0)
@@ -128,7 +128,7 @@ static enum pp_status rounds(struct pp_radiosity *radiosity, struct pp_error *er
     return status == PP_OK ? pp_element_receivers_on_plane(receivers, err) : status;
 }
 
-/* RMS of the change at the points, relative to their daylight factors. */
+/* Calculates the RMS change at the points, relative to their daylight factors. */
 static void compare_levels(struct pp_radiosity *radiosity)
 {
     for (int c = 0; c < PP_COMPONENT_COUNT; c++) {

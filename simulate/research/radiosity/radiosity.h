@@ -4,16 +4,17 @@
  * The room's surfaces are divided into elements of uniform radiosity, smaller where the
  * light changes (element_tree.h, element_light.h). Light through the openings, and the
  * exitance of places outside, are summed over cells (opening_light.h, outside_cells.h).
- * The equations are solved for all bounces (radiosity_system.h), and receivers gather
- * light in the same way as elements. The world is all that is shared with the path
- * tracer: rays, form factors, sky and ground outdoors have their own code.
+ * The equations are solved for all bounces (radiosity_system.h). Receivers gather light
+ * in the same way as elements. Only the world is shared with the path tracer: rays,
+ * form factors, sky and ground outdoors have their own code.
  *
  * All calculations are made in levels, each with smaller elements, more cells and more
  * directions. The change at the last level measures the remaining error; the stated
  * error covers the true value in 19 of 20 readings.
  *
  * The caller runs the loop, as with the tracer: create, then advance until done. The
- * result depends on the world, light, receivers and the target error alone, bit by bit.
+ * result depends on the world, light, receivers and the target error alone, and is
+ * bit-identical in every run.
  */
 #ifndef PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H
 #define PP_SIMULATE_RESEARCH_RADIOSITY_RADIOSITY_H
@@ -26,15 +27,15 @@
 #include "model/room/world.h"
 
 struct pp_radiosity_options {
-    double error; /* target error over the daylight factor, at every point; never under
-                   * 0.00002 of Eh. 0: two levels */
+    double error; /* target error relative to the daylight factor, at every point; at
+                   * least 0.00002 of Eh. 0: two levels */
     int threads;  /* 0: one for each processor */
 };
 
 struct pp_radiosity;
 
-/* The receivers are in the room, or in the open where the world has no room. Copies the
- * receivers; the world must outlive *radiosity. */
+/* Copies the receivers, which are in the room or, if the world has no room, in the
+ * open. The world must outlive *radiosity. */
 enum pp_status pp_radiosity_create(struct pp_radiosity **radiosity,
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,
@@ -48,10 +49,11 @@ enum pp_status pp_radiosity_advance(struct pp_radiosity *radiosity,
                                     struct pp_error *err);
 bool pp_radiosity_done(const struct pp_radiosity *radiosity);
 
-/* Approximate share of the work that is done, 0 to 1. */
+/* Approximate fraction of the work that is done, 0 to 1. */
 double pp_radiosity_progress(const struct pp_radiosity *radiosity);
 
-/* The largest error over daylight factor of any point so far; NAN before it is known. */
+/* Largest relative error of a daylight factor at any point so far; NAN if it is not
+ * known yet. */
 double pp_radiosity_error(const struct pp_radiosity *radiosity);
 
 /* The readings so far of receiver `index`, or of the average over the working plane for
@@ -62,9 +64,9 @@ void pp_radiosity_read(const struct pp_radiosity *radiosity, int index,
 /* Present size of the system. */
 struct pp_radiosity_size {
     int level;             /* number of levels done */
-    int elements, divided; /* undivided and divided ones */
-    int cells;             /* outside */
-    long long terms;       /* form factors in the equations */
+    int elements, divided; /* numbers of undivided and of divided elements */
+    int cells;             /* number of cells outside */
+    long long terms;       /* number of form factors in the equations */
 };
 struct pp_radiosity_size pp_radiosity_size(const struct pp_radiosity *radiosity);
 

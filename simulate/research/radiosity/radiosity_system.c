@@ -11,8 +11,8 @@
 static const double STILL = 1e-9;
 /* Limit of iterations, more than any reflectance below 0.999 needs. */
 enum { MOST_TURNS = 20000 };
-/* Distance of the points of Gauss's 2 x 2 rule from a rectangle's centre, over that of
- * the centres of its quarters. */
+/* Distance of the points of Gauss's 2 x 2 rule from a rectangle's centre, divided by
+ * the distance of the centres of its quarters. */
 static const double GAUSS = 1.1547005383792515; /* 2 / sqrt(3) */
 
 static void clear_row(struct pp_radiosity_system_row *row)
@@ -43,8 +43,8 @@ static struct pp_taker taker_of(const struct pp_radiosity_system *system, int in
                              element->side / 2};
 }
 
-/* Mean over the element of its light from the openings. Near openings direct light
- * changes too steeply for the element's middle to represent it: with the middle alone
+/* Mean over the element of its light from the openings. Near openings, direct light
+ * changes too steeply for the element's middle to represent it. With the middle alone,
  * reflected light was 1 % too high. */
 static void mean_by_openings(const struct pp_radiosity_system *system, int index,
                              struct pp_light_sum *sum)
@@ -55,8 +55,8 @@ static void mean_by_openings(const struct pp_radiosity_system *system, int index
     pp_element_tree_cut(&parts, &tree->facets->list[element->side / 2],
                         &tree->corners[element->first_corner], element->count);
     struct pp_taker taker = taker_of(system, index);
-    double way = element->count == 4 ? GAUSS : 1.0; /* for a sliver such points would
-                                                     * lie outside */
+    double way = element->count == 4 ? GAUSS : 1.0; /* in other shapes, such points
+                                                     * might lie outside */
     for (int i = 0; i < parts.count; i++) {
         double area;
         struct pp_vec3 middle =

@@ -11,8 +11,8 @@ enum { LEAF = 4, DEEPEST = 64 };
 
 struct box {
     struct pp_bounds3 bounds;
-    int first, count; /* range of triangles; count 0: two boxes, at first and first +
-                       * 1 */
+    int first, count; /* range of triangles; if count is 0: two boxes, at first and
+                       * first + 1 */
 };
 
 struct pp_ray_tree {
@@ -127,7 +127,8 @@ struct ray {
     struct pp_vec3 from, to, inverse;
 };
 
-/* Distance at which the ray enters the box; INFINITY: never, or beyond `far_m`. */
+/* Distance at which the ray enters the box; INFINITY if it never enters, or only beyond
+ * `far_m`. */
 static double enters(const struct ray *ray, const struct pp_bounds3 *box, double far_m)
 {
     double near_m = 0.0;

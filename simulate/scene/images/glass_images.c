@@ -1,5 +1,5 @@
-/* glass_images.c - pairs of openings, the part of one that is mirrored in the glass of
- * the other, and directions to it. */
+/* glass_images.c - pairs of openings, the part of one opening that is mirrored in the
+ * glass of the other, and directions to this part. */
 #include "simulate/scene/images/glass_images.h"
 
 #include <math.h>
@@ -8,8 +8,8 @@
 #include "simulate/sampling/sample_discrete.h"
 #include "simulate/scene/light_scene_parts.h"
 
-/* An opening counts as in front of the glass, or as partly visible, only by more than
- * this (m). */
+/* An opening counts as in front of the glass, or as partly visible, only if it is so by
+ * more than this distance (m). */
 static const double LEAST_M = 1e-6;
 
 /* ---- found ---- */
@@ -84,12 +84,12 @@ bool pp_glass_images_has(const struct pp_light_scene *scene, int glass, int wind
 
 /* ---- seen ---- */
 
-/* Least reflectance of glass: panes of the greatest possible transmittance reflect
- * nothing at normal incidence, but something at oblique incidence. */
+/* Least reflectance of glass. Panes of the greatest possible transmittance reflect
+ * nothing at normal incidence, but some light at oblique incidence. */
 static const double LEAST_REFLECTANCE = 0.01;
 
-/* Bounds of what a point sees of the target's plane through an outline, along the
- * target's axes from its corner. */
+/* Bounds of the part of the target's plane that a point sees through an outline, along
+ * the target's axes from its corner. */
 struct seen_box {
     double low[2], high[2];
 };
@@ -100,8 +100,8 @@ static void widen(struct seen_box *box, int axis, double value)
     box->high[axis] = fmax(box->high[axis], value);
 }
 
-/* Projects each vertex on the target's side of the point on to the target's plane; if
- * an edge crosses to the other side the box is unbounded. */
+/* Projects each vertex that is on the target's side of the point onto the target's
+ * plane. If an edge crosses to the other side, the box is unbounded. */
 static struct seen_box seen_through(const struct pp_polygon *outline,
                                     const struct pp_target *target,
                                     struct pp_vec3 centre, struct pp_vec3 from)
@@ -150,7 +150,7 @@ static bool cut_to(struct pp_target *target, const struct seen_box *box)
     return true;
 }
 
-/* Mirror image of the view's point in that glass. */
+/* Mirror image of the view's point in this glass. */
 static struct pp_vec3 image_point(const struct pp_target *glass,
                                   const struct pp_glass_view *view)
 {
@@ -209,7 +209,7 @@ static void look_from(const struct pp_light_scene *scene, struct pp_glass_view *
         view->share[i] = image_importance(scene, view, brightness, i);
 }
 
-/* The view of a visible image, calculated unless it is stored. */
+/* The view of a visible image: the stored one, or a newly calculated one. */
 static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
                                        struct pp_glass_view *view,
                                        struct pp_brightness brightness, int index)
@@ -224,7 +224,8 @@ static struct pp_glass_sight *sight_of(const struct pp_light_scene *scene,
             pp_vec_mirrored(view->normal, glass->normal), brightness);
     }
     sight->image = index + 1;
-    sight->sampler.target = &sight->target; /* the view may have been copied */
+    sight->sampler.target = &sight->target; /* reset, since the view may have been
+                                             * copied */
     return sight;
 }
 

@@ -8,8 +8,8 @@
 #include "simulate/scene/light_scene_parts.h"
 
 enum {
-    MOST_MIRRORS = 8,      /* planes */
-    MOST_CONNECTIONS = 256 /* mirror paths times emitters */
+    MOST_MIRRORS = 8,      /* most planes */
+    MOST_CONNECTIONS = 256 /* most pairs of a mirror path and an emitter */
 };
 
 /* Tolerances for equal planes: 1 minus the cosine of the angle between their normals,
@@ -45,7 +45,7 @@ static int by_weight(const void *a, const void *b)
     return x->part - y->part;
 }
 
-/* The part's plane; false if it is curved. */
+/* The plane of the part; false if the part is curved. */
 static bool mirror_plane(const struct pp_light_scene *scene, int index,
                          struct pp_mirror *plane)
 {
@@ -69,8 +69,8 @@ static bool same_plane(const struct pp_mirror *a, const struct pp_mirror *b)
            && fabs(offset - a->offset_m) < SAME_OFFSET * (1.0 + fabs(a->offset_m));
 }
 
-/* Index of the mirror in the part's plane, which is added if there are not too many;
- * else -1. */
+/* Index of the mirror in the part's plane. Adds the mirror if there are not too many;
+ * otherwise returns -1. */
 static int mirror_of(struct pp_light_scene *scene, const struct candidate *candidate)
 {
     struct pp_mirror plane;
@@ -132,8 +132,8 @@ static int by_share(const void *a, const void *b)
     return x->mirrors[1] - y->mirrors[1];
 }
 
-/* Makes paths by one mirror and by two in succession, and keeps those of the greatest
- * shares. */
+/* Makes paths by one mirror and by two in succession, and keeps the paths with the
+ * greatest products of reflectances. */
 static void make_mirror_paths(struct pp_light_scene *scene)
 {
     int count = scene->mirror_count, most = MOST_CONNECTIONS / scene->emitter_count;
@@ -149,8 +149,8 @@ static void make_mirror_paths(struct pp_light_scene *scene)
                  scene->mirror_paths[scene->mirror_path_count - 1].share);
 }
 
-/* The greatest product of three successive reflectances: best mirror, second best,
- * best. */
+/* The greatest product of three successive reflectances: of the best mirror, the second
+ * best, and the best again. */
 static double share_of_three(const struct pp_light_scene *scene)
 {
     double first = 0.0, second = 0.0;

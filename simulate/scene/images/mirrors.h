@@ -1,21 +1,21 @@
-/* mirrors.h - plane mirrors, through which next-event estimation also samples emitters.
+/* mirrors.h - plane mirrors, by which next-event estimation also samples emitters.
  *
  * As for Radiance's `mirror` [WS98], directions to the emitter are sampled from the
- * image of the shading point behind the mirror, and unfolded again; here any surface
- * that mirrors is used. Curved mirrors, weaker planes if there are many, and third
- * reflections are left to rays that reach the emitter by chance. The light that they
- * may miss is part of the stated error (unsampled.h).
+ * image of the shading point behind the mirror, and unfolded again. Here, any surface
+ * that mirrors is used. Light by curved mirrors, by weaker planes if there are many,
+ * and by third reflections is only found by rays that reach the emitter by chance. The
+ * light that such rays may miss is part of the stated error (unsampled.h).
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_MIRRORS_H
 #define PP_SIMULATE_SCENE_IMAGES_MIRRORS_H
 
 #include "simulate/scene/light_scene.h"
 
-/* A plane in which some part mirrors. */
+/* A plane that contains at least one mirroring part. */
 struct pp_mirror {
-    struct pp_vec3 normal; /* unit, of either side */
+    struct pp_vec3 normal; /* unit, on either side */
     double offset_m;
-    double share; /* the greatest reflectance of its parts at normal incidence */
+    double share; /* greatest reflectance of the plane's parts at normal incidence */
 };
 
 /* Successive mirrors between a point and an emitter. Indices of mirror paths below may
@@ -30,18 +30,19 @@ struct pp_mirror_path {
  * added. */
 enum pp_status pp_mirrors_find(struct pp_light_scene *scene, struct pp_error *err);
 
-/* The mirror path that extends this one by the mirror; -1: there is none. */
+/* The mirror path that consists of this path and a further mirror; -1: there is
+ * none. */
 int pp_mirrors_path_extend(const struct pp_light_scene *scene, int mirror_path,
                            int mirror);
 
-/* The images of a point and of a direction behind the last mirror. */
+/* The image of a point, and of a direction, behind the last mirror. */
 struct pp_vec3 pp_mirrors_path_point(const struct pp_light_scene *scene,
                                      int mirror_path, struct pp_vec3 p);
 struct pp_vec3 pp_mirrors_path_direction(const struct pp_light_scene *scene,
                                          int mirror_path, struct pp_vec3 u);
 
-/* The direction in which a ray must leave the point to leave the last mirror along
- * u. */
+/* The direction in which a ray must leave the point, so that it leaves the last mirror
+ * along u. */
 struct pp_vec3 pp_mirrors_path_unfold(const struct pp_light_scene *scene,
                                       int mirror_path, struct pp_vec3 u);
 

@@ -1,5 +1,5 @@
-/* reflectors.c - the glossy planes of a scene with its emitters, and directions drawn
- * in proportion to their lobes. */
+/* reflectors.c - the glossy planes of a scene, combined with its emitters, and
+ * directions drawn in proportion to their lobes. */
 #include "simulate/scene/images/reflectors.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@ enum {
     MOST_EMITTERS = 32, /* most emitters of a scene whose reflections are sampled */
 };
 
-/* Greatest roughness; wider lobes are left to rays of the diffuse lobe. */
+/* Greatest roughness. Wider lobes are sampled only by rays of the diffuse lobe. */
 static const double WIDEST = 0.4;
 
 /* ---- found ---- */
@@ -52,7 +52,8 @@ static bool same_reflector(const struct pp_reflector *a, const struct pp_reflect
            && pp_vec_dot(a->frame.x, b->frame.x) > 1.0 - 1e-9;
 }
 
-/* Index of the reflector, which is added if there are not too many; else -1. */
+/* Index of the reflector. Adds the reflector if there are not too many; otherwise
+ * returns -1. */
 static int reflector_number(struct pp_light_scene *scene,
                             const struct pp_reflector *reflector)
 {
@@ -138,9 +139,9 @@ int pp_reflectors_reflection(const struct pp_light_scene *scene, int reflector,
     return reflector * scene->emitter_count + emitter;
 }
 
-/* The direction, in the reflector's frame, from the place of reflection to the
- * emitter's middle, if the light is mirrored to the point; false unless point and
- * emitter are in front of the reflector. */
+/* Direction, in the reflector's frame, from the place of a mirror reflection to the
+ * emitter's middle, for light that reaches the point. False unless point and emitter
+ * are in front of the reflector. */
 static bool mirrored_from(const struct pp_light_scene *scene,
                           const struct pp_reflection *reflection, struct pp_vec3 from,
                           struct pp_vec3 *light)

@@ -1,13 +1,14 @@
 /* window_images.h - images of openings in the polished planes of a room, sampled by
  * next-event estimation.
  *
- * The image of an opening in a plane mirror is seen from a point in the same way as the
- * opening is seen from the point's mirror image: directions are sampled from there
- * (sample_polygon.h), and mirrored back. A gloss blurs the image: it is sampled as if
- * the opening were larger, by as much as the lobe is wide at its distance. A ray that
- * reaches the reflector in such a direction continues in a direction of the gloss lobe,
- * and has the opening's light if it meets it. The rays of the diffuse lobe find the
- * same light: multiple importance sampling divides it between the two.
+ * From a point, the image of an opening in a plane mirror looks like the opening seen
+ * from the point's mirror image. Directions are sampled from the mirror image of the
+ * point (sample_polygon.h), and mirrored back. A gloss blurs the image. It is therefore
+ * sampled as if the opening were larger by the width of the lobe at the opening's
+ * distance. A ray that reaches the reflector in such a direction continues in a
+ * direction of the gloss lobe, and adds the opening's light if it meets the opening.
+ * Rays of the diffuse lobe find the same light. Multiple importance sampling weights
+ * the two estimates.
  */
 #ifndef PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
 #define PP_SIMULATE_SCENE_IMAGES_WINDOW_IMAGES_H
@@ -15,7 +16,7 @@
 #include "simulate/sampling/sample_polygon.h"
 #include "simulate/scene/light_scene.h"
 
-/* An opening in a reflector (reflectors.h). */
+/* An opening and the reflector (reflectors.h) in which it is mirrored. */
 struct pp_window_image {
     int reflector, window;
     double share; /* the reflector's greatest reflectance */
@@ -32,19 +33,20 @@ struct pp_image_viewer {
     struct pp_brightness brightness; /* estimated brightness outside */
 };
 
-/* Chooses an image by u in [0, 1), in proportion to its possible light at the viewer,
- * with its probability; -1: none can contribute. */
+/* Chooses an image by u in [0, 1), in proportion to its possible light at the viewer.
+ * Also sets the probability of the choice. -1: no image can contribute. */
 int pp_window_images_choose(const struct pp_light_scene *scene,
                             const struct pp_image_viewer *viewer, double u,
                             double *probability);
 
 /* Samples a direction from the viewer to a visible image by two numbers in (0, 1), and
- * its density per steradian; false if it misses the reflector's plane. */
+ * sets its density per steradian. False if the direction misses the reflector's
+ * plane. */
 bool pp_window_images_sample(const struct pp_light_scene *scene, int image,
                              const struct pp_image_viewer *viewer, double u, double v,
                              struct pp_vec3 *to, double *pdf);
 
-/* The density of choosing the image of that window in that reflector, and the
+/* The density of choosing the image of this window in this reflector, and of the
  * direction, per steradian; 0 if there is no such image. */
 double pp_window_images_pdf(const struct pp_light_scene *scene, int reflector,
                             int window, const struct pp_image_viewer *viewer,
