@@ -1,9 +1,8 @@
-/* chart_kind.h - list of all charts. Each chart draws a room, or a blank form, on a
- * canvas.
+/* chart_kind.h - list of all charts. A chart draws a room or a blank form on a canvas.
  *
- * A chart kind computes its data by studies and methods and draws them with functions
- * of charts/. A new kind needs a file of its own, a declaration here, and a line in
- * chart_kind.c.
+ * A chart kind obtains its data from the studies and methods, and draws them with the
+ * functions in charts/. To add a kind, write its source file, declare it here, and add
+ * a line to chart_kind.c.
  */
 #ifndef PP_API_CHART_KIND_H
 #define PP_API_CHART_KIND_H
@@ -26,20 +25,23 @@
 #include "studies/study_room.h"
 #include "studies/year/moment.h"
 
-/* Value of a yes-or-no option; PP_UNSAID: not given. */
+/* Value of a yes-or-no option; PP_UNSAID: the option is not given. */
 enum pp_yes_no { PP_UNSAID, PP_YES, PP_NO };
 
 struct pp_overlay_options {
     enum pp_lens lens;
-    double diameter_mm;    /* 0: the largest that fits on the sheet */
+    double diameter_mm;    /* diameter of the overlay; 0: the largest that fits on the
+                            * sheet */
     bool said;             /* true if any of dots, cells and sun is given */
     bool dots, cells, sun; /* parts to draw */
-    const char *typed;     /* last of these options as typed; NULL: none */
+    const char *typed;     /* last overlay option on the command line, for messages;
+                            * NULL: none */
 };
 
 struct pp_board_options {
-    enum pp_yes_no glazed;   /* blank form: clear single glazing; default yes */
-    bool fine;               /* pepper-pot diagram: dots of 0.01 % */
+    enum pp_yes_no glazed;   /* blank form: allow for clear single glazing; default
+                              * yes */
+    bool fine;               /* pepper-pot diagram: each dot is worth 0.01 % */
     enum pp_yes_no vertical; /* vertical receiver of a blank pepper-pot diagram;
                               * default no */
     double viewing_mm;       /* pepper-pot diagram: distance from eye to drawing; 0:
@@ -59,21 +61,22 @@ struct pp_board_options {
     double slope_rad;
     char glass_words[72];
 
-    enum pp_nomogram_kind nomogram; /* from --which */
+    enum pp_nomogram_kind nomogram; /* nomogram to be drawn, from --which */
     bool nomogram_said;             /* true if nomogram is given */
 
-    struct pp_slats slats; /* slats: of a blind without a room */
+    struct pp_slats slats; /* blind to be drawn if there is no room, from --slats */
     bool slats_said;       /* true if slats are given */
 
-    bool unsolved; /* diagram for a point of a room: draw the exercise, not its
+    bool unsolved; /* with a room: draw the diagram as an exercise, without its
                     * solution */
 
     struct pp_overlay_options overlay;
-    double inclined_deg; /* Waldram: droop lines of edges at this angle in plan */
+    double inclined_deg; /* Waldram diagram: slope in plan of the edges whose droop
+                          * lines are drawn */
     bool inclined;       /* true if inclined_deg is given */
 
-    const char *window; /* window by its line or wall, for kinds that show one; NULL:
-                         * the first vertical window */
+    const char *window; /* line or wall of the window, for kinds that show one window;
+                         * NULL: the first vertical window */
 };
 
 /* Options of a scale model. */
@@ -81,36 +84,40 @@ struct pp_model_options {
     double scale; /* denominator of the scale, 20 for 1:20; 0: not given */
     struct pp_mirror_box box;
     bool has_box;
-    const char *typed; /* last of these options as typed; NULL: none */
+    const char *typed; /* last model option on the command line, for messages; NULL:
+                        * none */
 };
 
 /* Rooms of one file, each with its former state. */
 struct pp_chart_site {
     const struct pp_study_room *rooms;
-    const struct pp_study_room *const *before; /* one for each room; NULL: new room, or
-                                                * former state unknown */
+    const struct pp_study_room *const *before; /* former state of each room; NULL entry:
+                                                * new room, or former state unknown */
     int count;
-    double french_m; /* French windows: point height, m; see vertical_sky.h */
+    double french_m; /* height of the reference point of French windows, m; see
+                      * vertical_sky.h */
 };
 
 /* Options for the content of a chart. */
 struct pp_chart_choice {
     struct pp_chart_site
-        site;              /* for kinds that compare states (the first room is drawn) or
-                            * draw a site (all rooms are drawn); set for each sheet */
-    bool line_said;        /* plan: lit area instead of contours */
-    enum pp_lit_line line; /* boundary of the lit area, if line_said */
+        site;              /* rooms of the sheet, set for each sheet: a chart of a site
+                            * shows all of them, a chart that compares states only the
+                            * first */
+    bool line_said;        /* plan: draw the lit area instead of contours */
+    enum pp_lit_line line; /* boundary of the lit area, used if line_said is set */
 
-    const struct pp_report *known; /* the room's averages, which a plan prints in place
-                                    * of its own; NULL: not known; not owned */
-    struct pp_section_place cut;   /* place of a section, and of its mark on a plan */
+    const struct pp_report *known; /* report whose averages are printed on the plan
+                                    * instead of the plan's own; NULL: none; not
+                                    * owned */
+    struct pp_section_place cut;   /* position of the section, also marked on a plan */
     enum pp_section_scale scale;   /* scale of the daylight factors in a section */
     enum pp_plan_fill fill;        /* filling between the contours of a plan */
     struct pp_board_options board; /* for diagrams of the drawing board */
     struct pp_model_options model;
-    struct pp_year_options availability;   /* for kinds that show light outside */
-    const struct pp_moment_source *moment; /* plan: illuminances at this moment; NULL:
-                                            * daylight factors; not owned */
+    struct pp_year_options availability;   /* light outside, for kinds that show it */
+    const struct pp_moment_source *moment; /* plan: draw illuminances at this moment;
+                                            * NULL: daylight factors; not owned */
 };
 
 struct pp_chart_kind {
@@ -118,10 +125,10 @@ struct pp_chart_kind {
     const char *summary; /* one line, without a full stop */
     bool board;          /* drawing-board diagram: can be blank, without a room */
     bool from_point;     /* drawing-board diagram for one point of a room */
-    bool of_window;      /* drawing-board diagram for one window under the overcast
-                          * sky */
-    bool outside;        /* shows light outside: needs no room */
-    bool compares;       /* can show a room's former state too */
+    bool of_window;      /* drawing-board diagram for the outside of one window under
+                          * the overcast sky */
+    bool outside;        /* shows outdoor daylight: needs no room */
+    bool compares;       /* can also show a room's former state */
     bool of_site;        /* one sheet shows all rooms of a file */
     enum pp_paper paper; /* default paper */
     bool of_sun;         /* needs a latitude for sun paths */
@@ -129,17 +136,20 @@ struct pp_chart_kind {
     bool of_year;        /* needs a weather file and a room */
     bool transparent;    /* overlay: no white background */
 
-    bool landscape; /* the sheet is always landscape */
-    bool (*landscape_for)(const struct pp_world *world); /* by room; NULL: never */
+    bool landscape; /* true if the sheet is always landscape */
+    bool (*landscape_for)(const struct pp_world *world); /* true if the sheet for this
+                                                          * room is landscape; NULL:
+                                                          * never landscape */
 
-    /* Checks whether the kind can draw these methods (NULL: default), or the simulation
-     * if simulate is set. PP_BAD_INPUT lists the methods it can draw. NULL function:
-     * all methods. */
+    /* Checks whether the kind can draw these methods (NULL: the default methods), or
+     * simulated values if `simulate` is set. PP_BAD_INPUT: it cannot, and the message
+     * lists the methods that it can draw. A kind without this function can draw all
+     * methods. */
     enum pp_status (*check)(const char *methods, bool simulate, struct pp_error *err);
 
-    /* Computes and draws the chart of the room (NULL: a blank form); may change the
-     * room's points. If the simulation was stopped: sets *finished to false, or returns
-     * PP_INTERRUPTED if there is nothing to draw. */
+    /* Computes and draws the chart of the room (NULL: a blank form). May change the
+     * room's points. If the simulation was stopped, *finished is set to false;
+     * PP_INTERRUPTED is returned if there is nothing to draw. */
     enum pp_status (*draw)(struct pp_canvas *canvas, struct pp_study_room *room,
                            const struct pp_study_options *study,
                            const struct pp_chart_choice *choice, bool *finished,
@@ -159,7 +169,7 @@ const struct pp_chart_kind *pp_chart_kind_at(int index);
 /* Chart kind of that name; NULL if there is none. */
 const struct pp_chart_kind *pp_chart_kind_find(const char *name);
 
-/* True if the sheet of this room (NULL: blank form) is landscape. */
+/* True if the sheet for this room is landscape. world NULL: blank form. */
 bool pp_chart_kind_landscape(const struct pp_chart_kind *kind,
                              const struct pp_world *world);
 

@@ -1,4 +1,5 @@
-/* chart_sheet.c - writes version, file and seed on a sheet, and draws the chart. */
+/* chart_sheet.c - draws the chart, and prints program version, room file and seed on
+ * the sheet. */
 #include "api/chart_sheet.h"
 
 #include <stdio.h>

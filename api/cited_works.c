@@ -1,4 +1,5 @@
-/* cited_works.c - list of works, generated from docs/SOURCES.md by the build. */
+/* cited_works.c - list of publications; the build generates the list from
+ * docs/SOURCES.md. */
 #include "api/cited_works.h"
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* draw_availability.c - frequency of outdoor illuminances, and, if there is a room, of
- * the illuminances in it. */
+/* draw_availability.c - cumulative frequency of the illuminance outside and, if there
+ * is a room, inside. */
 #include "api/chart_kind.h"
 #include "charts/availability_chart.h"
 #include "studies/climate/availability.h"

@@ -1,5 +1,5 @@
-/* draw_board.c - the diagrams of the drawing board: blank, or with a room's windows as
- * seen from its point. */
+/* draw_board.c - the diagrams of the drawing board: blank, or with the windows of a
+ * room as seen from its point. */
 #include "api/chart_kind.h"
 #include "charts/drawing_board/brs_table_chart.h"
 #include "charts/drawing_board/nomogram_chart.h"
@@ -15,8 +15,8 @@
 #include "methods/protractor/protractor_sheet_fill.h"
 #include "methods/waldram/waldram_sheet_fill.h"
 
-/* Draws the exercise. *blank: the empty diagram must follow on the next sheet; false
- * for formats that have only one sheet. */
+/* Draws the exercise. *blank is set to true if the empty diagram must follow on the
+ * next sheet, and to false for formats with only one sheet. */
 static enum pp_status draw_exercise(bool *blank, struct pp_canvas *canvas,
                                     const struct pp_study_room *room, const char *tool,
                                     const char *unit, double viewing_mm,
@@ -116,8 +116,8 @@ static enum pp_status draw_pepper_pot(struct pp_canvas *canvas,
     return status;
 }
 
-/* Protractor selected by the options: a published one, or one for any glass and
- * slope. */
+/* Selects the protractor given by the options: a published one, or one for any glass
+ * and slope. */
 static enum pp_status choose_protractor(struct pp_protractor *protractor,
                                         const struct pp_board_options *options,
                                         struct pp_error *err)

@@ -1,10 +1,11 @@
-/* draw_elevation.c - all rooms of a site: the plan, and the walls from outside. */
+/* draw_elevation.c - charts of all rooms of a site: the plan, and elevations of the
+ * outer walls. */
 #include "api/chart_kind.h"
 #include "charts/site/elevation_chart.h"
 #include "charts/site/site_chart.h"
 #include "studies/site/elevation_study.h"
 
-/* The rooms of the site; if there is no site, the one room. */
+/* Returns the rooms of the site; if there is no site, the single room. */
 static struct pp_site_rooms rooms_of(const struct pp_chart_choice *choice,
                                      struct pp_study_room *room,
                                      const struct pp_study_room *const *none)

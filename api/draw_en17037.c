@@ -1,5 +1,5 @@
-/* draw_en17037.c - the four parts of EN 17037 on one page: assesses the room by
- * simulation and by a simulated year, and puts the findings into words. */
+/* draw_en17037.c - the four parts of EN 17037 on one page. The room is assessed by a
+ * simulation and a simulated year; the findings are put into words. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -19,15 +19,17 @@
 #include "studies/criteria/facade_sensitivity.h"
 #include "studies/criteria/grid/plane_trace.h"
 
-/* Target error of the simulation without --error, --samples or --time. */
+/* Target relative error of the simulation if none of --error, --samples and --time is
+ * given. */
 static const double usual_error = 0.02;
 
-/* Probability from which a verdict is called certain, as in the text of assess. */
+/* Probability at or above which a verdict is printed as certain, as in the output of
+ * assess. */
 static const double certain = 0.99995;
 
-enum { PART_OF_HOURS = 1 }; /* daylight provision by every hour of the year */
+enum { PART_OF_HOURS = 1 }; /* index in page_parts of "every hour" */
 
-/* Parts of the page, in order; `none`: the note if the criterion has no finding. */
+/* Parts of the page in order; `none`: text if the criterion has no finding. */
 static const struct {
     const char *criterion, *title, *none;
 } page_parts[PP_EN17037_PARTS] = {
@@ -65,8 +67,8 @@ static void fill_row(struct pp_en17037_row *row, const struct pp_finding *findin
     row->decides = verdict && !finding->is_optional;
 }
 
-/* Makes rows of the findings; of those on the minimum level only, if there are too many
- * for the page. Returns the number of these that are left out. */
+/* Makes a row of each finding. If there are too many for the page, findings on the
+ * optional levels are omitted. Returns the number of other findings that do not fit. */
 static int fill_rows(struct pp_en17037_part *part,
                      const struct pp_finding_list *findings)
 {
@@ -93,7 +95,7 @@ __attribute__((format(printf, 2, 3))) static void add_basis(
     va_end(arguments);
 }
 
-/* Adds the basis of the findings and each of their notes once. */
+/* Adds the basis of the findings, and each different note once. */
 static void fill_basis(struct pp_en17037_part *part,
                        const struct pp_finding_list *findings)
 {
@@ -134,7 +136,8 @@ static void fill_part(struct pp_en17037_part *part, int index,
 
 /* ---- maps ---- */
 
-/* Makes the illuminances of both methods at their points. */
+/* Fills both maps: illuminances from the daylight factor and from the year, each at its
+ * own points. */
 static enum pp_status fill_maps(struct pp_en17037_sheet *sheet,
                                 const struct pp_assessment *assessment,
                                 struct pp_error *err)
@@ -200,7 +203,7 @@ static enum pp_status draw_page(struct pp_canvas *canvas,
 
 /* ---- the assessment ---- */
 
-/* Median diffuse illuminance of the weather file (lx). */
+/* Finds the median diffuse illuminance of the weather file (lx). */
 static enum pp_status find_weather_median(double *median_lux,
                                           const struct pp_year_options *options,
                                           struct pp_error *err)

@@ -49,8 +49,8 @@ static enum pp_status add_room(struct standing_rooms *rooms,
     return PP_OK;
 }
 
-/* Replaces the block of that name on the sheet by the cells of the envelope. The sheet
- * shows the building in the state left by pp_plot_envelope_find. */
+/* Replaces the named block on the sheet by the cells of the envelope. The sheet shows
+ * the building as pp_plot_envelope_find left it. */
 static enum pp_status add_envelope_cells(struct pp_site_sheet *sheet,
                                          const struct pp_plot_envelope *envelope,
                                          const char *block, struct pp_error *err)
@@ -114,8 +114,8 @@ static enum pp_status draw_plot_plan(struct pp_canvas *canvas,
     return status;
 }
 
-/* Finds the window that limits the envelope. Returns its room and, in *opening, its
- * index; NULL: no window does. */
+/* Finds the window that limits the envelope. Returns its room and sets *opening to its
+ * index; NULL: no window limits it. */
 static const struct pp_world *find_deciding(int *opening,
                                             const struct standing_rooms *rooms,
                                             const struct pp_plot_envelope *found)

@@ -1,4 +1,4 @@
-/* draw_model_net.c - net of a room's scale model, to cut out. */
+/* draw_model_net.c - net of a room's scale model, to be cut out and folded. */
 #include "api/chart_kind.h"
 #include "charts/net/net_chart.h"
 

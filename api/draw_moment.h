@@ -1,12 +1,12 @@
-/* draw_moment.h - the plan of a room at one moment: illuminances instead of daylight
- * factors. */
+/* draw_moment.h - plan of a room with the illuminances at one moment instead of
+ * daylight factors. */
 #ifndef PP_API_DRAW_MOMENT_H
 #define PP_API_DRAW_MOMENT_H
 
 #include "api/chart_kind.h"
 
-/* Draws the plan at the moment of choice->moment, which is not NULL.
- * PP_INTERRUPTED: nothing is drawn. */
+/* Draws the plan for the moment choice->moment, which must not be NULL. PP_INTERRUPTED:
+ * nothing is drawn. */
 enum pp_status pp_draw_moment_plan(struct pp_canvas *canvas,
                                    const struct pp_study_room *room,
                                    const struct pp_study_options *study,

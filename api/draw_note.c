@@ -1,5 +1,5 @@
 /* draw_note.c - a calculation as a design note: the worksheet of df --explain for a
- * point, typeset with drawings; one note for each point. */
+ * point, typeset with drawings. There is one note for each point. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,14 +14,14 @@
 
 enum { POINTS_MOST = 12, WORKS_MOST = 32, NOTES_MOST = 32, SENTENCE = 256, WORK = 512 };
 
-/* Texts of the note that are not part of the report. */
+/* Texts of the note that the report does not contain. */
 struct note_words {
     char (*sentences)[SENTENCE]; /* one per column */
-    const char **contents;       /* pointers to sentences */
+    const char **contents;       /* pointers to the rows of `sentences` */
     char works[WORKS_MOST][WORK];
     const char *sources[WORKS_MOST], *keys[WORKS_MOST];
     int source_count;
-    char *text; /* the notes, one after the other; `notes` points into it */
+    char *text; /* all notes in succession; `notes` points into this text */
     const char *notes[NOTES_MOST];
     int note_count;
 };
@@ -40,7 +40,7 @@ static void add_work(struct note_words *words, const char *place)
     words->source_count++;
 }
 
-/* Adds the sentence on the allowances that the method includes, and the works cited for
+/* Adds a sentence on the allowances that the method includes, and the publications of
  * the method and its formulae. */
 static void add_method(struct note_words *words, const char *name, int column)
 {

@@ -1,5 +1,5 @@
-/* draw_overlay.c - overlays for fisheye photographs: equal parts of the sky, and sun
- * paths. */
+/* draw_overlay.c - overlays for fisheye photographs: points or cells of equal
+ * illuminance, and sun paths. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,5 +1,6 @@
-/* draw_plan.c - contours of the daylight factor and the no-sky line on the room's plan,
- * or its lit area at present and before, or its illuminances at one moment. */
+/* draw_plan.c - plan of a room with contours of the daylight factor and the no-sky
+ * line, or with its present and former lit area, or with its illuminances at one
+ * moment. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,8 +32,8 @@ static enum pp_status draw_lit_area(struct pp_canvas *canvas,
     return status;
 }
 
-/* Finds the ends of the section that `chart section` draws. A room without a line for
- * it has no mark: *found is false. */
+/* Finds the ends of the section that `chart section` draws. *found is false if the room
+ * has no line of points for a section. */
 static enum pp_status find_mark(struct pp_plan_mark *mark, bool *found,
                                 const struct pp_study_room *room,
                                 const struct pp_chart_choice *choice,
@@ -65,8 +66,8 @@ static enum pp_status find_mark(struct pp_plan_mark *mark, bool *found,
     return status;
 }
 
-/* Replaces the average by that of the same column of the report `known`, if any, so
- * that both agree. */
+/* Replaces the average by the average of the same column of the report `known`, if any,
+ * so that plan and report agree. */
 static void take_average(struct pp_column *figures, const struct pp_report *known)
 {
     for (int i = 0; known && i < known->column_count; i++) {

@@ -1,5 +1,5 @@
-/* draw_section.c - daylight factors along a line of points, over the room's section. A
- * room without such a line gets one from studies/section_line.h. */
+/* draw_section.c - daylight factors along a line of points, drawn over a section of the
+ * room. For a room without a line of points, studies/section_line.h makes one. */
 #include <math.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@
 
 enum { NOTE_BYTES = 640 };
 
-/* PP_BAD_INPUT, with the reason, if the section has no values to show. */
+/* Returns PP_BAD_INPUT, with the reason, if there are no values to show. */
 static enum pp_status check_values(const struct pp_report *report, struct pp_error *err)
 {
     const char *why = "these methods give only part of the daylight factor; expected a "
@@ -33,9 +33,9 @@ static enum pp_status check_values(const struct pp_report *report, struct pp_err
                    report->world->name, why);
 }
 
-/* Writes the obstruction angle used by the formulae, if there are obstructions: the
- * angle of an infinitely long skyline that leaves the window the same amount of sky. It
- * may differ from the line of sight in the section. */
+/* Prints the obstruction angle that the formulae use, if there are obstructions. The
+ * angle is that of an infinitely long skyline that leaves the window the same amount of
+ * sky. It may differ from the line of sight in the section. */
 static enum pp_status say_obstructions(char note[NOTE_BYTES],
                                        const struct pp_world *world,
                                        const struct pp_outside_light *light,

@@ -1,4 +1,4 @@
-/* draw_site.c - diagrams of the sky in front of a window, for its vertical sky
+/* draw_site.c - diagrams of the sky in front of a window, to read the vertical sky
  * component: blank, or with the obstructions of one window of a room. */
 #include "api/chart_kind.h"
 #include "api/choose_window.h"

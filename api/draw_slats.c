@@ -1,5 +1,5 @@
-/* draw_slats.c - the light through a blind by profile angle: of a blind given by an
- * option, or of a room's window. */
+/* draw_slats.c - transmittance of a blind by profile angle. The blind is given by an
+ * option or belongs to a window of the room. */
 #include <math.h>
 #include <stdio.h>
 
@@ -8,7 +8,7 @@
 #include "charts/slats_chart.h"
 #include "model/light/slats/slat_cell.h"
 
-/* The blind of the chosen window, or of the first window with a blind. */
+/* Finds the blind of the chosen window, or of the first window with a blind. */
 static enum pp_status blind_of_room(struct pp_window_device *device,
                                     const struct pp_world *world, const char *words,
                                     struct pp_error *err)

@@ -1,5 +1,5 @@
-/* draw_sun_path.c - sun paths over the obstructions of a window, on a stereographic
- * diagram. */
+/* draw_sun_path.c - chart of sun paths over the obstructions in front of a window, as a
+ * stereographic diagram. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -48,16 +48,16 @@ static void clear_sun(struct window_sun *sun)
     pp_sunlit_hours_clear(&sun->march);
 }
 
-/* Hours with sunshine in a weather file: the sun's positions, and the hours in which it is
- * visible and in which it shines at all. */
+/* Positions of the sun in the sunshine hours of a weather file. visible_h: hours in
+ * which the window can see the sun; all_h: all sunshine hours. */
 struct weather_sun {
     struct pp_overlay_sun *suns; /* owned */
     int count;
     double visible_h, all_h;
-    double latitude_rad; /* of the file */
+    double latitude_rad; /* latitude of the weather file */
 };
 
-/* A difference in latitude that is visible on the diagram. */
+/* Smallest difference in latitude that is visible on the diagram. */
 static const double far_latitude_rad = 1.0 * PP_RAD;
 
 static enum pp_status find_weather_sun(struct weather_sun *found,
@@ -173,8 +173,8 @@ static enum pp_status draw_sun_path_sheet(struct pp_canvas *canvas,
     return pp_overlay_chart_draw(canvas, &overlay, err);
 }
 
-/* Finds the sun at the same window of the former room; PP_BAD_INPUT if the rooms
- * differ. */
+/* Finds the sun at the same window of the room in its former state. PP_BAD_INPUT if the
+ * two rooms do not have the same windows. */
 static enum pp_status find_before(struct window_sun *sun, const struct pp_world *world,
                                   const struct pp_world *before, int window,
                                   struct pp_error *err)

@@ -1,4 +1,4 @@
-/* draw_year.c - daylight in a room over a year. */
+/* draw_year.c - chart of the daylight in a room over a year. */
 #include <math.h>
 
 #include "api/chart_kind.h"

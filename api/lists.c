@@ -1,4 +1,4 @@
-/* lists.c - pepperpot.h: lists by name, and the version. */
+/* lists.c - implementation of pepperpot.h: lists by name, and the version. */
 #include <stdio.h>
 #include <stdlib.h>
 

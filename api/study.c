@@ -1,4 +1,4 @@
-/* study.c - pepperpot.h: studies, their points, and their columns. */
+/* study.c - implementation of pepperpot.h: studies, their points, and their columns. */
 #include "api/study.h"
 
 #include <math.h>
@@ -34,7 +34,8 @@ static void forget_results(struct pp_study *study)
     study->has_assessment = false;
 }
 
-/* Copies and resolves a room of the building, with another sky if `sky` is given. */
+/* Copies and resolves a room of the building; `sky`, if not NULL, replaces the room's
+ * sky. */
 static enum pp_status resolve_study_room(struct pp_study *study,
                                          struct pp_building *building, int index,
                                          const char *sky, struct pp_mistakes *mistakes,
@@ -122,7 +123,7 @@ enum pp_status pp_study_set_sky(struct pp_study *study, const char *sky,
     return status;
 }
 
-/* Replaces the study's points by the list, which the study then owns. */
+/* Replaces the study's points by the given points, which the study then owns. */
 static void take_over_points(struct pp_study *study, struct pp_receiver *points,
                              int count, struct pp_grid_choice grid)
 {

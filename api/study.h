@@ -1,4 +1,4 @@
-/* study.h - definition of pepperpot.h's struct pp_study. Inside api/ only. */
+/* study.h - definition of pepperpot.h's struct pp_study, for use inside api/ only. */
 #ifndef PP_API_STUDY_H
 #define PP_API_STUDY_H
 
@@ -11,20 +11,22 @@
 struct pp_study {
     struct pp_study_room room;
     char *file;                      /* file name for messages and reports */
-    struct pp_room *description;     /* copy of the building's room, with the sky */
+    struct pp_room *description;     /* copy of the room in the building, with the sky
+                                      * of the study */
     struct pp_study_options options; /* options of the last evaluation */
     struct pp_variant_list
-        variants; /* variants of formulae; the methods' options point to them */
+        variants; /* variants of formulae, to which the method options point */
     struct pp_report report;
     struct pp_light_scene *scene;     /* scene of the world; NULL: not yet built */
-    struct pp_simulation *simulation; /* NULL: none requested */
-    struct pp_grid_choice grid;       /* grid of the points; empty: the points are not a
+    struct pp_simulation *simulation; /* options of the simulation; NULL: no
+                                       * simulation */
+    struct pp_grid_choice grid;       /* grid of the points; empty if they are not on a
                                        * grid */
     struct pp_assessment assessment;
     bool has_assessment;
 };
 
-/* Replaces the report by an empty one for the present room and points. */
+/* Replaces the report by an empty report for the present room and points. */
 void pp_study_begin_report(struct pp_study *study);
 
 #endif

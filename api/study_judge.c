@@ -1,4 +1,5 @@
-/* study_judge.c - pepperpot.h: assesses a study by criteria, and sizes its windows. */
+/* study_judge.c - implementation of pepperpot.h: assesses a study by criteria, and
+ * sizes its windows. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +8,8 @@
 #include "model/room/text/room_text.h"
 #include "studies/sizing/size_room.h"
 
-/* Copies the simulated factors of the study's grid to the assessment's report. */
+/* Copies the simulated daylight factors of the study's grid into the report of the
+ * assessment. */
 static enum pp_status take_simulated(struct pp_report *to, const struct pp_report *from,
                                      struct pp_error *err)
 {
@@ -69,7 +71,7 @@ struct pp_judgement pp_study_judgement(const struct pp_study *study, int index)
                                  .note = finding->note};
 }
 
-/* Makes the text of the room file with the windows that were found; the caller frees
+/* Makes the text of the room file with the windows that were found. The caller frees
  * *file. */
 static enum pp_status write_sized_room_text(char **file,
                                             struct pp_size_room_result *result,

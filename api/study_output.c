@@ -1,4 +1,4 @@
-/* study_output.c - pepperpot.h: reports and charts of a study. */
+/* study_output.c - implementation of pepperpot.h: reports and charts of a study. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,8 +37,8 @@ enum pp_status pp_study_report(const struct pp_study *study, enum pp_format form
     return status;
 }
 
-/* Copies the study's room with its own list of points, since a section may replace the
- * points. */
+/* Copies the study's room with a separate list of points, because a section may replace
+ * the points. */
 static enum pp_status borrow_room(struct pp_study_room *room,
                                   const struct pp_study *study, struct pp_error *err)
 {
@@ -68,7 +68,7 @@ static enum pp_status check_kind(const struct pp_chart_kind *kind, const char *n
     return PP_OK;
 }
 
-/* Draws on a new canvas and copies its bytes. */
+/* Draws a chart on a new canvas, and copies the bytes of the file. */
 static enum pp_status draw_on_own_canvas(const struct pp_chart_kind *kind,
                                          struct pp_study_room *room,
                                          const struct pp_chart_request *request,

@@ -1,5 +1,5 @@
-/* study_vectors.c - pepperpot.h: geometry and contours of a study, for programs that
- * draw them. */
+/* study_vectors.c - implementation of pepperpot.h: geometry and contours of a study,
+ * for programs that draw them. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -8,7 +8,7 @@
 #include "reports/vectors/scene_json.h"
 #include "studies/plan_study.h"
 
-/* Closes the stream; after a failure its bytes are discarded. */
+/* Closes the stream. After a failure, its bytes are discarded. */
 static enum pp_status finish_vectors(FILE *out, enum pp_status status, char **bytes,
                                      size_t *length, struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* atlas_chart.c - draws the maps of atlas_chart.h. */
+/* atlas_chart.c - see atlas_chart.h. */
 #include "charts/atlas_chart.h"
 
 #include <math.h>
@@ -14,12 +14,13 @@ struct atlas_plot {
     struct pp_style style;
     const struct pp_atlas_map *map;
     struct pp_box field;
-    struct pp_axis up; /* axis of ratios, in maps by one feature */
+    struct pp_axis up; /* vertical axis of ratios, in maps by one feature */
 };
 
 /* ---- edges of classes ---- */
 
-/* Start of class k on the scale, 0 to 1; all classes are drawn equally wide. */
+/* Position of the lower edge of class k along the scale, 0 to 1. All classes are drawn
+ * equally wide. */
 static double edge_at(const struct pp_atlas_scale *scale, int k)
 {
     return (double)k / scale->count;
@@ -104,12 +105,12 @@ static void draw_frame(struct atlas_plot *plot)
     cairo_stroke(plot->cr);
 }
 
-/* ---- a map by one number ---- */
+/* ---- a map by one feature ---- */
 
 /* Limits of the scales of ratios; values beyond them are drawn at the edge. */
 static const double least_ratio = 0.01, most_ratio = 100.0;
 
-/* A scale that covers all quantiles, except those beyond its limits. */
+/* Returns an axis that covers all quantiles within the limits above. */
 static struct pp_axis ratio_axis(const struct atlas_plot *plot)
 {
     double low = 0.8, high = 1.25;
@@ -204,11 +205,11 @@ static void draw_by_one(struct atlas_plot *plot)
     draw_up_title(plot, "Method divided by simulation");
 }
 
-/* ---- a map by two numbers ---- */
+/* ---- a map by two features ---- */
 
-/* Appearance of a field whose ratio is at most up_to: grey level, or distance between
- * hatching lines (mm on A4). Between the limits next to 1, below and above it, a hand
- * calculation is considered right. */
+/* Appearance of a cell whose ratio is below up_to: grey level, or spacing of the
+ * hatching lines (mm on A4). From 0.83 to 1.2 the hand calculation is considered right,
+ * and the cell stays white. */
 static const struct {
     double up_to, grey, hatch_mm;
     const char *words;

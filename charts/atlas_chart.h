@@ -1,13 +1,14 @@
 /* atlas_chart.h - maps of a method's error over the rooms of an atlas.
  *
- * Maps by one number show for each class the median ratio of the method's value to the
- * simulated one, with whiskers over 90 % of the rooms. Next to it is the ratio in the
- * method's own world, whose whiskers show the formula's error alone. The vertical scale
- * is logarithmic, since twice and half as much are equal errors.
+ * A map by one feature divides the rooms into classes. For each class it shows the
+ * median ratio of the method's value to the simulated value, with whiskers that contain
+ * 90 % of the rooms. A second bar shows the ratio for rooms simplified to the method's
+ * assumptions, which is the error of the formula alone. The vertical scale is
+ * logarithmic, so that double and half are equal errors.
  *
- * Maps by two numbers have a field for each pair of classes: grey where the method is
- * too high, hatched where it is too low, denser with the error. The median is printed
- * in the field, the number of rooms in small figures.
+ * A map by two features has a cell for each pair of classes. The cell is grey where the
+ * method is too high and hatched where it is too low; a larger error is darker or
+ * denser. The cell states the median and, in small type, the number of rooms.
  */
 #ifndef PP_CHARTS_ATLAS_CHART_H
 #define PP_CHARTS_ATLAS_CHART_H

@@ -1,5 +1,4 @@
-/* availability_chart.c - draws the curves of availability_chart.h as steps, with their
- * names, the lines of target illuminances, and both scales. */
+/* availability_chart.c - see availability_chart.h. */
 #include "charts/availability_chart.h"
 
 #include <math.h>
@@ -17,7 +16,7 @@ struct availability_plot {
     struct pp_style style;
     const struct pp_availability_sheet *sheet;
     const struct pp_availability_row *rows; /* rows of the place and method drawn */
-    int row_count;                          /* 0: none */
+    int row_count;                          /* 0: no illuminances inside are drawn */
     char place[64];                         /* "on average", "at 1.50, 2.00" */
     struct pp_axis across, up;
     struct pp_box field;
@@ -27,8 +26,8 @@ struct availability_plot {
 
 /* ---- choice of rows ---- */
 
-/* Chooses the rows to be drawn: those of the first method with a value, at the only
- * point or for the average. */
+/* Chooses the rows to be drawn: the rows of the first method with a value, at the point
+ * if there is only one, else for the average. */
 static void choose_rows(struct availability_plot *plot)
 {
     const struct pp_availability_sheet *sheet = plot->sheet;
@@ -48,8 +47,8 @@ static void choose_rows(struct availability_plot *plot)
                  report->receivers[0].position.x, report->receivers[0].position.y);
 }
 
-/* Upper end of the illuminance scale, exceeded in at most 1 of 200 hours of any period.
- * A scale up to the brightest hour would compress the rest. */
+/* Upper end of the illuminance scale (lx), exceeded in at most 1 of 200 hours of any
+ * period. If the scale included the brightest hour, the curves would be compressed. */
 static double top_lx(const struct pp_availability_sheet *sheet)
 {
     double top = 1000.0;
@@ -65,8 +64,7 @@ static double top_lx(const struct pp_availability_sheet *sheet)
 
 /* ---- words ---- */
 
-/* Rounds to three significant figures, the precision of reading illuminances off a
- * curve. */
+/* Rounds to three significant figures; a curve cannot be read more precisely. */
 static double three_figures(double lx)
 {
     double unit = pow(10.0, fmax(0.0, floor(log10(lx)) - 2.0));
@@ -128,14 +126,14 @@ static void say_notes(struct availability_plot *plot)
 
 /* ---- curves ---- */
 
-/* Position on paper (y, mm) of a share of the hours. */
+/* Position on paper (y, mm) of a fraction of the hours. */
 static double up_at(const struct availability_plot *plot, double share)
 {
     return pp_axis_at(&plot->up, 100.0 * share);
 }
 
-/* Draws a curve as steps, from no light up to the brightest hour, without steps too
- * small to see. */
+/* Draws a curve as steps, from zero to the brightest hour. Steps too small to be
+ * visible are omitted. */
 static void draw_curve(struct availability_plot *plot, int index)
 {
     const struct pp_availability_period *period = &plot->sheet->periods[index];
@@ -179,8 +177,8 @@ static void clear_box(struct availability_plot *plot, struct pp_box box)
     cairo_fill(plot->cr);
 }
 
-/* Writes names next to their curves if there is space for all, else in a legend in the
- * upper right corner, which falling curves leave free. */
+/* Writes names next to their curves if there is space for all names. Otherwise draws a
+ * legend in the upper right corner, where the descending curves leave space. */
 static void name_curves(struct availability_plot *plot)
 {
     struct pp_key keys[PP_PERIODS_MOST];
@@ -218,9 +216,9 @@ static void name_curves(struct availability_plot *plot)
 
 /* ---- target illuminances ---- */
 
-/* Draws a vertical line at the illuminance outside that gives one target inside, its
- * name above the field, and a dot at each curve. *free_from: smallest x for the next
- * name. */
+/* Draws a vertical line at the illuminance outside that gives a target illuminance
+ * inside, its name above the field, and a dot on each curve. *free_from: smallest x for
+ * the next name; updated. */
 static void draw_mark(struct availability_plot *plot,
                       const struct pp_availability_row *row, double *free_from)
 {
@@ -342,7 +340,7 @@ static void draw_availability_sheet(struct availability_plot *plot,
                                  plot->foot};
     struct pp_box body = pp_page_draw(canvas, style, &page);
 
-    /* The field is not much higher than wide on any sheet. */
+    /* On any sheet, the field is at most 1.05 times as high as wide. */
     double left = 10.0 * style->scale, right = 5.0 * style->scale;
     double above = 9.5 * style->scale;
     double below = (has_inside_scale(plot) ? 24.0 : 11.0) * style->scale;

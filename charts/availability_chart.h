@@ -2,10 +2,11 @@
  * one curve per period, outside and in a room.
  *
  * The horizontal axis is the diffuse horizontal illuminance outside, the vertical axis
- * the share of working hours that reach it. With a room, a second scale shows the
- * illuminance inside at its daylight factor: at a point if the chart is for one point,
- * else on average. Each target illuminance is a line at the illuminance outside that it
- * needs, with a dot on each curve. The figures are written below.
+ * the share of working hours in which the illuminance is at least that high. With a
+ * room, a second horizontal scale shows the illuminance inside, from the daylight
+ * factor at the point or, if there are several points, from the average. A vertical
+ * line for each target illuminance stands at the illuminance outside that the target
+ * requires, with a dot on each curve. The numbers are printed below.
  */
 #ifndef PP_CHARTS_AVAILABILITY_CHART_H
 #define PP_CHARTS_AVAILABILITY_CHART_H

@@ -1,6 +1,6 @@
-/* picture_chart.c - places a picture on a sheet: the raster, with grid, contour lines
- * and marks on it; the scale of its false colours beside it; a scale bar in metres
- * below it. */
+/* picture_chart.c - places a picture on a sheet. Grid, contour lines and marks are
+ * drawn on the picture, a scale of its false colours beside it, and a scale bar in
+ * metres below it. */
 #include "charts/picture_chart.h"
 
 #include <math.h>
@@ -12,8 +12,9 @@
 #include "charts/picture_png.h"
 #include "charts/room/room_plan.h"
 
-/* The space beside the picture for the scale of its colours, the width of that scale's
- * bar, and the space below the picture for its scale of lengths; times style.scale. */
+/* Sizes in mm, to be multiplied by style.scale: space beside the picture for the colour
+ * scale, width of the bar of that scale, and space below the picture for the scale of
+ * lengths. */
 static const double scale_mm = 22.0, bar_mm = 7.0, below_mm = 11.0;
 
 struct picture_drawing {
@@ -22,12 +23,12 @@ struct picture_drawing {
     const struct pp_picture_sheet *sheet;
     struct pp_box box;       /* box of the picture */
     double mm;               /* mm per pixel */
-    struct pp_labels labels; /* figures keep clear of each other */
+    struct pp_labels labels; /* occupied places, so that figures do not overlap */
 };
 
 static void level_words(char *text, size_t room, double level)
 {
-    /* %.4g would print 10000 and more with a power of ten. */
+    /* %.4g would print 10000 and more in exponential form. */
     snprintf(text, room, level >= 1e4 && level < 1e7 ? "%.0f" : "%.4g", level);
 }
 
@@ -74,7 +75,7 @@ static enum pp_status draw_raster(const struct picture_drawing *drawing,
     return PP_OK;
 }
 
-/* ---- over it ---- */
+/* ---- lines and figures on the picture ---- */
 
 static void path(const struct picture_drawing *drawing, const struct pp_curve *curve)
 {
@@ -98,7 +99,7 @@ static void stroke_seen(const struct picture_drawing *drawing, double weight_mm)
     cairo_stroke(cr);
 }
 
-/* Writes the figure of a line at the free place nearest to its middle. */
+/* Writes the figure of a line at the free place nearest to the middle of the line. */
 static void draw_figure(struct picture_drawing *drawing, const struct pp_curve *curve)
 {
     char words[32];
@@ -150,7 +151,7 @@ static void draw_grid(struct picture_drawing *drawing)
     }
 }
 
-/* Draws the words of the grid, then the figures of lines, which avoid them. */
+/* Draws the text of the grid, then the figures of lines, which avoid that text. */
 static void draw_words(struct picture_drawing *drawing)
 {
     const struct pp_picture_sheet *sheet = drawing->sheet;
@@ -255,7 +256,7 @@ static void draw_scale(const struct picture_drawing *drawing)
     }
 }
 
-/* Draws a bar of metres below the picture and, for a view from above, the north
+/* Draws a scale bar in metres below the picture and, for a view from above, a north
  * arrow. */
 static void draw_lengths(const struct picture_drawing *drawing)
 {

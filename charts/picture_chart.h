@@ -1,4 +1,4 @@
-/* picture_chart.h - a picture on a sheet: with its scale, contour lines and marks. */
+/* picture_chart.h - a picture on a sheet with its scale, contour lines and marks. */
 #ifndef PP_CHARTS_PICTURE_CHART_H
 #define PP_CHARTS_PICTURE_CHART_H
 

@@ -1,4 +1,5 @@
-/* picture_png.c - makes a cairo image of a raster, and encodes it as a PNG file. */
+/* picture_png.c - converts a raster to a cairo image, and encodes the image as a PNG
+ * file. */
 #include "charts/picture_png.h"
 
 #include <stdint.h>

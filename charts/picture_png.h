@@ -1,4 +1,4 @@
-/* picture_png.h - a picture as a PNG file, pixel for pixel. */
+/* picture_png.h - a picture as a PNG file, with the pixels of the raster. */
 #ifndef PP_CHARTS_PICTURE_PNG_H
 #define PP_CHARTS_PICTURE_PNG_H
 
@@ -6,10 +6,11 @@
 
 #include "model/pictures/raster.h"
 
-/* A cairo image of the raster; NULL: out of memory, or too large. */
+/* Converts the raster to a cairo image. NULL: out of memory, or the raster is too
+ * large. */
 cairo_surface_t *pp_picture_png_surface(const struct pp_raster *raster);
 
-/* The whole file: *length bytes, the caller's to free. */
+/* Makes a complete PNG file of *length bytes, which the caller frees. */
 enum pp_status pp_picture_png(unsigned char **bytes, size_t *length,
                               const struct pp_raster *raster, struct pp_error *err);
 

@@ -18,7 +18,7 @@ struct slats_plot {
     struct pp_box field;
 };
 
-/* Value of a curve, in the order of the legend. */
+/* Value of curve number `curve`, in the order of the legend. */
 static double curve_value(const struct pp_slat_parts *p, int curve)
 {
     const double values[CURVES] = {p->straight + p->room_down + p->room_up, p->straight,
@@ -82,7 +82,7 @@ static void draw_slat_plot(const struct slats_plot *plot)
     draw_slat_curves(plot);
 }
 
-/* Draws some slats in section, the outside on the left, in a box. */
+/* Draws some slats in section in a box, with the outside on the left. */
 static void draw_slat_section(const struct slats_plot *plot, struct pp_box box)
 {
     const struct pp_slats *slats = &plot->sheet->device.slats;
@@ -96,7 +96,7 @@ static void draw_slat_section(const struct slats_plot *plot, struct pp_box box)
             double a, b;
             pp_slats_point(slats, (double)k / ARC_STEPS, &a, &b);
             b += (i - 0.5 * (SLATS_SHOWN - 1)) * slats->spacing;
-            if (plot->sheet->device.vertical) /* in plan: outside below */
+            if (plot->sheet->device.vertical) /* seen in plan: the outside is below */
                 cairo_line_to(plot->cr, x0 - b * mm_per_m, y0 - a * mm_per_m);
             else
                 cairo_line_to(plot->cr, x0 + a * mm_per_m, y0 - b * mm_per_m);
@@ -110,7 +110,7 @@ static void draw_slat_section(const struct slats_plot *plot, struct pp_box box)
                                      : "section: the outside is on the left");
 }
 
-/* Draws the table; returns its lower end. */
+/* Draws the table below the upper edge of the box. */
 static void draw_slat_table(const struct slats_plot *plot, struct pp_box box)
 {
     static const char *const heads[COLUMNS] = {"profile angle", "straight", NULL, NULL,

@@ -1,6 +1,6 @@
-/* slats_chart.h - transmittance of a blind by profile angle: curves of the straight light
- * and of the scattered light upwards and downwards, a table, and a section of the
- * slats. */
+/* slats_chart.h - transmittance of a blind by profile angle: curves for light that
+ * passes straight through and for light scattered upwards and downwards, a table, and a
+ * section of the slats. */
 #ifndef PP_CHARTS_SLATS_CHART_H
 #define PP_CHARTS_SLATS_CHART_H
 

@@ -1,4 +1,5 @@
-/* test_page.c - draws the test page, from top to bottom. All lengths are millimetres. */
+/* test_page.c - draws the test page from top to bottom. All lengths are in
+ * millimetres. */
 #include "charts/test_page.h"
 
 #include <stdio.h>
@@ -6,8 +7,8 @@
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
 
-/* Sample text: letters in European names, signs in formulae, and letters that look
- * alike. */
+/* Sample text: letters of European names, signs in formulae, and letters that are
+ * easily confused. */
 static const char sample[] =
     "ÄÖÜ äöüß àçéñøš łőž  ·  θ τ ρ φ η  ·  ° ² √ − × ≤ ± ½ – …  ·  "
     "1 l I | 0 O 5 S 8 B";
@@ -23,7 +24,7 @@ static const struct pp_page page = {
 struct test_page {
     cairo_t *cr;
     struct pp_style style;
-    double left, width; /* left end and width of all rows */
+    double left, width; /* left edge and width of all rows */
 };
 
 static void label(const struct test_page *sheet, double x, double y, double across,
@@ -46,13 +47,13 @@ static void stroke(cairo_t *cr, double x0, double y0, double x1, double y1)
     cairo_stroke(cr);
 }
 
-/* Length (mm) of the tick at a whole millimetre. */
+/* Length (mm) of the tick at a millimetre of the ruler. */
 static double tick_length(int mm)
 {
     return mm % 10 == 0 ? 5.0 : mm % 5 == 0 ? 3.5 : 2.0;
 }
 
-/* Draws two rulers from x, y: one to the right, one down. */
+/* Draws two rulers from x, y, one to the right and one downwards. */
 static void draw_rulers(const struct test_page *sheet, double x, double y)
 {
     cairo_t *cr = sheet->cr;
@@ -87,7 +88,7 @@ static void draw_circle(const struct test_page *sheet, double x, double y)
     label(sheet, x + 25.0, y + 50.8, 0.5, "50 mm");
 }
 
-/* Writes text in every size of the charts, from y down. */
+/* Writes text in every size used in charts, downwards from y. */
 static void draw_text_sizes(const struct test_page *sheet, double x, double y)
 {
     static const char *const names[] = {[PP_TEXT_SMALL] = "small",
@@ -110,7 +111,8 @@ static void draw_text_sizes(const struct test_page *sheet, double x, double y)
     pp_lettering_draw(sheet->cr, &sheet->style, &letters, x, y + 1.5, sample);
 }
 
-/* Draws black to white in steps of 10 %, and the lightest tint of the charts. */
+/* Draws greys from black to white in steps of 10 %, and the lightest tint used in
+ * charts. */
 static void draw_greys(const struct test_page *sheet, double y)
 {
     enum { STEPS = 12 };
@@ -157,7 +159,7 @@ static void draw_lines(const struct test_page *sheet, double y)
     }
 }
 
-/* Draws six hatched fields in two columns, the upper left one at x, y. */
+/* Draws six hatched fields in two columns. x, y: upper left corner. */
 static void draw_hatches(const struct test_page *sheet, double x, double y)
 {
     static const struct {
@@ -177,7 +179,7 @@ static void draw_hatches(const struct test_page *sheet, double x, double y)
     }
 }
 
-/* Draws a cross in each corner, 10 mm from both edges. */
+/* Draws a cross in each corner, 10 mm from both edges of the sheet. */
 static void draw_corners(const struct test_page *sheet, double width, double height)
 {
     pp_style_line(sheet->cr, 0.18, PP_INK);

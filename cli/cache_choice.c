@@ -61,7 +61,8 @@ static enum pp_status read_bounces(const char *text, void *place, struct pp_erro
     return PP_OK;
 }
 
-/* Reads one number for all channels, or three separated by commas. */
+/* Reads one number for all three colour channels, or three numbers separated by
+ * commas. */
 static enum pp_status read_ambient(const char *text, void *place, struct pp_error *err)
 {
     char copy[128];

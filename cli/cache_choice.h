@@ -7,32 +7,33 @@
 #include "simulate/cache/irradiance_cache.h"
 
 struct pp_cache_choice {
-    struct pp_cache_options options; /* except seed and threads */
+    struct pp_cache_options options; /* options of the cache, without seed and
+                                      * threads */
     const char *include, *exclude;   /* lists of materials, separated by commas; NULL:
                                       * none */
-    const char *file;                /* --cache; NULL: none */
-    char *names;                     /* storage of the names in options.materials */
+    const char *file;                /* file of records, from --cache; NULL: none */
+    char *names;                     /* memory for the names in options.materials */
     const char **materials;
 };
 
-/* --accuracy (-aa), --resolution (-ar), --divisions (-ad), --supersamples (-as),
- * --bounces (-ab), --ambient (-av), --include (-ai), --exclude (-ae), --cache; the
- * values are stored in a struct pp_cache_choice. */
+/* Options --accuracy (-aa), --resolution (-ar), --divisions (-ad), --supersamples
+ * (-as), --bounces (-ab), --ambient (-av), --include (-ai), --exclude (-ae) and
+ * --cache. The values are stored in a struct pp_cache_choice. */
 extern const struct pp_option pp_cache_choice_options[];
 
 struct pp_cache_choice pp_cache_choice_default(void);
 
-/* Splits the list of materials to include or exclude, after all options are read.
+/* Splits the list of materials to be included or excluded, after all options are read.
  * PP_BAD_INPUT if both lists are given. */
 enum pp_status pp_cache_choice_settle(struct pp_cache_choice *words,
                                       struct pp_error *err);
 void pp_cache_choice_clear(struct pp_cache_choice *words);
 
-/* Name of the first option that is given and applies only to a cache (all except
- * --bounces); NULL: none. */
+/* First option given that applies only to a cache (all options above except --bounces);
+ * NULL: none. */
 const char *pp_cache_choice_used(const struct pp_cache_choice *words);
 
-/* Makes the cache for a scene, and reads the records in the file of --cache if it
+/* Makes the cache for a scene. Reads the records in the file of --cache, if the file
  * exists. */
 enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_cache_choice *words,
@@ -42,12 +43,12 @@ enum pp_status pp_cache_choice_open(struct pp_irradiance_cache **cache,
                                     const struct pp_radiance_options *light,
                                     uint64_t seed, int threads, struct pp_error *err);
 
-/* Writes `bytes` to the file of --cache, which must be given, in one step. */
+/* Writes `bytes` to the file of --cache in one step. --cache must be given. */
 enum pp_status pp_cache_choice_write(const struct pp_cache_choice *words,
                                      const char *bytes, size_t length,
                                      struct pp_error *err);
 
-/* Writes a cache's records to the file of --cache, if given. */
+/* Writes the records of a cache to the file of --cache, if --cache is given. */
 enum pp_status pp_cache_choice_save(const struct pp_cache_choice *words,
                                     const struct pp_irradiance_cache *cache,
                                     struct pp_error *err);

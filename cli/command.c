@@ -1,5 +1,5 @@
-/* command.c - runs any command: reads its options, checks them, runs it, cleans up.
- * Checks that no output file is also named elsewhere on the command line. */
+/* command.c - runs a command: reads and checks its options, runs it, cleans up. Also
+ * checks that no output file is named elsewhere on the command line. */
 #include "cli/command.h"
 
 #include <libgen.h>
@@ -31,13 +31,13 @@ void pp_command_help(const struct pp_command *command, FILE *out)
 enum { FILES_MOST = 16 };
 
 struct named_file {
-    const char *option; /* "--output", without its dashes */
+    const char *option; /* name of the option without dashes, such as "output" */
     const char *path;
     bool written;
 };
 
-/* Finds the directory of a path, and the file's name in it. False if there is no such
- * directory, or the path is too long. */
+/* Splits a path into directory and file name. Returns false if there is no such
+ * directory, or if the path is too long. */
 static bool split_path(const char *path, struct stat *directory, char name[PATH_MAX])
 {
     char copy[PATH_MAX];
@@ -54,8 +54,8 @@ static bool is_same_place(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* True if both names denote the same file, or will once it is written. Devices do not
- * count, since two outputs may go to /dev/null. */
+/* True if both names denote the same file, or will do so once the file is written.
+ * Devices are never the same, since two outputs may go to /dev/null. */
 static bool is_same_file(const char *a, const char *b)
 {
     if (strcmp(a, "-") == 0 || strcmp(b, "-") == 0)
@@ -70,7 +70,7 @@ static bool is_same_file(const char *a, const char *b)
            && is_same_place(&of_a, &of_b);
 }
 
-/* Lists the files named by options. */
+/* Lists the files that options name. */
 static int list_files(struct named_file *list, const struct pp_command_line *line)
 {
     int count = 0;
@@ -89,10 +89,11 @@ static int list_files(struct named_file *list, const struct pp_command_line *lin
     return count;
 }
 
-/* PP_BAD_INPUT if a file that an option writes is also named by another option or
- * operand (`files`). Files are compared by device and inode, so different names of one
- * file are found. Options with the reader pp_options_read_output or
- * pp_options_read_updated write files; those with pp_options_read_input read files. */
+/* Checks that a file written by an option is not also named by another option or
+ * operand (`files`); otherwise PP_BAD_INPUT. Files are compared by device and inode, so
+ * different names of the same file are found. Options with the reader
+ * pp_options_read_output or pp_options_read_updated write files; those with
+ * pp_options_read_input read files. */
 static enum pp_status check_files_apart(const struct pp_command_line *line,
                                         char **files, int file_count,
                                         struct pp_error *err)
@@ -116,8 +117,8 @@ static enum pp_status check_files_apart(const struct pp_command_line *line,
     return PP_OK;
 }
 
-/* PP_BAD_INPUT if standard input is named for two of the options and operands
- * (`files`). */
+/* Checks that standard input is named at most once among options and operands
+ * (`files`); otherwise PP_BAD_INPUT. */
 static enum pp_status check_input_once(const struct pp_command_line *line, char **files,
                                        int file_count, struct pp_error *err)
 {

@@ -1,9 +1,9 @@
-/* command.h - a command of the program; program/main.c has the list of all commands.
+/* command.h - a command of the program. program/main.c lists all commands.
  *
- * An entry of the list defines how the arguments are read into the command's own
- * struct, how they are checked, and how the command runs. A new command needs a file
- * cmd_NAME.c in a folder of that name, a declaration here, and an entry in
- * program/main.c.
+ * Each command is a struct pp_command, with functions that check its arguments and run
+ * it. Arguments are read into a struct peculiar to the command. To add a command, write
+ * cmd_NAME.c in a folder of that name, declare the command here, and add it to the list
+ * in program/main.c.
  */
 #ifndef PP_CLI_COMMAND_H
 #define PP_CLI_COMMAND_H
@@ -17,34 +17,38 @@
 
 struct pp_command {
     const char *name, *summary;
-    const char *operands;                 /* "FILE..." */
-    const char *about;                    /* a paragraph or more of its help */
-    const struct pp_option_group *groups; /* with offsets in the command's own struct */
-    size_t size;                          /* size of that struct, bytes */
-    void (*more_help)(FILE *out);         /* prints the end of the help; NULL: only
-                                           * options */
+    const char *operands;                 /* operands in the help text, such as
+                                           * "FILE..." */
+    const char *about;                    /* description in the help text, one paragraph
+                                           * or more */
+    const struct pp_option_group *groups; /* options; offsets refer to the command's own
+                                           * struct */
+    size_t size;                          /* size of the command's own struct, bytes */
+    void (*more_help)(FILE *out);         /* prints the end of the help text; NULL:
+                                           * there are only options */
 
-    void (*init)(void *options); /* called before the arguments are read */
-    /* Checks the arguments before any file is opened. PP_BAD_INPUT if they are
+    void (*init)(void *options); /* called before arguments are read */
+    /* Checks the arguments before any file is opened. Returns PP_BAD_INPUT if they are
      * inconsistent. */
     enum pp_status (*check)(void *options, char **operands, int count,
                             struct pp_error *err);
     enum pp_exit (*run)(void *options, char **operands, int count);
     void (*clear)(void *options); /* always called at the end */
-    int words_before_files; /* number of operands before the files: 1 if the first is
-                             * the kind of chart */
+    int words_before_files; /* number of operands before the files: 1 if the first is a
+                             * kind of chart */
 
-    /* True if ranks share the command's work. Its options then have a const struct
-     * pp_ranks * at the offset ranks_place, which is set after init; NULL: no ranks. */
+    /* True if ranks (MPI processes) share the work of the command. The command's
+     * options then contain a const struct pp_ranks * at offset ranks_place. The pointer
+     * is set after init, and is NULL if there are no ranks. */
     bool uses_ranks;
     size_t ranks_place;
 };
 
 void pp_command_help(const struct pp_command *command, FILE *out);
 
-/* Runs a command whose name is argv[0], prints its help, or reports invalid arguments.
- * ranks: NULL if this process is alone; a command that does not share its work runs on
- * rank 0 only. */
+/* Runs the command, prints its help text, or reports invalid arguments. argv[0]: name
+ * of the command. ranks: NULL if there is only this process. A command that does not
+ * share its work runs on rank 0 only. */
 enum pp_exit pp_command_run(const struct pp_command *command, int argc, char **argv,
                             const struct pp_ranks *ranks);
 

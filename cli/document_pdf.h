@@ -1,4 +1,4 @@
-/* document_pdf.h - writes a document as a PDF with sheets of A4. */
+/* document_pdf.h - writes a document as a PDF with A4 sheets. */
 #ifndef PP_CLI_DOCUMENT_PDF_H
 #define PP_CLI_DOCUMENT_PDF_H
 
@@ -6,8 +6,9 @@
 
 #include "charts/document/document_sheets.h"
 
-/* title: title of the file, and foot of each sheet; description: subject of the file;
- * pictures: see pp_document_sheets_draw; NULL: the document has none. */
+/* Writes the PDF to `out`. title: title of the PDF, and foot of each sheet;
+ * description: subject of the PDF; pictures: see pp_document_sheets_draw; NULL: there
+ * are none. */
 enum pp_status pp_document_pdf(const struct pp_document *document, const char *title,
                                const char *description, bool landscape,
                                struct pp_canvas *const *pictures, FILE *out,

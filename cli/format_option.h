@@ -5,7 +5,7 @@
 #include "cli/options.h"
 #include "reports/parts/format.h"
 
-/* Lists for struct pp_option_group; the value is stored in an enum pp_format. */
+/* Option lists for struct pp_option_group; the value is stored in an enum pp_format. */
 extern const struct pp_option pp_format_option[];       /* text, json or csv */
 extern const struct pp_option pp_text_or_json_option[]; /* for results that are not
                                                          * tables */

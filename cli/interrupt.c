@@ -1,12 +1,12 @@
-/* interrupt.c - stores SIGINT and SIGTERM in a flag; a second signal ends the
+/* interrupt.c - stores SIGINT and SIGTERM in a flag. A second signal ends the
  * process. */
 #include "cli/interrupt.h"
 
 #include <signal.h>
 #include <stddef.h>
 
-/* The only variable at file scope in the program: a signal handler has no other way to
- * pass data. */
+/* The only variable with file scope in the program: a signal handler cannot pass data
+ * in any other way. */
 static volatile sig_atomic_t interrupted;
 
 static const int watched[] = {SIGINT, SIGTERM};

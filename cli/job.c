@@ -1,4 +1,4 @@
-/* job.c - opens the output, computes, prints, closes. */
+/* job.c - see job.h. */
 #include "cli/job.h"
 
 #include "cli/message.h"

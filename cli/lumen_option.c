@@ -1,4 +1,4 @@
-/* lumen_option.c - the option --lumen-table, and loading of its one or two coefficient
+/* lumen_option.c - reads the option --lumen-table, and loads one or two coefficient
  * files. */
 #include "cli/lumen_option.h"
 

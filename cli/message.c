@@ -1,5 +1,4 @@
-/* message.c - prints messages to standard error, each with the program's name in
- * front. */
+/* message.c - prints messages to standard error, each after the program's name. */
 #include "cli/message.h"
 
 #include <stdarg.h>
@@ -15,8 +14,8 @@ static void put_line(const char *before, const char *message)
     fputc('\n', stderr);
 }
 
-/* Prints the indented lines below a message, which show a position in the typed
- * text. */
+/* Prints the indented lines below a message, which show the position of an error in the
+ * typed text. */
 static void put_lines(const char *message)
 {
     char line[sizeof((struct pp_error *)0)->message];
@@ -51,7 +50,8 @@ void pp_message(const char *format, ...)
     put_line("pepperpot: ", message);
 }
 
-/* Prints each message after its file and line, with `word` before its text. */
+/* Prints all messages, each after its file and line. word: printed before the text of
+ * each message. */
 static void put_mistakes(struct pp_mistakes *mistakes, const char *word)
 {
     pp_mistakes_sort(mistakes);

@@ -9,22 +9,22 @@
 /* Prints "pepperpot: MESSAGE". Returns the matching exit status. */
 enum pp_exit pp_message_error(const struct pp_error *err);
 
-/* Prints "pepperpot df: MESSAGE" and how to get help. Returns PP_EXIT_USAGE. */
+/* Prints "pepperpot df: MESSAGE" and a reference to the help. Returns PP_EXIT_USAGE. */
 enum pp_exit pp_message_usage(const char *command, const struct pp_error *err);
 
-/* "pepperpot: ..." */
+/* Prints "pepperpot: ..." and a line feed. */
 void pp_message(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Warns that a simulation was interrupted and its results are marked so. Returns
- * PP_EXIT_INTERRUPTED. */
+/* Warns that a simulation was interrupted, so that its results are marked as
+ * unfinished. Returns PP_EXIT_INTERRUPTED. */
 enum pp_exit pp_message_unfinished(void);
 
-/* Prints each mistake as "FILE:LINE: error, and the expected value". Returns
+/* Prints each error as "FILE:LINE: error, and the expected value". Returns
  * PP_EXIT_INPUT. */
 enum pp_exit pp_message_mistakes(struct pp_mistakes *mistakes);
 
-/* Prints each warning as "FILE:LINE: warning: ..."; with `strict` as an error, without
- * the word "warning". */
+/* Prints each warning as "FILE:LINE: warning: ...". If `strict` is set, the word
+ * "warning" is omitted. */
 void pp_message_warnings(struct pp_mistakes *warnings, bool strict);
 
 #endif

@@ -12,7 +12,8 @@
 
 /* ---- the options ---- */
 
-/* Reads "", "Z" or "+HH:MM": hours ahead of universal time; NAN for "". */
+/* Reads a time zone, "", "Z" or "+HH:MM", as hours ahead of universal time. NAN for
+ * "". */
 static bool read_zone(const char *text, double *zone_h)
 {
     int hours, minutes, used = 0;
@@ -69,11 +70,12 @@ const struct pp_option pp_moment_weather_option[] = {
     {0},
 };
 
-/* ---- a sky of irradiances ---- */
+/* ---- sky given by irradiances ---- */
 
 enum { PEREZ_NUMBERS = 4 };
 
-/* True if the date exists, in the years for which the sun's formulae are valid. */
+/* True if the date exists and the year is in the range for which the formulae of the
+ * sun's position are valid. */
 static bool is_in_calendar(const struct pp_moment_irradiances *of)
 {
     return of->year >= 1800 && of->year <= 2200
@@ -83,7 +85,7 @@ static bool is_in_calendar(const struct pp_moment_irradiances *of)
 
 static enum pp_status read_perez(struct pp_moment_choice *choice, struct pp_error *err)
 {
-    static const double MOST_W_M2 = 1500.0; /* sun outside the atmosphere: 1412 */
+    static const double MOST_W_M2 = 1500.0; /* greater than the solar constant */
     const char *numbers = choice->sky + strlen("perez");
     double v[PEREZ_NUMBERS] = {NAN, NAN, NAN, NAN};
     int count =
@@ -129,10 +131,11 @@ static bool is_perez(const char *sky)
            && (sky[length] == '\0' || sky[length] == ',');
 }
 
-/* ---- a standard sky with illuminances ---- */
+/* ---- standard sky given by illuminances ---- */
 
-/* True for overcast,DIFFUSE, uniform,DIFFUSE and iso-N with more than a sun's position;
- * without illuminances these skies are for daylight factors. */
+/* True for the skies overcast,DIFFUSE and uniform,DIFFUSE, and for iso-N with more
+ * numbers than the position of the sun. Without illuminances these skies are for
+ * daylight factors. */
 static bool is_standard_moment(const char *sky)
 {
     int commas = 0;
@@ -146,7 +149,8 @@ static bool is_standard_moment(const char *sky)
 static enum pp_status read_standard(struct pp_moment_choice *choice,
                                     struct pp_error *err)
 {
-    static const double MOST_LX = 200000.0; /* above the sun outside the atmosphere */
+    static const double MOST_LX = 200000.0; /* greater than sunlight outside the
+                                             * atmosphere */
     struct pp_moment_standard *standard = &choice->standard;
     double v[4] = {0.0};
     double type = 0.0;

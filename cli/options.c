@@ -1,4 +1,4 @@
-/* options.c - finds options in their tables, reads their values, and lays out the
+/* options.c - finds options in their tables, reads their values, and prints the
  * help. */
 #include "cli/options.h"
 
@@ -15,19 +15,19 @@ enum { HELP_WIDTH = 80, HELP_INDENT = 24, MOST_OPTIONS = 64 };
 static const struct pp_option help_option = {
     .name = "help", .letter = 'h', .help = "Print this help and stop."};
 
-/* Option found for a word, and the address of its value. */
+/* Option found on the command line, and the address of its value. */
 struct found {
     const struct pp_option *option;
     void *place;
 };
 
-/* Length of an option's name without the short form that may follow. */
+/* Length of an option's name, without a short form that may follow it. */
 static size_t name_length(const struct pp_option *option)
 {
     return strcspn(option->name, " ");
 }
 
-/* The short form with its hyphen, or NULL. */
+/* Short form of an option, with its hyphen; NULL: none. */
 static const char *short_of(const struct pp_option *option)
 {
     const char *space = strchr(option->name, ' ');
@@ -39,7 +39,7 @@ static bool is_named(const struct pp_option *option, const char *name, size_t le
     return name_length(option) == length && memcmp(option->name, name, length) == 0;
 }
 
-/* The option with that name, or with that letter if name is NULL. */
+/* Finds the option with that name or, if name is NULL, with that letter. */
 static struct found find_option(const struct pp_command_line *line, const char *name,
                                 size_t length, char letter)
 {
@@ -64,7 +64,7 @@ static struct found find_short(const struct pp_command_line *line, const char *w
     return (struct found){NULL, NULL};
 }
 
-/* The short form that a word begins with: -aa in -aa.2; NULL: none. */
+/* Short form with which a word begins, such as -aa in -aa.2; NULL: none. */
 static const char *nearest_short(const struct pp_command_line *line, const char *word)
 {
     for (const struct pp_option_group *group = line->groups; group->title; group++)
@@ -118,8 +118,8 @@ static enum pp_status set(struct found found, const char *shown, const char *val
     return status;
 }
 
-/* Reads one option and, if it has a value in the next word, that value. *taken: number
- * of words read. */
+/* Reads one option, and its value if the value is the next word. *taken: number of
+ * words read. */
 static enum pp_status read_option(const struct pp_command_line *line, char **words,
                                   int count, int *taken, bool *help,
                                   struct pp_error *err)
@@ -199,8 +199,7 @@ enum pp_status pp_options_read(const struct pp_command_line *line, int argc,
     return PP_OK;
 }
 
-/* Prints text from column `column` on, wrapped; lines after the first are
- * indented. */
+/* Prints wrapped text, starting at column `column`. Further lines are indented. */
 static void wrap(FILE *out, const char *text, int column, int indent)
 {
     while (*text) {
@@ -337,8 +336,8 @@ enum pp_status pp_options_read_seed(const char *text, void *place, struct pp_err
     return PP_OK;
 }
 
-/* Reads a number followed by one of the endings, with nothing else in text; *which:
- * index of the ending. */
+/* Reads a number followed by one of the units in `endings`, and nothing else. *which is
+ * set to the index of the unit. */
 static bool read_with_unit(const char *text, const char *const endings[],
                            double *number, int *which)
 {

@@ -1,4 +1,5 @@
-/* output.c - writes a new file in the same directory, and renames it to the target. */
+/* output.c - writes a new file in the directory of the target, and renames it to the
+ * target. */
 #include "cli/output.h"
 
 #include <errno.h>
@@ -14,8 +15,8 @@
 
 enum { MOST_LINKS = 40 };
 
-/* Makes the path of `name` in the directory of `path`; the caller frees it. NULL: out
- * of memory. */
+/* Makes the path of `name` in the directory of `path`. The caller frees the path. NULL:
+ * out of memory. */
 static char *beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
@@ -29,8 +30,8 @@ static enum pp_status fail_file(struct pp_error *err, const char *path, int numb
     return pp_fail(err, PP_SYSTEM, "%s cannot be written: %s", path, strerror(number));
 }
 
-/* Follows symbolic links; the last one may point to a file that does not exist yet. The
- * caller frees *resolved. */
+/* Resolves symbolic links. The last link may point to a file that does not exist yet.
+ * The caller frees *resolved. */
 static enum pp_status follow_links(const char *path, char **resolved,
                                    struct pp_error *err)
 {
@@ -53,7 +54,7 @@ static enum pp_status follow_links(const char *path, char **resolved,
     return fail_file(err, path, ELOOP);
 }
 
-/* Checks that a file can be written there later. */
+/* Checks that a file can later be written at this path. */
 static enum pp_status check_output_path(const char *path, struct pp_error *err)
 {
     struct stat there;
@@ -99,7 +100,7 @@ enum pp_status pp_output_open(struct pp_output *output, const char *path,
     return PP_OK;
 }
 
-/* Writes all bytes; -1 and errno on failure. */
+/* Writes all bytes. Returns 0, or -1 with errno set. */
 static int write_all(int file, const char *bytes, size_t size)
 {
     while (size > 0) {
@@ -114,7 +115,7 @@ static int write_all(int file, const char *bytes, size_t size)
     return 0;
 }
 
-/* True for standard output and for a file that is not regular, such as a pipe. */
+/* True for standard output and for files that are not regular, such as pipes. */
 static bool is_written_directly(const struct pp_output *output)
 {
     struct stat there;
@@ -122,9 +123,9 @@ static bool is_written_directly(const struct pp_output *output)
            || (stat(output->path, &there) == 0 && !S_ISREG(there.st_mode));
 }
 
-/* Writes to a pipe, which may have no reader: then even opening it waits. The result of
- * closing counts, since some file systems report errors only then. Returns 0, or an
- * error number. */
+/* Writes to a pipe or another special file. A pipe without a reader blocks even when it
+ * is opened. Errors of close() count, since some file systems report write errors only
+ * there. Returns 0 or an error number. */
 static int write_directly(const struct pp_output *output)
 {
     pp_interrupt_end_at_once();
@@ -138,7 +139,7 @@ static int write_directly(const struct pp_output *output)
     return failed;
 }
 
-/* Mode of the replaced file, or the default mode of a new one. */
+/* Mode of the file to be replaced, or the default mode of a new file. */
 static mode_t mode_for(const char *path)
 {
     struct stat there;
@@ -149,7 +150,7 @@ static mode_t mode_for(const char *path)
     return 0666 & ~mask;
 }
 
-/* Writes a new file beside the target. Returns 0, or an error number. */
+/* Writes a new file in the directory of the target. Returns 0 or an error number. */
 static int write_temporary(struct pp_output *output)
 {
     output->temporary = beside(output->path, ".pepperpot-XXXXXX");
@@ -171,7 +172,7 @@ static int write_temporary(struct pp_output *output)
     return failed;
 }
 
-/* Replaces the target by the new file. Returns 0, or an error number. */
+/* Replaces the target by the new file. Returns 0 or an error number. */
 static int rename_temporary(struct pp_output *output)
 {
     if (rename(output->temporary, output->path) != 0)
@@ -181,8 +182,8 @@ static int rename_temporary(struct pp_output *output)
     return 0;
 }
 
-/* Writes all new files, then renames all. Signals are blocked, so that no temporary
- * file is left behind. */
+/* Writes all new files, then renames all of them. Signals are blocked meanwhile, so
+ * that no temporary file is left behind. */
 static enum pp_status replace_all(struct pp_output *outputs, int count,
                                   struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* output_directory.c - writes a new directory next to the target, and renames it to the
+/* output_directory.c - writes a new directory beside the target, and renames it to the
  * target. */
 #include "cli/output_directory.h"
 
@@ -34,8 +34,9 @@ static bool is_known(const struct pp_output_directory *directory, const char *na
     return false;
 }
 
-/* Counts the directory's entries in *entries, and checks that all are files that may be
- * replaced. Without `replace` it stops at the first entry. */
+/* Counts the directory's entries in *entries, and checks that all of them are files
+ * that may be replaced. If the directory must not be replaced, stops at the first
+ * entry. */
 static enum pp_status check_replaceable(const struct pp_output_directory *directory,
                                         const char *path, int depth, int *entries,
                                         struct pp_error *err)
@@ -221,7 +222,7 @@ int pp_output_directory_remove(const char *path)
     return failed;
 }
 
-/* Replaces the directory by `temporary`; its former contents are deleted. */
+/* Replaces the directory by `temporary`, and deletes its former contents. */
 static int take_place(const char *temporary, const char *path)
 {
     if (rename(temporary, path) == 0)
@@ -234,8 +235,8 @@ static int take_place(const char *temporary, const char *path)
     return 0;
 }
 
-/* Replaces the directory; signals are blocked, so that the new one is never left
- * behind. */
+/* Replaces the directory. Signals are blocked meanwhile, so that the new directory is
+ * never left behind. */
 static int replace(const struct pp_output_directory *directory)
 {
     char *temporary;
@@ -262,7 +263,7 @@ static int replace(const struct pp_output_directory *directory)
     return failed;
 }
 
-/* Closes all streams, which completes the bytes of the files. */
+/* Closes all streams, so that the contents of the files are complete. */
 static bool close_streams(struct pp_output_directory *directory)
 {
     bool good = true;

@@ -1,4 +1,5 @@
-/* progress.c - draws the progress bar, with the time left, over the previous one. */
+/* progress.c - draws the progress bar, with the remaining time, over the previous
+ * bar. */
 #include "cli/progress.h"
 
 #include <math.h>
@@ -10,7 +11,8 @@
 #include "reports/parts/format.h"
 #include "model/base/clock.h"
 
-/* Greatest width (columns) of the bar and of the label; least width of the bar. */
+/* Greatest width of the bar and of the label, and least width of the bar, in
+ * columns. */
 enum { BAR = 24, LABEL = 20, BAR_LEAST = 5 };
 
 void pp_progress_begin(struct pp_progress *progress, const char *label, bool quiet)
@@ -27,7 +29,7 @@ void pp_progress_resume(struct pp_progress *progress, double done)
     progress->before = done;
 }
 
-/* Writes the time left as ", 8 s left", ", 3 min left" or ", 2.5 h left"; nothing if it
+/* Writes the remaining time as ", 8 s left", ", 3 min left" or ", 2.5 h left"; "" if it
  * is unknown (NAN). */
 static void say_left(char *text, size_t room, double seconds)
 {
@@ -43,7 +45,7 @@ static void say_left(char *text, size_t room, double seconds)
                  fmin(seconds / 3600.0, 99999.0));
 }
 
-/* Prints the label, cut to a number of columns; returns the number used. */
+/* Prints the label, cut to a number of columns. Returns the number of columns used. */
 static int put_label(FILE *out, const char *label, int columns)
 {
     char start[4 * LABEL + 1];
@@ -79,8 +81,8 @@ void pp_progress_print(FILE *out, const char *label, double done, double error,
             ? snprintf(tail, sizeof tail, "%3.0f %%, error %.2g %%%s",
                        floor(100.0 * done), 100.0 * error, left)
             : snprintf(tail, sizeof tail, "%3.0f %%%s", floor(100.0 * done), left);
-    /* The bar is shortened first, then the label; the last column stays free, since
-     * some terminals would wrap. */
+    /* The bar is shortened first, then the label. The last column remains empty, since
+     * some terminals would wrap the line. */
     int spare = columns - 1 - tail_width;
     spare -= put_label(out, label, least(spare - 1, LABEL)) + 1;
     if (spare >= 3 + BAR_LEAST) {
@@ -90,7 +92,7 @@ void pp_progress_print(FILE *out, const char *label, double done, double error,
     fprintf(out, " %s", tail);
 }
 
-/* Width of the terminal in columns; 80 if unknown. */
+/* Number of columns of the terminal; 80 if unknown. */
 static int terminal_columns(void)
 {
     struct winsize size;

@@ -16,7 +16,7 @@ const struct pp_room_options pp_room_options_none = {.study.seed = 1};
 
 #define PLACE(member) offsetof(struct pp_room_options, member)
 
-/* Reads one "X,Y" or "X,Y,Z" of `length` bytes. */
+/* Reads one point, "X,Y" or "X,Y,Z", from text of `length` bytes. */
 static bool read_point(const char *text, size_t length, struct pp_vec3 *point)
 {
     char copy[128];
@@ -35,7 +35,7 @@ static bool read_point(const char *text, size_t length, struct pp_vec3 *point)
     return count >= 2;
 }
 
-/* Adds the points of text to the list. */
+/* Reads points and appends them to the list. */
 static enum pp_status read_points(const char *text, void *place, struct pp_error *err)
 {
     static const char blanks[] = " \t\n;";
@@ -140,7 +140,7 @@ const struct pp_option pp_room_project_options[] = {
     {0},
 };
 
-/* Reads "S", "S,MARGIN" or "largest". */
+/* Reads a grid spacing: "S", "S,MARGIN" or "largest". */
 static enum pp_status read_spacing(const char *text, void *place, struct pp_error *err)
 {
     struct pp_grid_choice *choice = place;
@@ -236,7 +236,7 @@ const struct pp_option pp_room_output_options[] = {
     {0},
 };
 
-/* First option given that determines when a simulation stops; NULL: none. */
+/* First option given that determines when a simulation ends; NULL: none. */
 static const char *stop_option(const struct pp_study_options *study)
 {
     return study->error > 0.0     ? "--error"

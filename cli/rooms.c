@@ -1,4 +1,4 @@
-/* rooms.c - reads room files, resolves their rooms and sets the points. */
+/* rooms.c - reads room files, resolves their rooms, and sets the points. */
 #include "cli/rooms.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 #include "model/room/position.h"
 #include "studies/doubts.h"
 
-/* State kept from file to file while all are read. */
+/* State of the loader between files. */
 struct loading {
     struct pp_rooms *rooms;
     const char *command;
@@ -38,7 +38,7 @@ static enum pp_exit add_world(struct loading *loading, const char *file,
     return PP_EXIT_DONE;
 }
 
-/* Resolves one room of a file; adds its errors to `mistakes`. */
+/* Resolves one room of a file. Errors in the room are added to `mistakes`. */
 static enum pp_exit resolve_room(struct loading *loading, const char *file,
                                  struct pp_building *building, int index,
                                  struct pp_mistakes *mistakes)
@@ -47,7 +47,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     struct pp_error err = {0};
     const char *sky = loading->options->study.sky;
     bool shared = sky && index > 0 && strncmp(sky, "picture,", 8) == 0;
-    if (shared) { /* read only once for all rooms of the file */
+    if (shared) { /* the picture is read only once for all rooms of the file */
         pp_room_take_sky(room, pp_building_room(building, 0));
     } else if (sky && pp_room_set_sky(room, sky, &err) != PP_OK) {
         struct pp_error usage;
@@ -61,7 +61,8 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     struct pp_world *world = NULL;
     enum pp_status status = pp_world_create(&world, room, mistakes, &err);
     if (status == PP_BAD_INPUT && mistakes->count > 0)
-        return PP_EXIT_DONE; /* reported together with the file's other errors */
+        return PP_EXIT_DONE; /* errors are reported later, with the other errors in the
+                              * file */
     struct pp_outside_light light;
     if (status == PP_OK)
         status = pp_room_light(&light, room, &err);
@@ -72,7 +73,7 @@ static enum pp_exit resolve_room(struct loading *loading, const char *file,
     return add_world(loading, file, building, index, world, &light);
 }
 
-/* Transfers ownership of the building to the rooms; NULL is allowed. */
+/* Transfers ownership of the building to *rooms. building may be NULL. */
 static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *building)
 {
     struct pp_error err;
@@ -86,7 +87,8 @@ static enum pp_exit keep_building(struct pp_rooms *rooms, struct pp_building *bu
     return PP_EXIT_DONE;
 }
 
-/* Sets the building to the requested state, in which it must have at least one room. */
+/* Sets the building to the requested state. In this state it must have at least one
+ * room. */
 static enum pp_status choose_state(struct pp_building *building, const char *file,
                                    enum pp_site_state state, struct pp_error *err)
 {
@@ -166,8 +168,8 @@ static enum pp_exit find_doubts(struct pp_rooms *rooms)
     return pp_fail_memory(&err), pp_message_error(&err);
 }
 
-/* Reports the warnings. A warning common to several rooms of a file is reported once.
- * strict: warnings are errors. */
+/* Reports the warnings. A warning that several rooms of a file have in common is
+ * reported once. strict: warnings are errors. */
 static enum pp_exit report_doubts(const struct pp_rooms *rooms, bool strict)
 {
     int count = 0;
@@ -187,7 +189,7 @@ static enum pp_exit report_doubts(const struct pp_rooms *rooms, bool strict)
     return strict && count > 0 ? PP_EXIT_INPUT : PP_EXIT_DONE;
 }
 
-/* Sets the points of --points in this room, facing up. */
+/* Sets the points of --points in this room; they face up. */
 static enum pp_exit place_points(struct pp_study_room *room,
                                  const struct pp_point_list *points)
 {
@@ -237,7 +239,7 @@ static enum pp_exit say_no_such_room(const struct pp_rooms *rooms, const char *w
     return pp_message_error(&err);
 }
 
-/* Removes all rooms that do not have that name. */
+/* Removes all rooms with other names. */
 static enum pp_exit choose_room(struct pp_rooms *rooms, const char *wanted)
 {
     int kept = 0;
@@ -266,7 +268,7 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
                                .more_than_one_file = file_count > 1};
     struct loading loading = {rooms, command, options};
 
-    /* Stops at once if the machine fails; input errors are reported for all files. */
+    /* A system error stops the loop; input errors are reported for all files. */
     enum pp_exit result = PP_EXIT_DONE;
     for (int i = 0; i < file_count; i++) {
         enum pp_exit of_file = load_file(&loading, files[i]);
@@ -289,8 +291,8 @@ enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **f
     return result;
 }
 
-/* Sets the building's state or, if `line` is not NULL, replaces its proposed parts by
- * its mirror image at that line. */
+/* Sets the building to the state. If `line` is not NULL, instead replaces the proposed
+ * parts by the building's mirror image about that line. */
 static enum pp_status settle_again(struct pp_building *building,
                                    enum pp_site_state state,
                                    const struct pp_mirror_line *line,
@@ -304,7 +306,7 @@ static enum pp_status settle_again(struct pp_building *building,
                            : pp_fail(err, status, "--mirror-image: %s", why.message);
 }
 
-/* Parses the proposed building again from its text, and sets the state or the mirror
+/* Parses the proposed building again from its text, then sets the state or the mirror
  * image. */
 static enum pp_exit load_again(struct loading *loading, const char *file,
                                const struct pp_building *proposed,
@@ -337,8 +339,8 @@ static bool has_state(const struct pp_building *building, enum pp_site_state sta
                                         : pp_building_has_states(building);
 }
 
-/* Parses again every building of these rooms that has the state, and sets that state,
- * or the mirror image if `line` is not NULL. */
+/* Parses again every building that has the state, and sets that state, or the mirror
+ * image if `line` is not NULL. */
 static enum pp_exit load_all_again(struct pp_rooms *rooms, const char *command,
                                    const struct pp_rooms *proposed,
                                    const struct pp_room_options *options,

@@ -1,4 +1,4 @@
-/* rooms.h - the room files of a command line, read and resolved. */
+/* rooms.h - reads and resolves the room files of a command line. */
 #ifndef PP_CLI_ROOMS_H
 #define PP_CLI_ROOMS_H
 
@@ -11,28 +11,30 @@
 struct pp_rooms {
     struct pp_study_room *list;
     int count;
-    bool several; /* a building, or more than one file: results are a list */
+    bool several; /* results are printed as a list, since a file describes a building,
+                   * or there are several files */
     bool more_than_one_file;
-    struct pp_building **buildings; /* the rooms' buildings */
+    struct pp_building **buildings; /* buildings to which the rooms belong */
     int building_count;
-    struct pp_mistakes **doubts; /* warnings about each room */
+    struct pp_mistakes **doubts; /* for each room, the warnings about its input */
     int doubt_count;
 };
 
-/* Reads all files and resolves all their rooms, with the sky and points of the options.
- * All errors in all files are reported on standard error; nothing is then loaded. */
+/* Reads all files and resolves all their rooms, with the sky and points given by the
+ * options. If there are errors, all errors in all files are reported on standard error,
+ * and nothing is loaded. */
 enum pp_exit pp_rooms_load(struct pp_rooms *rooms, const char *command, char **files,
                            int file_count, const struct pp_room_options *options);
 
 /* Loads the rooms again in another state, existing or cumulative. Buildings without
- * that state are left out. */
+ * that state are omitted. */
 enum pp_exit pp_rooms_load_state(struct pp_rooms *rooms, const char *command,
                                  const struct pp_rooms *proposed,
                                  const struct pp_room_options *options,
                                  enum pp_site_state state);
 
-/* Loads the rooms again with all proposed parts replaced by the mirror image of the
- * retained parts of each building. Every file must have states. */
+/* Loads the rooms again. In each building, the proposed parts are replaced by the
+ * mirror image of the retained parts. Every file must have states. */
 enum pp_exit pp_rooms_load_mirrored(struct pp_rooms *rooms, const char *command,
                                     const struct pp_rooms *proposed,
                                     const struct pp_room_options *options,

@@ -1,4 +1,5 @@
-/* watch.c - connects the progress bar and the interrupt flag to a study's watch. */
+/* watch.c - connects the progress bar and the interrupt flag to the watch of a
+ * study. */
 #include "cli/watch.h"
 
 #include "cli/interrupt.h"

@@ -1,5 +1,5 @@
-/* watch.h - shows the progress of a simulation on the terminal, and stops it at
- * Ctrl-C. */
+/* watch.h - shows the progress of a simulation on the terminal, and stops the
+ * simulation when the user interrupts. */
 #ifndef PP_CLI_WATCH_H
 #define PP_CLI_WATCH_H
 
@@ -11,8 +11,9 @@ struct pp_terminal_watch {
     struct pp_progress progress;
 };
 
-/* Shows a progress bar on the terminal unless quiet, and stops the simulation at an
- * interrupt if pp_interrupt_watch was called before. Valid as long as *terminal. */
+/* Makes a watch that shows a progress bar on the terminal, unless `quiet` is set. If
+ * pp_interrupt_watch was called before, the watch also stops the simulation at an
+ * interrupt. The watch is valid as long as *terminal. */
 struct pp_watch pp_watch_of_terminal(struct pp_terminal_watch *terminal, bool quiet);
 
 #endif

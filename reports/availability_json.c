@@ -14,7 +14,7 @@ static const char *const origins[] = {
     [PP_LIGHT_OVERCAST] = "overcast skies",
 };
 
-/* Adds an object, printed on one line, under a key. */
+/* Adds a new object under a key; the object will be printed on one line. */
 static struct json_object *line_under(struct json_object *object, const char *key)
 {
     struct json_object *line = json_object_new_object();
@@ -60,9 +60,9 @@ static bool add_availability_value(struct json_object *object, double value,
            && (isfinite(value) || pp_json_text(object, "why", why));
 }
 
-/* Adds the results of one place by one method: the daylight factor, and for each
- * illuminance the daylight factor needed and the share of hours that reach it. `row`:
- * the first of sheet->illuminance_count rows. */
+/* Adds the results of one place by one method: the daylight factor and, for each
+ * illuminance, the daylight factor required and the fraction of hours that reach the
+ * illuminance. row: first of sheet->illuminance_count rows. */
 static bool add_method(struct json_object *object,
                        const struct pp_availability_sheet *sheet,
                        const struct pp_availability_row *row)
@@ -90,7 +90,7 @@ static bool add_method(struct json_object *object,
     return good;
 }
 
-/* Adds the rows of one place, if it has any. False: out of memory. */
+/* Adds the rows of a place, if there are any. Returns false if memory is exhausted. */
 static bool add_place(struct json_object *object,
                       const struct pp_availability_sheet *sheet, int place)
 {
@@ -122,7 +122,7 @@ static bool add_availability_points(struct json_object *object,
     return good;
 }
 
-/* Adds the place's results under `key`; adds nothing if the place has no rows. */
+/* Adds the results of a place under `key`. Adds nothing if the place has no rows. */
 static bool add_whole_place(struct json_object *object,
                             const struct pp_availability_sheet *sheet, const char *key,
                             int place)

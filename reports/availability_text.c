@@ -1,4 +1,4 @@
-/* availability_text.c - prints the light outside, the periods, and one table per
+/* availability_text.c - prints the light outside, the periods, and one table for each
  * method. */
 #include "reports/availability_text.h"
 
@@ -21,7 +21,7 @@ static void print_availability_fact(const char *label, const char *text, int wid
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, width, out);
 }
 
-/* Writes a share of the working hours in per cent: "87", "0.4", "0". */
+/* Writes a fraction of the working hours in per cent: "87", "0.4", "0". */
 static void put_share(char cell[PP_CELL_BYTES], double share)
 {
     double per_cent = 100.0 * share;
@@ -42,7 +42,7 @@ static void put_lux(char cell[PP_CELL_BYTES], double lx)
         snprintf(cell, PP_CELL_BYTES, "%.0f", round(lx / unit) * unit);
 }
 
-/* Prints a row for each period: its hours, and the light from the sky during them. */
+/* Prints a row for each period: its hours, and the skylight during those hours. */
 static bool print_periods(const struct pp_availability_sheet *sheet, int width,
                           FILE *out)
 {
@@ -110,7 +110,8 @@ static void print_light(const struct pp_availability_sheet *sheet, int width, FI
 
 /* ---- the room ---- */
 
-/* Row of a place in the table: points first, then the median, and the average last. */
+/* Row of a place in the table: points first, then the median, and the average in the
+ * last row. */
 static int table_row(const struct pp_availability_sheet *sheet, int place)
 {
     int points = sheet->report->receiver_count;
@@ -138,9 +139,9 @@ static void put_df(char cell[PP_CELL_BYTES], const struct pp_reading *df, bool u
         snprintf(cell, PP_CELL_BYTES, "%.2f", 100.0 * df->value);
 }
 
-/* Fills a column from the rows of one method and illuminance. what: -2 for the daylight
- * factor, -1 for the illuminance needed outside, else the index of a period, for its
- * share. */
+/* Fills a column of one method and illuminance. what: -2 for the daylight factor, -1
+ * for the illuminance outside that is required, else the index of the period whose
+ * fraction of hours is written. */
 static void fill_column(struct pp_table_column *column,
                         const struct pp_availability_sheet *sheet, const char *method,
                         double lx, int what, bool utf8)
@@ -211,8 +212,8 @@ static bool print_method(const struct pp_availability_sheet *sheet, const char *
     return good;
 }
 
-/* Prints the reasons why methods lack values; a reason repeated in consecutive rows is
- * printed once. */
+/* Prints the reasons why methods lack values. A reason that is the same in consecutive
+ * rows is printed once. */
 static void print_reasons(const struct pp_availability_sheet *sheet, int width,
                           FILE *out)
 {

@@ -7,7 +7,7 @@
 
 #include "reports/availability_result.h"
 
-/* Writes text `width` columns wide (60 or more); utf8: uses the character ±. */
+/* Writes text in lines of `width` columns (60 or more). utf8: use the character ±. */
 enum pp_status pp_availability_text(const struct pp_availability_results *results,
                                     int width, bool utf8, FILE *out,
                                     struct pp_error *err);

@@ -7,7 +7,7 @@
 
 #include "studies/sizing/block_height.h"
 
-/* Writes text `width` columns wide (60 or more). */
+/* Writes text in lines of `width` columns (60 or more). */
 enum pp_status pp_block_height_report(const struct pp_block_height *found,
                                       const struct pp_block_height_task *task,
                                       int width, FILE *out, struct pp_error *err);

@@ -6,9 +6,9 @@
 #include "reports/parts/format.h"
 #include "reports/parts/print_band.h"
 
-/* Writes one reading and its band (NULL: not requested), at a receiver or, if that is
- * NULL, for the average named `place`. With external_lux above 0 a further field has
- * the illuminance: the daylight factor times external_lux. */
+/* Writes one reading and its band (NULL: not requested). The reading belongs to a
+ * receiver; receiver NULL: it is the average named `place`. If external_lux is above 0,
+ * a further field has the illuminance: the daylight factor times external_lux. */
 static void put_line(const struct pp_result *result, const struct pp_column *column,
                      const struct pp_receiver *receiver, const char *place,
                      const struct pp_reading *reading, const struct pp_band_ends *band,
@@ -43,8 +43,8 @@ static void put_line(const struct pp_result *result, const struct pp_column *col
     fputs("\r\n", out);
 }
 
-/* Writes all columns at receiver `index`; with -1 their averages and, with `margin`,
- * those inside the margin. */
+/* Writes all columns at receiver `index`. index -1: writes the averages, or, if
+ * `margin` is set, the averages inside the margin. */
 static void put_lines(const struct pp_results *results, const struct pp_result *result,
                       int index, bool margin, FILE *out)
 {

@@ -6,9 +6,9 @@
 
 #include "reports/df_result.h"
 
-/* Writes one line per value below a header line [RFC4180]; lines end with CR LF. Values
- * are per cent of the unobstructed horizontal illuminance, with ten significant digits;
- * a missing value is an empty field. */
+/* Writes a header line and one line per value [RFC4180]. Lines end with CR LF. Values
+ * are in per cent of the unobstructed horizontal illuminance, with ten significant
+ * digits. A missing value is an empty field. */
 enum pp_status pp_df_csv(const struct pp_results *results, FILE *out,
                          struct pp_error *err);
 

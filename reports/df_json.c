@@ -1,5 +1,5 @@
-/* df_json.c - builds the JSON object of one room: its points, the average, and the readings
- * of every method there. */
+/* df_json.c - makes the JSON object of one room: its points and the average, with the
+ * values by every method. */
 #include "reports/df_json.h"
 
 #include <math.h>
@@ -18,8 +18,8 @@
 #include "model/light/sky.h"
 #include "studies/engines/engine.h"
 
-/* Adds the corrections that a method's figures include; nothing for a pair, which
- * consists of two methods. */
+/* Adds the corrections that a method's figures include. Adds nothing for a pair of two
+ * methods. */
 static bool add_contents(struct json_object *object, const char *name)
 {
     char contents[160];
@@ -31,9 +31,10 @@ static bool add_contents(struct json_object *object, const char *name)
 }
 
 /* Makes { "value": 1.25, "se": 0.01 } or { "value": null, "why": "..." }, with "band":
- * [1.1, 1.6] if known. name: of the column. truth: reading of the reference engine at
- * the same place, or NULL; adds "apart", the difference from it in standard errors of
- * the difference. With external_lux above 0, adds the illuminance. */
+ * [1.1, 1.6] if known. name: name of the column; truth: reading of the reference engine
+ * at the same place; NULL: none. If truth is given, adds "apart", the difference
+ * between both readings divided by the standard error of that difference. If
+ * external_lux is above 0, adds the illuminance. */
 static struct json_object *entry(const struct pp_world *world,
                                  const struct pp_reading *reading, const char *name,
                                  const struct pp_reading *truth,
@@ -74,8 +75,8 @@ static struct pp_band_ends band_of(const struct pp_column *column, int index)
                                          : pp_band_none();
 }
 
-/* Column with which an engine's daylight factors are compared; NULL: `column` is itself
- * the reference, or not an engine's. */
+/* Column to which an engine's daylight factors are compared. NULL: `column` is the
+ * reference, or does not belong to an engine. */
 static const struct pp_column *truth_for(const struct pp_report *report,
                                          const struct pp_column *column)
 {
@@ -86,8 +87,8 @@ static const struct pp_column *truth_for(const struct pp_report *report,
                : NULL;
 }
 
-/* Adds "sc" ... "df" with each method's value at a place; a component without any value
- * is left out. */
+/* Adds "sc" ... "df" with the value of each method at a place. A component without any
+ * value is omitted. */
 static bool add_readings(struct json_object *object, const struct pp_report *report,
                          int index, double external_lux)
 {
@@ -142,7 +143,8 @@ static bool add_df_points(struct json_object *object, const struct pp_report *re
     return good;
 }
 
-/* Adds "variants": [{ "column": "bre-variant", "method": "bre", "formula": "irc = ..." }].
+/* Adds "variants": a list of objects such as { "column": "bre-variant", "method":
+ * "bre", "formula": "irc = ..." }.
  */
 static bool add_variants(struct json_object *object,
                          const struct pp_variant_list *variants)
@@ -162,7 +164,7 @@ static bool add_variants(struct json_object *object,
     return good;
 }
 
-/* { "value": 1.25, "se": 0.01 } */
+/* Makes the object of a value and its standard error: { "value": 1.25, "se": 0.01 }. */
 static struct json_object *plane_entry(const struct pp_reading *reading)
 {
     struct json_object *object = json_object_new_object();
@@ -195,8 +197,8 @@ static struct json_object *plane_reading_object(const struct pp_plane_reading *p
     return pp_json_whole(object, good);
 }
 
-/* Adds "grid": statistics over the plane, from the daylight factors at the points of a
- * grid. */
+/* Adds "grid": statistics over the plane, calculated from the daylight factors at the
+ * points of a grid. */
 static bool add_grid(struct json_object *object, const struct pp_report *report)
 {
     struct json_object *grid = json_object_new_object();

@@ -1,4 +1,4 @@
-/* df_json.h - daylight factors of rooms, as JSON of format pepperpot-df-1. */
+/* df_json.h - daylight factors of rooms as JSON, "pepperpot-df-1". */
 #ifndef PP_REPORTS_DF_JSON_H
 #define PP_REPORTS_DF_JSON_H
 
@@ -6,8 +6,9 @@
 
 #include "reports/df_result.h"
 
-/* Writes one object per room, an array of them for several rooms. Values are per cent
- * of the unobstructed horizontal illuminance, in ten significant digits. */
+/* Writes one object, or for several rooms an array with one object per room. Values are
+ * in per cent of the unobstructed horizontal illuminance, with ten significant
+ * digits. */
 enum pp_status pp_df_json(const struct pp_results *results, FILE *out,
                           struct pp_error *err);
 

@@ -1,5 +1,4 @@
-/* df_plane.c - arranges figures like the plan, and prints the summary of a plane.
- */
+/* df_plane.c - prints values arranged like the plan, and the summary of a plane. */
 #include "reports/df_plane.h"
 
 #include <math.h>
@@ -12,8 +11,8 @@
 
 enum { CELL = 7, BAND_CELL = 12, EDGE = 8, SHARE = 6, WORDS = 96 };
 
-/* Prints a cell padded to `columns` on the terminal: a multibyte character is one
- * column. */
+/* Prints a cell padded to `columns` on the terminal, where a multibyte character
+ * occupies one column. */
 static void put_padded(const char *cell, int columns, FILE *out)
 {
     int bytes = (int)strlen(cell), shown = 0;
@@ -22,7 +21,7 @@ static void put_padded(const char *cell, int columns, FILE *out)
     fprintf(out, "%*s%s", columns > shown ? columns - shown : 0, "", cell);
 }
 
-/* ---- arranged like the plan ---- */
+/* ---- values arranged like the plan ---- */
 
 static bool has_points(const struct pp_report *report, const struct pp_column *column)
 {
@@ -34,12 +33,13 @@ static bool has_points(const struct pp_report *report, const struct pp_column *c
     return false;
 }
 
-/* Values at the points: a column's daylight factors, or their bands. */
+/* Values to be printed at the points: the daylight factors of a column, or their
+ * bands. */
 struct layer {
     const struct pp_column *column;
     const struct pp_lattice *lattice;
     bool bands;
-    int cell; /* width of a point's cell, in columns of the terminal */
+    int cell; /* width of a cell for one point, in columns of the terminal */
 };
 
 static void put_point(const struct layer *layer, int at, char cell[WORDS])
@@ -111,9 +111,9 @@ void pp_df_plane_tables(const struct pp_report *report,
     }
 }
 
-/* ---- of the plane ---- */
+/* ---- summary of the plane ---- */
 
-/* "1.25", or "1.25 ±0.02". */
+/* Writes a value in per cent: "1.25", or "1.25 ±0.02" with its standard error. */
 static void put_reading(char cell[WORDS], const struct pp_reading *reading, bool utf8)
 {
     snprintf(cell, WORDS, "%.2f", 100.0 * reading->value + 0.0);
@@ -136,7 +136,7 @@ static void put_line(const struct pp_column *column, int name, int wide, bool ut
     }
     if (isfinite(plane->uniformity))
         fprintf(out, "%9.4f", plane->uniformity);
-    else /* dark everywhere */
+    else /* NAN: the whole plane is dark */
         put_padded("-", 9, out);
     for (int k = 0; k < PP_PLANE_LEVELS; k++)
         fprintf(out, "%5.0f%%", 100.0 * plane->over[k]);

@@ -1,6 +1,6 @@
-/* df_steps.c - calculations in the layout of a hand calculation: each formula is on its
- * own line with its value below; figures that are read from a table or given take one
- * line each, with the value on the right. */
+/* df_steps.c - prints calculations in the layout of a hand calculation. Each formula is
+ * on a separate line with its value below. A value that is given or read from a table
+ * takes one line, with the value on the right. */
 #include "reports/df_steps.h"
 
 #include <ctype.h>
@@ -14,10 +14,10 @@
 #include "model/results/step_text.h"
 
 enum {
-    HEAD = 4,   /* columns before a heading */
-    SYMBOL = 6, /* before a symbol or formula */
-    MORE = 10,  /* indent of the further lines of a long formula */
-    WHAT = 15,  /* words */
+    HEAD = 4,   /* indent of a heading, columns */
+    SYMBOL = 6, /* indent of a symbol or formula */
+    MORE = 10,  /* indent of further lines of a long formula */
+    WHAT = 15,  /* indent of words */
     VALUE_WIDTH = 11,
     UNIT_WIDTH = 4,
     LINE_MOST = 100
@@ -25,7 +25,8 @@ enum {
 
 /* ---- formulae ---- */
 
-/* Prints " IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", broken at blanks. */
+/* Prints a formula, such as " IRC = 0.85 W / (A (1 - R)) (C R_fw + 5 R_cw)", broken at
+ * blanks. */
 static void print_formula(const struct pp_calculation_step *step, int width, bool utf8,
                           FILE *out)
 {
@@ -37,7 +38,7 @@ static void print_formula(const struct pp_calculation_step *step, int width, boo
 
 /* ---- steps ---- */
 
-/* Length of the part of the words that fits on a line, broken at a blank. */
+/* Number of bytes of the text that fit on a line, broken at a blank. */
 static int fitting(const char *words, int room)
 {
     int length = (int)strlen(words);
@@ -93,8 +94,8 @@ void pp_df_steps_list(const struct pp_steps *steps, const struct pp_world *world
     }
 }
 
-/* Prints the corrections that a method's figures include; for a pair, the corrections
- * of both methods. */
+/* Prints the corrections that a method's figures include. For a pair, prints the
+ * corrections of both methods. */
 static void print_contents(const char *name, int width, FILE *out)
 {
     const struct pp_method *method = pp_method_find(name);

@@ -1,4 +1,4 @@
-/* df_steps.h - calculations in the layout of a hand calculation, as text. */
+/* df_steps.h - prints calculations in the layout of a hand calculation. */
 #ifndef PP_REPORTS_DF_STEPS_H
 #define PP_REPORTS_DF_STEPS_H
 
@@ -7,11 +7,11 @@
 
 #include "model/results/report.h"
 
-/* Prints the steps of the figures at the report's first point, method by method;
- * nothing if no steps were requested. */
+/* Prints the steps of the calculation for the report's first point, method by method.
+ * Prints nothing if no steps were requested. */
 void pp_df_steps(const struct pp_report *report, int width, bool utf8, FILE *out);
 
-/* Prints a list of steps; those of an opening follow its name. */
+/* Prints a list of steps. Steps of an opening follow the opening's name. */
 void pp_df_steps_list(const struct pp_steps *steps, const struct pp_world *world,
                       int width, bool utf8, FILE *out);
 

@@ -1,4 +1,4 @@
-/* df_text.c - fills the table of daylight factors and prints the texts above and below
+/* df_text.c - fills the table of daylight factors and prints the text above and below
  * it. */
 #include "reports/df_text.h"
 
@@ -58,8 +58,8 @@ static void put_sampled(char cell[PP_CELL_BYTES], const struct pp_reading *readi
                    pp_reading_printed_error(reading));
 }
 
-/* Writes the deviation of a value from the simulated value, as a percentage of the
- * latter; a dash if the simulated value is too uncertain. */
+/* Writes the deviation of a value from the simulated value, in per cent of the
+ * simulated value; a dash if the simulated value is too uncertain. */
 static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                          const struct pp_reading *traced)
 {
@@ -73,8 +73,8 @@ static void put_distance(char cell[PP_CELL_BYTES], const struct pp_reading *read
         snprintf(cell, PP_CELL_BYTES, fabs(off) < 99.95 ? "%+.1f" : "%+.0f", off);
 }
 
-/* Writes the distance between two simulated values, in standard errors of their
- * difference. */
+/* Writes the difference between two simulated values, in units of its standard
+ * error. */
 static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading,
                       const struct pp_reading *truth)
 {
@@ -85,8 +85,8 @@ static void put_apart(char cell[PP_CELL_BYTES], const struct pp_reading *reading
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* Writes lux, with three significant digits or as a whole number; a dash if there is no
- * value. */
+/* Writes an illuminance in lux, with three significant digits or as a whole number; a
+ * dash if there is no value. */
 static void put_lux(char cell[PP_CELL_BYTES], double lux)
 {
     if (!isfinite(lux)) {
@@ -134,7 +134,7 @@ static bool add_distances(struct pp_table *table, const struct pp_report *report
     return true;
 }
 
-/* Adds the distances between an engine's column and the reference. */
+/* Adds the differences between an engine's column and the reference. */
 static bool add_apart(struct pp_table *table, const struct pp_report *report,
                       const struct pp_column *column, const struct pp_column *truth)
 {
@@ -188,7 +188,7 @@ static bool add_illuminances(struct pp_table *table, const struct pp_report *rep
     return true;
 }
 
-/* True if a column would have dashes only and another method replaces it. */
+/* True if all cells of a column would be dashes, and another method replaces it. */
 static bool is_stood_in_for(const struct pp_report *report,
                             const struct pp_column *column)
 {
@@ -200,9 +200,9 @@ static bool is_stood_in_for(const struct pp_report *report,
     return report->stand_in != NULL;
 }
 
-/* Fills the table of daylight factors. external_lux: illuminance outside (lux), 0: no
- * columns of illuminance; lux_title: title of those columns. all_bands: bands for every
- * method; false: for the first method only. */
+/* Fills the table of daylight factors. external_lux: illuminance outside (lux); 0: no
+ * columns of illuminance; lux_title: title of those columns; all_bands: bands for every
+ * method; false: only for the first method. */
 static bool fill_table(struct pp_table *table, const struct pp_report *report,
                        double external_lux, const char *lux_title, bool all_bands,
                        bool utf8)
@@ -243,7 +243,7 @@ static bool fill_table(struct pp_table *table, const struct pp_report *report,
     return true;
 }
 
-/* True if the column has points without a known error, which are interpolated. */
+/* True if the column has values without a standard error, which are interpolated. */
 static bool is_interpolated(const struct pp_report *report,
                             const struct pp_column *column)
 {
@@ -253,7 +253,8 @@ static bool is_interpolated(const struct pp_report *report,
     return false;
 }
 
-/* Appends "traced: by simulation, ± one standard error, seed 1", for example. */
+/* Appends a description of the engine, such as "traced: by simulation, ± one standard
+ * error, seed 1". */
 static void say_engine(char *text, size_t size, const struct pp_report *report,
                        const struct pp_column *column,
                        const struct pp_study_options *options, bool utf8)
@@ -269,7 +270,8 @@ static void say_engine(char *text, size_t size, const struct pp_report *report,
         pp_text_append(text, size, ", seed %llu", (unsigned long long)options->seed);
 }
 
-/* Prints the engines and the notes on their figures; nothing without engines. */
+/* Prints the engines and the notes on their values. Prints nothing if no engine was
+ * used. */
 static void print_simulation(const struct pp_result *result,
                              const struct pp_study_options *options, bool utf8,
                              int width, FILE *out)
@@ -306,8 +308,8 @@ static void print_simulation(const struct pp_result *result,
 
 /* ---- a room ---- */
 
-/* Prints the sentence above a table that has only the average, and adds its key column.
- * False: out of memory. */
+/* Prints the sentence above a table that contains only averages, and adds its key
+ * column. Returns false if memory is exhausted. */
 static bool add_no_places(struct pp_table *table, const struct pp_report *report,
                           FILE *out)
 {
@@ -317,8 +319,9 @@ static bool add_no_places(struct pp_table *table, const struct pp_report *report
     return pp_table_add(table, NULL, NULL, "       ") != NULL;
 }
 
-/* Prints the table. A grid's daylight factors are arranged like the plan, unless
- * illuminances are requested; the table then has only averages. */
+/* Prints the table. The daylight factors of a grid are arranged like the plan, and the
+ * table then has only averages. If illuminances are requested, all values are in the
+ * table. */
 static enum pp_status print_table(const struct pp_report *report,
                                   const struct pp_study_options *options,
                                   bool all_bands, int width, bool utf8, FILE *out,
@@ -353,7 +356,7 @@ static enum pp_status print_table(const struct pp_report *report,
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-/* Prints the averages of daylight factors inside the margin. */
+/* Prints the average daylight factors inside the margin. */
 static void print_margin(const struct pp_report *report, bool utf8, int width,
                          FILE *out)
 {

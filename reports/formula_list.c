@@ -1,4 +1,4 @@
-/* formula_list.c - lists all methods and their formulae. */
+/* formula_list.c - prints all methods and their formulae. */
 #include "reports/formula_list.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
-/* formula_list.h - the published formulae of all methods: texts, sources, and the
- * quantities that they and users' variants may name. */
+/* formula_list.h - prints the published formulae of all methods: text, source, and the
+ * quantities that may be named in formulae and in variants. */
 #ifndef PP_REPORTS_FORMULA_LIST_H
 #define PP_REPORTS_FORMULA_LIST_H
 
@@ -7,12 +7,12 @@
 
 #include "methods/variant.h"
 
-/* Prints the list. A method begins with its name in column 1, a formula in column 3,
- * its quantities in column 7: docs/formulae.awk depends on it. */
+/* Prints the list. Method names begin in column 1, formulae in column 3, and quantities
+ * in column 7. docs/formulae.awk depends on these columns. */
 void pp_formula_list(FILE *out);
 
-/* Prints the variants of a run, each with its column's name, wrapped at `width`;
- * nothing if variants is NULL. */
+/* Prints the variants used in a run, each with the name of its column, wrapped at
+ * `width`. Prints nothing if variants is NULL. */
 void pp_formula_list_variants(const struct pp_variant_list *variants, int width,
                               FILE *out);
 

@@ -1,4 +1,4 @@
-/* gains_report.c - prints a room's gains as text and as a JSON object. */
+/* gains_report.c - prints the gains of a room as text and as a JSON object. */
 #include "reports/gains_report.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 
 enum { INDENT = 4, FIGURES = 30, SENTENCE = 256 };
 
-/* "2.38 %", or blanks. */
+/* Prints a daylight factor, "2.38 %", or blanks if there is none. */
 static void put_factor(double factor, FILE *out)
 {
     if (isfinite(factor))
@@ -19,7 +19,7 @@ static void put_factor(double factor, FILE *out)
         fprintf(out, "  %8s", "");
 }
 
-/* Prints the change, wrapped in its column, with the figures at the end of the first
+/* Prints a change, wrapped in its column, with the values at the end of the first
  * line. */
 static void print_gain(const struct pp_gain *gain, const struct pp_gains *gains,
                        int width, FILE *out)

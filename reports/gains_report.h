@@ -1,5 +1,5 @@
-/* gains_report.h - the causes that limit a room's daylight, and the gains from changing
- * them: the end of its assessment. */
+/* gains_report.h - the causes that limit daylight in a room, and the gains from
+ * changing them, which are the last part of a room's assessment. */
 #ifndef PP_REPORTS_GAINS_REPORT_H
 #define PP_REPORTS_GAINS_REPORT_H
 
@@ -9,11 +9,11 @@
 
 #include "studies/sizing/gains.h"
 
-/* Writes text `width` columns wide (60 or more). */
+/* Writes text in lines of `width` columns (60 or more). */
 void pp_gains_report(const struct pp_gains *gains, int width, FILE *out);
 
-/* Adds "gains": { "method", "average", "darkest", "holds_back", "changes": [] }, values
- * in per cent. False: out of memory. */
+/* Adds "gains": { "method", "average", "darkest", "holds_back", "changes": [] }, with
+ * values in per cent. Returns false if memory is exhausted. */
 bool pp_gains_report_json(struct json_object *object, const struct pp_gains *gains);
 
 #endif

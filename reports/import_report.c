@@ -1,4 +1,5 @@
-/* import_report.c - prints an imported scene and its sensors as text, JSON or CSV. */
+/* import_report.c - prints an imported scene and its sensor readings as text, JSON or
+ * CSV. */
 #include "reports/import_report.h"
 
 #include <math.h>
@@ -10,7 +11,7 @@
 #include "reports/parts/table.h"
 #include "model/base/read_file.h"
 
-/* Illuminance (lx) for an irradiance. */
+/* Converts an irradiance (W/m2) to an illuminance (lx). */
 static double lux(double irradiance)
 {
     return PP_IMPORT_EFFICACY * irradiance;
@@ -26,7 +27,7 @@ static double factor(const struct pp_imported *imported, double irradiance)
 
 struct census {
     long shapes[PP_SHAPE_DISTANT + 1];
-    long suns; /* distant sources that are concentrated */
+    long suns; /* distant sources of small angular size */
     struct pp_vec3 low, high;
     bool bounded;
 };

@@ -1,4 +1,4 @@
-/* import_report.h - an imported scene, and the readings of its sensors. */
+/* import_report.h - prints an imported scene and the readings of its sensors. */
 #ifndef PP_REPORTS_IMPORT_REPORT_H
 #define PP_REPORTS_IMPORT_REPORT_H
 
@@ -11,7 +11,7 @@ struct pp_imported {
     int file_count;
     const struct pp_scene_description *scene;
     struct pp_rad_summary summary;
-    struct pp_rgb horizontal; /* irradiance on the open horizontal ground */
+    struct pp_rgb horizontal; /* irradiance of the open horizontal ground */
 
     const struct pp_sensor *points;
     const struct pp_sensor_reading *readings; /* NULL: none requested */

@@ -40,7 +40,7 @@ static void say_verdict(char *text, size_t size, const struct pp_plot_envelope *
     }
 }
 
-/* Prints heights arranged like the plan, the first row at the bottom. */
+/* Prints the heights arranged like the plan, with the first row at the bottom. */
 static void print_plan(const struct pp_plot_cells *cells, FILE *out)
 {
     int last = cells->count;

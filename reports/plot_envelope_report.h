@@ -8,13 +8,13 @@
 
 #include "studies/sizing/plot_envelope.h"
 
-/* Writes text `width` columns wide (60 or more; the plan is at most 12 heights
- * wide). */
+/* Writes text in lines of `width` columns (60 or more). The plan has at most 12 heights
+ * per line. */
 enum pp_status pp_plot_envelope_report(const struct pp_plot_envelope *found,
                                        const struct pp_plot_envelope_task *task,
                                        int width, FILE *out, struct pp_error *err);
 
-/* Writes one line for each cell, with its height; the columns are the attributes of a
+/* Writes one line for each cell, with its height. The columns are the attributes of a
  * block in a room file. */
 enum pp_status pp_plot_envelope_report_csv(const struct pp_plot_envelope *found,
                                            const struct pp_plot_envelope_task *task,

@@ -18,7 +18,8 @@ void pp_retained_sky_table_say(char *text, size_t size,
         pp_text_append(text, size, ", or %.3g %%", 100.0 * rule->enough);
 }
 
-/* Factor for printing: VSC in per cent, areas in m2. */
+/* Factor for printing: 100 for the vertical sky component (per cent), 1 for areas
+ * (m2). */
 static double unit_of(enum pp_retained_sky_of of)
 {
     return of == PP_RETAINED_SKY_VSC ? 100.0 : 1.0;
@@ -29,8 +30,8 @@ static double ratio_of(const struct pp_retained_sky_place *due)
     return due->before > 0.0 ? due->after / due->before : NAN;
 }
 
-/* Adds the names of the room and of the window; in a table of rooms, only the name of
- * the room. */
+/* Adds the names of room and window, or, in a table of rooms, only the name of the
+ * room. */
 static bool fill_names(struct pp_table *table, const struct pp_retained_sky *dues,
                        enum pp_retained_sky_of of)
 {

@@ -1,5 +1,4 @@
-/* size_report.c - prints the windows found, as text and as JSON of format
- * pepperpot-size-1. */
+/* size_report.c - prints sized windows as text and as JSON, "pepperpot-size-1". */
 #include "reports/size_report.h"
 
 #include <math.h>
@@ -19,7 +18,7 @@ enum { LABEL = 15, TEXT_BYTES = 640 };
 
 static const double same_m = 1e-9;
 
-/* Appends "2.00 %", with more decimals for small values. */
+/* Appends a fraction in per cent, "2.00 %", with more decimals for small values. */
 static void append_per_cent(char text[TEXT_BYTES], double share)
 {
     double value = 100.0 * share;
@@ -30,7 +29,7 @@ static void append_per_cent(char text[TEXT_BYTES], double share)
                    value);
 }
 
-/* Appends a reading, with its standard error if it has one. */
+/* Appends a reading, with its standard error if known. */
 static void append_reading(char text[TEXT_BYTES], const struct pp_reading *reading,
                            bool utf8)
 {
@@ -62,8 +61,8 @@ double pp_size_report_length(struct pp_opening_place place, enum pp_size_change 
     return place.width_m;
 }
 
-/* Appends "a width of 1.238 m instead of 2.6 m", "widths 0.61 times as large" or "3
- * windows instead of 2". */
+/* Appends the new size: "a width of 1.238 m instead of 2.6 m", "widths 0.61 times as
+ * large" or "3 windows instead of 2". */
 static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result *result,
                         enum pp_size_change change)
 {
@@ -109,7 +108,7 @@ static void append_size(char text[TEXT_BYTES], const struct pp_size_room_result 
             result->answer.verdict == PP_SIZE_REACHED ? "as below" : "likewise");
 }
 
-/* True if the text of append_size is about several windows. */
+/* True if append_size describes several windows. */
 static bool is_plural(const struct pp_size_room_result *result,
                       enum pp_size_change change)
 {
@@ -172,7 +171,8 @@ static void append_answer(char text[TEXT_BYTES],
     }
 }
 
-/* Element of an opening as in the room file; freed by the caller. */
+/* Makes the text of an opening's element as in the room file. The caller frees
+ * *element. */
 static enum pp_status element_of(char **element,
                                  const struct pp_size_room_result *result,
                                  struct pp_text_edit edit, struct pp_error *err)
@@ -182,10 +182,10 @@ static enum pp_status element_of(char **element,
                                 err);
 }
 
-/* ---- Text ---- */
+/* ---- text ---- */
 
-/* Prints an element with the line breaks that it has in the file; lines after the first
- * are indented further. */
+/* Prints an element with the line breaks of the file. Lines after the first are
+ * indented further. */
 static void put_element(const char *element, FILE *out)
 {
     for (bool more = true; more;) {

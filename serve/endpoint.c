@@ -63,8 +63,9 @@ const struct pp_endpoint *pp_endpoint_at(int index)
                                                                : NULL;
 }
 
-/* True if the path is that of the endpoint. If the endpoint's path ends with "/", kind
- * is set to the rest of the path: lower-case letters, digits and hyphens. */
+/* True if the path belongs to the endpoint. If the endpoint's path ends with "/",
+ * `kind` is set to the rest of the path, which must be lower-case letters, digits and
+ * hyphens. */
 static bool matches(const struct pp_endpoint *endpoint, const char *path, char kind[32])
 {
     static const char in_kind[] = "abcdefghijklmnopqrstuvwxyz0123456789-";

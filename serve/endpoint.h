@@ -1,7 +1,8 @@
-/* endpoint.h - the list of the interface's endpoints. Inside serve/ only.
+/* endpoint.h - the list of endpoints of the HTTP interface. For use inside serve/ only.
  *
- * A new endpoint needs a line in endpoint.c, a run function in its own file, and a path
- * in docs/openapi.json, which a test compares with this list.
+ * To add an endpoint, write its run function in a separate file, and add a line to
+ * endpoint.c and a path to docs/openapi.json. A test compares docs/openapi.json with
+ * the list.
  */
 #ifndef PP_SERVE_ENDPOINT_H
 #define PP_SERVE_ENDPOINT_H
@@ -12,9 +13,10 @@ enum pp_endpoint_line { PP_LINE_STUDIES, PP_LINE_PROGRAMS };
 
 struct pp_endpoint {
     const char *method;    /* "GET" or "POST" */
-    const char *path;      /* "/api/df"; a final "/" stands for one variable part */
-    const char *body_type; /* media type of a POST; NULL for GET */
-    size_t body_most;      /* bytes */
+    const char *path;      /* such as "/api/df"; a final "/" is followed by a variable
+                            * part */
+    const char *body_type; /* media type of the body of a POST; NULL for GET */
+    size_t body_most;      /* maximum size of the body, bytes */
     enum pp_endpoint_line line;
     pp_task_run *run;
     const char *summary;
@@ -23,8 +25,8 @@ struct pp_endpoint {
 /* Endpoints in list order; NULL past the end. */
 const struct pp_endpoint *pp_endpoint_at(int index);
 
-/* Finds an endpoint by path and method; kind is the variable part of the path. If it
- * returns NULL, *allowed is the method that the path supports, or NULL if there is no
+/* Finds an endpoint by path and method; `kind` is set to the variable part of the path.
+ * If it returns NULL, *allowed is the method that the path supports; NULL: there is no
  * such path. */
 const struct pp_endpoint *pp_endpoint_find(const char *method, const char *path,
                                            char kind[32], const char **allowed);

@@ -17,7 +17,7 @@
 #include "serve/stores/weather_store.h"
 #include "serve/work/work_line.h"
 
-/* After a stop: seconds allowed to finish work, and then to send answers. */
+/* Time after a stop for finishing work, and then for sending answers (s). */
 static const double work_grace_s = 1.0, sending_grace_s = 0.3;
 
 static enum pp_status fail_serve(struct pp_error *err, const char *what)
@@ -36,7 +36,8 @@ static void sleep_s(double seconds)
     nanosleep(&time, NULL);
 }
 
-/* Converts a numeric address to a socket address. False if it is not numeric. */
+/* Converts a numeric address to a socket address. Returns false if the address is not
+ * numeric. */
 static bool socket_address(struct sockaddr_storage *storage, const char *address,
                            int port)
 {
@@ -95,9 +96,9 @@ static int count_work(const struct pp_server *server)
     return pp_work_line_count(server->studies) + pp_work_line_count(server->programs);
 }
 
-/* Stops accepting requests, gives running work time to finish, cancels the rest, and
- * sends the answers that are ready. False if work in this process did not stop in time;
- * it then runs until the process ends. */
+/* Stops accepting requests, waits for running work, cancels the rest, and sends the
+ * answers that are ready. Returns false if work in this process did not stop in time;
+ * it then continues until the process ends. */
 static bool end_server(struct pp_server *server)
 {
     MHD_socket listening = MHD_quiesce_daemon(server->daemon);

@@ -1,4 +1,5 @@
-/* server.h - state shared by the parts of a running server. Inside serve/ only. */
+/* server.h - state shared by the parts of a running server. For use inside serve/
+ * only. */
 #ifndef PP_SERVE_SERVER_H
 #define PP_SERVE_SERVER_H
 
@@ -16,8 +17,8 @@ struct pp_server {
     struct MHD_Daemon *daemon;
     int port;
     bool is_loopback;
-    struct pp_work_line *studies;  /* work done in this process */
-    struct pp_work_line *programs; /* work done by child processes */
+    struct pp_work_line *studies;  /* queue of work done in this process */
+    struct pp_work_line *programs; /* queue of work done by child processes */
     struct pp_http_deadlines *deadlines;
     struct pp_weather_store *weather;
     atomic_bool ending;

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Maximum number of lines of a cell and of a note; the rest is cut, so that every row
+/* Maximum number of lines in a cell and in a note. Longer text is cut, so that each row
  * fits on a sheet. */
 enum { LINES_MOST = 30, NOTE_LINES_MOST = 15 };
 
@@ -60,8 +60,8 @@ static double widest_cell(const struct pp_document_grid *grid, int column)
     return width;
 }
 
-/* Width of a column with its heading in few lines (natural), and with a line for each
- * word of it (least). No cell is broken into lines. */
+/* Width of a column with its heading in few lines (natural), or with one line for each
+ * word of the heading (least). Cells are not broken into lines. */
 struct column_width {
     double natural, least;
 };
@@ -71,15 +71,16 @@ static struct column_width column_width(const struct pp_document_grid *grid, int
     const struct pp_lettering small = {.size = PP_TEXT_SMALL};
     const char *heading = grid->table->columns[column].heading;
     const double cells = widest_cell(grid, column);
-    const double rounding = 0.1; /* added, so that rounding breaks no line */
+    const double rounding = 0.1; /* added, so that rounding never causes a line break */
     return (struct column_width){
         .natural = fmax(cells, heading_width(grid, heading)) + rounding,
         .least = fmax(cells, word_width(grid, small, heading)) + rounding};
 }
 
-/* Distributes the width among columns of words. Each gets its own width or, if there is
- * not enough, at most an equal share of the width that narrower columns leave. Spare
- * width is distributed in proportion. */
+/* Distributes the width `left` among the columns of words. A column gets its natural
+ * width if possible. If there is not enough width, the wider columns get equal parts of
+ * the width that narrower columns leave. Any spare width is distributed in proportion
+ * to the natural widths. */
 static void share_words(struct pp_document_grid *grid,
                         const struct column_width *wanted, double left)
 {
@@ -109,12 +110,13 @@ static void share_words(struct pp_document_grid *grid,
             grid->widths[i] += left * wanted[i].natural / all;
 }
 
-/* Share of the width that columns of words get at least, if they need it. */
+/* Fraction of the table's width reserved for columns of words, if they need that
+ * much. */
 static const double words_share = 0.3;
 
-/* Sets the widths of columns of numbers and labels, `most` together: natural ones; if
- * there is not enough, headings get more lines; after that all columns shrink. Returns
- * the sum. */
+/* Sets the widths of the columns of numbers and labels, at most `most` in total. If
+ * their natural widths do not fit, headings get more lines; if that is not enough, all
+ * columns shrink. Returns the total width. */
 static double share_numbers(struct pp_document_grid *grid,
                             const struct column_width *wanted, double most)
 {
@@ -179,8 +181,8 @@ static void draw_rule(const struct pp_document_grid *grid, double y, double weig
     cairo_stroke(grid->cr);
 }
 
-/* Places words in a box whose left edge is x, aligned as in `set`; only measures unless
- * `drawn`. Returns their height. */
+/* Places text in a box whose left edge is x, aligned as in `set`. If `drawn` is false,
+ * only measures. Returns the height of the text. */
 static double put_grid_words(const struct pp_document_grid *grid,
                              struct pp_lettering set, double x, double y, double width,
                              const char *words, bool drawn)
@@ -256,8 +258,8 @@ static double put_cells(const struct pp_document_grid *grid,
     return height;
 }
 
-/* Places a group's title, with some space above it, or a remark, across all columns;
- * only measures unless `drawn`. Returns the height. */
+/* Places a group's title (with some space above it) or a remark across all columns. If
+ * `drawn` is false, only measures. Returns the height. */
 static double put_across(const struct pp_document_grid *grid,
                          const struct pp_document_row *row, double y, bool drawn)
 {

@@ -1,5 +1,5 @@
-/* document_sheets.c - see document_sheets.h. The document is processed twice: once to
- * count the sheets, and once to draw them. */
+/* document_sheets.c - see document_sheets.h. The document is processed twice: first to
+ * count the sheets, then to draw them. */
 #include "charts/document/document_sheets.h"
 
 #include <math.h>
@@ -10,17 +10,18 @@
 #include "charts/document/document_grid.h"
 #include "charts/sheet/page.h"
 
-/* Text has the type size of a chart sheet of this width (mm), a little larger than on
- * an A4 chart, since there is more to read. */
+/* The type size is that of a chart on a sheet of this width (mm), a little larger than
+ * on an A4 chart, because a document has more text. */
 static const double type_of_mm = 240.0;
 
 /* Left, right and top margin of sheets; bottom margin with the foot line (mm). */
 static const double margin_mm = 16.0, foot_mm = 18.0;
 
-/* Share of a sheet: if less is left, a chapter begins a new sheet. */
+/* If less than this fraction of a sheet is left, a chapter begins a new sheet. */
 static const double chapter_share = 0.6;
 
-/* Maximum number of lines of a user's text, such as a name or a command line. */
+/* Maximum number of lines of a text given by the user, such as a name or a command
+ * line. */
 enum { LINES_MOST = 12 };
 
 struct sheet_setter {
@@ -32,7 +33,8 @@ struct sheet_setter {
     struct pp_canvas *const *pictures;
     struct pp_box body;
     double y;         /* y of the next block, mm */
-    int sheet, count; /* sheet: from 1; count: 0 before they are known */
+    int sheet, count; /* sheet: number of the current sheet, from 1; count: all sheets,
+                       * 0 in the first pass */
     int *chapters;    /* first sheet of each chapter (a heading of level 2) */
     int chapter;      /* index of the next chapter */
     bool drawn;       /* false: sheets are only counted */
@@ -89,7 +91,7 @@ static double left_on_sheet(const struct sheet_setter *setter)
     return setter->body.y + setter->body.height - setter->y;
 }
 
-/* Begins a new sheet, unless that height is left on this one. */
+/* Begins a new sheet unless `height` is left on the current sheet. */
 static void need(struct sheet_setter *setter, double height)
 {
     if (height > left_on_sheet(setter) && !at_top(setter))
@@ -103,8 +105,8 @@ static double gap(const struct sheet_setter *setter, double mm)
     return at_top(setter) ? 0.0 : mm * setter->style.scale;
 }
 
-/* Places words `in` mm from the body's left edge; only measures unless `drawn`. Returns
- * their height. */
+/* Places text `in` mm from the body's left edge. If `drawn` is false, only measures.
+ * Returns the height of the text. */
 static double put_sheet_words(struct sheet_setter *setter, struct pp_lettering set,
                               double in, double y, const char *words, bool drawn)
 {
@@ -131,7 +133,7 @@ static struct pp_lettering paragraph_set(enum pp_tone tone)
                                  .grey = back ? PP_GREY_TEXT : PP_INK};
 }
 
-/* Inset of the words of a verdict in its box. */
+/* Distance of a verdict's text from the edge of its box (mm). */
 static double inset(const struct sheet_setter *setter, enum pp_tone tone)
 {
     return tone == PP_TONE_VERDICT ? 2.5 * setter->style.scale : 0.0;
@@ -146,7 +148,8 @@ static double paragraph_height(struct sheet_setter *setter,
                              false);
 }
 
-/* Margin of a picture, which is empty and so not counted in its height. */
+/* Margin of a picture (mm). The margin is empty, so it is not part of the picture's
+ * height here. */
 static double picture_margin(const struct pp_canvas *picture)
 {
     return pp_page_style(picture).margin;
@@ -173,8 +176,9 @@ static double table_least(const struct sheet_setter *setter,
     return pp_document_grid_head(&grid, 0.0, false) + pp_document_grid_unit(&grid, 0);
 }
 
-/* Least height that must be left for a block to begin: a heading stays with the next
- * block, and so does a paragraph before a table. */
+/* Least height (mm) that must be left on the sheet for a block to begin there. A
+ * heading stays with the next block, and a paragraph before a table stays with the
+ * table. */
 static double least(struct sheet_setter *setter, int index)
 {
     double height = 0.0;
@@ -247,7 +251,8 @@ static void put_paragraph(struct sheet_setter *setter, int index)
     setter->y += height + 0.5 * setter->style.scale;
 }
 
-/* Repeats the head, and the title of the group that row `row` continues. */
+/* Repeats, on a new sheet, the table's head and the title of the group to which `row`
+ * belongs. */
 static void continue_table(struct sheet_setter *setter,
                            const struct pp_document_grid *grid, int row)
 {
@@ -290,7 +295,7 @@ static void put_picture(struct sheet_setter *setter, int index)
     setter->y += height;
 }
 
-/* Places a line of the table of contents, with the number of its sheet at the right. */
+/* Places a line of the table of contents, with the sheet number at the right. */
 static void put_contents_line(struct sheet_setter *setter, const char *words, int sheet,
                               double height)
 {
@@ -310,8 +315,7 @@ static void put_contents_line(struct sheet_setter *setter, const char *words, in
     setter->y += height;
 }
 
-/* Places the table of contents. The sheets of the chapters are known from the first
- * pass, which counts sheets. */
+/* Places the table of contents. The first pass has found the sheets of the chapters. */
 static void put_contents(struct sheet_setter *setter, int index)
 {
     const struct pp_document *document = setter->document;

@@ -3,9 +3,9 @@
  * A chapter begins on a new sheet unless most of the current sheet is free. Tables
  * break between rows and repeat their heads and the titles of their groups. Rows,
  * paragraphs and pictures are never cut, and a heading is never the last line of a
- * sheet. Pictures keep their true scale and have their own titles. The foot of each
- * sheet has the document's name, the sheet's number and the number of sheets. The
- * chapters form the outline of the PDF, and a table of contents gives their sheets.
+ * sheet. Pictures keep their scale and have titles. The foot of each sheet states the
+ * document's name, the number of the sheet and the total number of sheets. The chapters
+ * form the outline of the PDF, and a table of contents gives their sheets.
  */
 #ifndef PP_CHARTS_DOCUMENT_DOCUMENT_SHEETS_H
 #define PP_CHARTS_DOCUMENT_DOCUMENT_SHEETS_H
@@ -13,12 +13,12 @@
 #include "charts/sheet/canvas.h"
 #include "model/results/document.h"
 
-/* Sheet for a half-page picture: as wide as the text of an A4 sheet, less the picture's
- * own margin. */
+/* Sheet for a half-page picture. Its width is the text width of an A4 sheet less the
+ * picture's own margin. */
 struct pp_sheet pp_document_sheets_picture(void);
 
-/* Draws the document on a canvas with sheets. name: text for the foot of each sheet;
- * pictures: the drawings to place, in the order of their numbers. */
+/* Draws the document on a canvas with sheets. name: text at the foot of each sheet;
+ * pictures: drawings to be placed, in the order of their numbers. */
 enum pp_status pp_document_sheets_draw(struct pp_canvas *canvas,
                                        const struct pp_document *document,
                                        const char *name,

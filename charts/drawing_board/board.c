@@ -1,4 +1,5 @@
-/* board.c - tints, hatching, sums and ruler that the drawing board's diagrams share. */
+/* board.c - tints, hatching, sums and ruler shared by the diagrams of the drawing
+ * board. */
 #include "charts/drawing_board/board.h"
 
 #include <math.h>
@@ -112,14 +113,14 @@ void pp_board_panel_words(char *words, size_t room, const struct pp_board_face *
                 glazed ? "with clear single glass" : "without glass");
 }
 
-/* "12", "12.3". */
+/* Writes a count with at most one decimal: "12", "12.3". */
 static void write_count(char *text, size_t room, double count)
 {
     snprintf(text, room, count == rint(count) ? "%.0f" : "%.1f", count);
 }
 
-/* Sum of the values of all pieces of the same kind as piece `first`; 0 if `first` is
- * not the first piece of its kind. */
+/* Sum of the counts of all pieces of the same kind as piece `first`: alike in `hidden`
+ * and `factor`. 0 if an earlier piece is of that kind. */
 static double like(const struct pp_board_window *window, int first)
 {
     const struct pp_board_piece *pieces = window->pieces;

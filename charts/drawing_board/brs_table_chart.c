@@ -1,5 +1,5 @@
-/* brs_table_chart.c - rules and figures of the table, numbered crosses at the places
- * read, the readings and their sum below. */
+/* brs_table_chart.c - draws rules and figures of the table, numbers the places that are
+ * read, and lists the readings and their sum below. */
 #include "charts/drawing_board/brs_table_chart.h"
 
 #include <math.h>
@@ -10,15 +10,15 @@
 #include "charts/sheet/labels.h"
 #include "model/base/text.h"
 
-/* Maximum number of readings that are numbered and listed; a window has four, and four
- * more for each obstruction. */
+/* Maximum number of readings that are numbered and listed. A window has four readings,
+ * and each obstruction four more. */
 enum { READINGS_MOST = 36, LIST_COLUMNS = 2, TEXT_BYTES = 4096 };
 
 struct table_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_brs_sheet *sheet;
-    struct pp_box box; /* box of the table, with its heads */
+    struct pp_box box; /* box of the table, including row and column heads */
     double cell[2];    /* width and height of a figure's cell */
     double corner[2];  /* upper left corner of the first figure's cell */
     struct pp_labels *labels;
@@ -26,7 +26,7 @@ struct table_drawing {
 
 /* ---- the table ---- */
 
-/* Centre of the cell in a column and row, which may be fractions. */
+/* Centre of the cell in a column and row, which may be fractional. */
 static double middle_x(const struct table_drawing *drawing, double column)
 {
     return drawing->corner[0] + (column + 0.5) * drawing->cell[0];
@@ -43,8 +43,8 @@ static void put_table_words(const struct table_drawing *drawing, double x, doubl
     struct pp_lettering set = {
         .size = PP_TEXT_SMALL, .bold = bold, .across = 0.5, .down = 0.5};
     struct pp_style style = drawing->style;
-    /* Limits the type size, so that figures of four digits fit their cells on small
-     * paper too. */
+    /* Limits the type size, so that figures of four digits fit into their cells on
+     * small paper. */
     style.text[PP_TEXT_SMALL] =
         fmin(style.text[PP_TEXT_SMALL],
              fmin(0.36 * drawing->cell[0], 0.62 * drawing->cell[1]));
@@ -82,8 +82,8 @@ static void draw_figures(const struct table_drawing *drawing)
     }
 }
 
-/* Draws a rule under the heads and one beside them, and a thin one at every fifth
- * row. */
+/* Draws a rule below the column heads, a rule beside the row heads, and a thin rule at
+ * every fifth row. */
 static void draw_rules(const struct table_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
@@ -150,7 +150,8 @@ static void mark(const struct table_drawing *drawing,
     cairo_stroke(drawing->cr);
 }
 
-/* True if no earlier reading is at the same place: later ones share its number. */
+/* True if no earlier reading is at the same place. Readings at the same place share a
+ * number. */
 static bool is_first_there(const struct pp_brs_sheet *sheet, int index)
 {
     const struct pp_brs_reading *reading = &sheet->readings[index];
@@ -174,8 +175,8 @@ static int brs_column_number(const struct pp_brs_sheet *sheet, int index)
     return number;
 }
 
-/* Position for a number beside the cross, as near as possible without covering
- * anything; above the cross if there is none. */
+/* Finds a position for a number beside the cross, as near as possible without covering
+ * anything. If there is none, the number goes above the cross. */
 static struct pp_box find_place(const struct table_drawing *drawing, double x, double y,
                                 struct pp_box size)
 {
@@ -203,7 +204,7 @@ static void put_number(const struct table_drawing *drawing,
     snprintf(words, sizeof words, "%d", number);
     struct pp_box size =
         pp_lettering_measure(drawing->cr, &drawing->style, &set, x, y, words);
-    /* Digits have no descenders. */
+    /* Digits have no descenders, so the box can be lower. */
     double below = 0.22 * size.height;
     size.height -= below;
     struct pp_box box = find_place(drawing, x, y, size);
@@ -216,7 +217,7 @@ static int listed(const struct pp_brs_sheet *sheet)
     return sheet->reading_count < READINGS_MOST ? sheet->reading_count : READINGS_MOST;
 }
 
-/* Reserves the figures round a reading, so that no number covers them. */
+/* Marks the figures around a reading as occupied, so that no number covers them. */
 static void note_figures(const struct table_drawing *drawing,
                          const struct pp_brs_reading *reading)
 {
@@ -248,7 +249,7 @@ static void mark_readings(const struct table_drawing *drawing)
 
 /* ---- words ---- */
 
-/* Writes "1 W1, sky, head left: h/d 0.840, w/d 0.142: + 0.64 %". */
+/* Writes a reading, such as "1 W1, sky, head left: h/d 0.840, w/d 0.142: + 0.64 %". */
 static void say_reading(char *text, size_t room, const struct pp_brs_sheet *sheet,
                         int index)
 {
@@ -288,8 +289,8 @@ static void say_sums(char *text, size_t room, const struct pp_brs_sheet *sheet)
                 100.0 * sheet->sky_component, 100.0 * sheet->external);
 }
 
-/* Draws the readings in columns, then the sums; only measures unless `drawn`. Returns
- * the height. */
+/* Draws the readings in columns, then the sums. If `drawn` is false, only measures.
+ * Returns the height. */
 static double draw_readings(const struct table_drawing *drawing, struct pp_box room,
                             bool drawn)
 {
@@ -360,8 +361,8 @@ static void brs_table_titles(const struct pp_brs_sheet *sheet, char *title,
                  sheet->point.x, sheet->point.y, sheet->point.z);
 }
 
-/* Fits the table into the box. The heads need one row and one column in addition to the
- * figures, and their name needs a line. */
+/* Fits the table into the box. Besides the figures, the table has a row and a column of
+ * heads, each with a line for its name. */
 static void lay_table(struct table_drawing *drawing, struct pp_box box)
 {
     double name = 1.0, heads = 1.0;

@@ -1,12 +1,12 @@
-/* brs_table_chart.h - the BRS simplified daylight table, typeset as it was printed; for
- * a point of a room also the places read, and the sum. */
+/* brs_table_chart.h - the BRS simplified daylight table, typeset like the original. For
+ * a point of a room, it also shows the places to be read, and the sum. */
 #ifndef PP_CHARTS_DRAWING_BOARD_BRS_TABLE_CHART_H
 #define PP_CHARTS_DRAWING_BOARD_BRS_TABLE_CHART_H
 
 #include "charts/sheet/canvas.h"
 #include "model/results/sheets/brs_sheet.h"
 
-/* Places of readings are interpolated between the centres of the cells. */
+/* Draws the table. Readings between cell centres are interpolated. */
 enum pp_status pp_brs_table_chart_draw(struct pp_canvas *canvas,
                                        const struct pp_brs_sheet *sheet,
                                        struct pp_error *err);

@@ -1,5 +1,5 @@
-/* nomogram_chart.c - draws the stems of a nomogram with their marks and
- * figures, and over them the lines and readings of a room.
+/* nomogram_chart.c - draws the stems of a nomogram with their marks and figures, and
+ * over them a room's lines and readings.
  */
 #include "charts/drawing_board/nomogram_chart.h"
 
@@ -39,8 +39,8 @@ static double y_of(const struct pp_nomogram_curve_frame *drawing, double y)
     return pp_nomogram_curve_y(drawing, y);
 }
 
-/* Side of a stem with its numbers: left (-1) of the first stem, right (1) of all
- * others. Readings are on the other side. */
+/* Side of a stem on which its figures are: left (-1) of the first stem, right (1) of
+ * all others. Readings are on the other side. */
 static double stem_label_side(int stem)
 {
     return stem == 0 ? -1.0 : 1.0;
@@ -76,15 +76,15 @@ static void write_numbers(const struct pp_nomogram_curve_frame *drawing, int ste
             continue;
         char words[32];
         snprintf(words, sizeof words, "%.4g", scale->marks[i].number);
-        /* On a room's sheet the figures have a white ground, which interrupts its
-         * lines. */
+        /* On a room's sheet the figures have a white background, which interrupts the
+         * room's lines. */
         (drawing->sheet->blank ? pp_lettering_draw : pp_lettering_draw_on_white)(
             drawing->cr, &drawing->style, &set, x, y_of(drawing, scale->marks[i].y),
             words);
     }
 }
 
-/* Finds the ends of a stem: y of its uppermost and of its lowest mark. */
+/* Finds the ends of a stem: y of its highest and of its lowest mark. */
 static void ends_of(const struct pp_nomogram_curve_frame *drawing, int stem,
                     double ends[2])
 {
@@ -96,7 +96,7 @@ static void ends_of(const struct pp_nomogram_curve_frame *drawing, int stem,
     }
 }
 
-/* Writes the letter and the tag of a stem above its upper end. */
+/* Writes the stem's letter and tag above its upper end. */
 static void write_stem_head(const struct pp_nomogram_curve_frame *drawing, int stem,
                             double top)
 {
@@ -154,7 +154,7 @@ static void draw_edges(const struct pp_nomogram_curve_frame *drawing)
     cairo_set_dash(drawing->cr, NULL, 0, 0.0);
 }
 
-/* Text of a reading, and its preferred height. */
+/* Text of a reading, and its preferred y (`wanted`). */
 struct note {
     double wanted, y;
     char words[48];
@@ -166,7 +166,7 @@ static int by_height(const void *a, const void *b)
     return (difference > 0.0) - (difference < 0.0);
 }
 
-/* Moves notes, in order down the sheet, until they are at least `gap` apart. */
+/* Moves notes down the sheet, in order of y, until they are at least `gap` apart. */
 static void spread(struct note *notes, int count, double gap)
 {
     qsort(notes, (size_t)count, sizeof *notes, by_height);
@@ -182,7 +182,7 @@ static void spread(struct note *notes, int count, double gap)
 
 enum { NOTED_MOST = 12 };
 
-/* True if a window's line uses the stem, as input or as result. */
+/* True if one of a window's lines uses the stem, as input or as result. */
 static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
                       const struct pp_nomogram_window *window, int stem)
 {
@@ -196,8 +196,8 @@ static bool stem_used(const struct pp_nomogram_curve_frame *drawing,
     return false;
 }
 
-/* Direction in which a reading avoids the line that leaves the stem: up (-1) or down
- * (1). */
+/* Direction in which to move a reading away from the line that leaves the stem: up (-1)
+ * or down (1). */
 static double off_line(const struct pp_nomogram_curve_frame *drawing,
                        const struct pp_nomogram_window *window, int stem)
 {
@@ -215,7 +215,7 @@ static double off_line(const struct pp_nomogram_curve_frame *drawing,
     return -1.0;
 }
 
-/* The stem nearest to `stem` on the side of its readings, or -1. */
+/* Index of the stem nearest to `stem` on the side where its readings are; -1: none. */
 static int neighbour(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     double side = -stem_label_side(stem), gap = INFINITY;
@@ -230,14 +230,14 @@ static int neighbour(const struct pp_nomogram_curve_frame *drawing, int stem)
     return nearest;
 }
 
-/* Width of a stem's figures. */
+/* Width of a stem's figures, in mm. */
 static double figures_mm(const struct pp_style *style)
 {
     return 3.3 * style->scale + 2.4 * style->text[PP_TEXT_SMALL];
 }
 
-/* True if the space on the side of a stem's readings is too narrow for a label as long
- * as "3: 0.0155". */
+/* True if the space on the side where a stem's readings are is too narrow for a label
+ * as long as "3: 0.0155". */
 static bool narrow(const struct pp_nomogram_curve_frame *drawing, int stem)
 {
     int next = neighbour(drawing, stem);
@@ -247,7 +247,7 @@ static bool narrow(const struct pp_nomogram_curve_frame *drawing, int stem)
                         + 5.5 * drawing->style.text[PP_TEXT_BODY];
 }
 
-/* True if a reading at this height would cover figures of the next stem. */
+/* True if a reading at this y would cover figures of the neighbouring stem. */
 static bool covers_figures(const struct pp_nomogram_curve_frame *drawing, int stem,
                            double width, double y)
 {
@@ -266,8 +266,8 @@ static bool covers_figures(const struct pp_nomogram_curve_frame *drawing, int st
     return false;
 }
 
-/* Height nearest to `wanted`, in the direction away from the line, at which a single
- * reading covers nothing. */
+/* Height nearest to y, farther from `wanted`, at which a single reading does not cover
+ * any figures. */
 static double clear_height(const struct pp_nomogram_curve_frame *drawing, int stem,
                            double wanted, double y, double width)
 {

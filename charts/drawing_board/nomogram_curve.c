@@ -1,4 +1,4 @@
-/* nomogram_curve.c - marks perpendicular to the curve, with the figures above it. */
+/* nomogram_curve.c - draws marks perpendicular to the curve, with figures above it. */
 #include "charts/drawing_board/nomogram_curve.h"
 
 #include <math.h>
@@ -53,7 +53,7 @@ static void draw_mark(const struct pp_nomogram_curve_frame *frame, int index)
                       y + away * normal[1], words);
 }
 
-/* Writes the curve's letter at the end of the large figures. */
+/* Writes the curve's letter beside the end with the large figures. */
 static void write_curve_head(const struct pp_nomogram_curve_frame *frame)
 {
     const struct pp_nomogram_scale *curve = &frame->sheet->curve;

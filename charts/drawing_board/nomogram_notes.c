@@ -1,5 +1,5 @@
-/* nomogram_notes.c - the words on a nomogram: title, instructions, letters,
- * formula, and a room's readings.
+/* nomogram_notes.c - the text on a nomogram: title, instructions, letters, formulae,
+ * and a room's readings.
  */
 #include "charts/drawing_board/nomogram_notes.h"
 
@@ -123,8 +123,8 @@ static void say_position_letters(char *text, size_t room)
                 "for dirt. Add the results of several windows.\n");
 }
 
-/* Appends the formulae to be calculated on paper, in the printed units, and their
- * symbols. */
+/* Appends the formulae that remain to be calculated on paper, in the printed units, and
+ * explains their symbols. */
 static void say_formulae(char *text, size_t room, const struct pp_nomogram_sheet *sheet)
 {
     for (int i = 0; sheet->formulae[i]; i++) {
@@ -229,8 +229,8 @@ void pp_nomogram_notes_value(char *text, size_t room,
         snprintf(text, room, "%d: %s", window + 1, number);
 }
 
-/* Appends "F 1.2 for the depth (H 0.3, q 0.92) and 1.1 along the wall (H 0.4, q
- * 0.95);". */
+/* Appends the factors for both directions: "F 1.2 for the depth (H 0.3, q 0.92) and 1.1
+ * along the wall (H 0.4, q 0.95);". */
 static void say_places(char *text, size_t room,
                        const struct pp_nomogram_place places[2])
 {

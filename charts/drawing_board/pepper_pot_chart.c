@@ -1,5 +1,5 @@
 /* pepper_pot_chart.c - the sheet of a pepper-pot diagram: viewing distance, panels side
- * by side, the sum and rulers below them, and the text. */
+ * by side, the sum and rulers below the panels, and the text. */
 #include "charts/drawing_board/pepper_pot_chart.h"
 
 #include <math.h>
@@ -10,11 +10,12 @@
 #include "charts/sheet/lettering.h"
 #include "charts/sheet/page.h"
 
-/* ---- a ruler, the rule of the scale, metres at the windows' distances ---- */
+/* ---- ruler, scale bar, and metres at the distances of the windows ---- */
 
 enum { RULERS_MOST = 6 };
 
-/* Distances for which a metre is drawn: the windows' own, or some common ones. */
+/* Distances for which the length of a metre is drawn: those of the windows, or common
+ * ones on a blank form. */
 static int ruler_distances(const struct pp_pepper_pot_sheet *sheet, double *distances)
 {
     static const double usual[RULERS_MOST] = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0};
@@ -61,7 +62,8 @@ static void draw_metres(const struct pp_pepper_pot_drawing *drawing, double x, d
         snprintf(words, sizeof words, "%s away", shown);
         struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 0.8};
         pp_lettering_draw(drawing->cr, style, &set, x, base, words);
-        double part = metre <= room ? 1.0 : 0.1; /* too near for a whole metre */
+        double part = metre <= room ? 1.0 : 0.1; /* too near for a whole metre:
+                                                  * tenths */
         if (part < 1.0)
             metres = (int)fmin(floor(room / (0.1 * metre)), 10.0);
         pp_style_line(drawing->cr, style->thin, PP_INK);
@@ -98,7 +100,8 @@ static void viewing_words(const struct pp_pepper_pot_drawing *drawing, char *wor
     }
 }
 
-/* Draws all rulers into `room`; only measures unless `drawn`. Returns their height. */
+/* Draws all rulers into `room`. If `drawn` is false, only measures. Returns the
+ * height. */
 static double draw_rulers(const struct pp_pepper_pot_drawing *drawing,
                           struct pp_box room, bool drawn)
 {
@@ -131,8 +134,8 @@ static double draw_rulers(const struct pp_pepper_pot_drawing *drawing,
 
 /* ---- the sheet ---- */
 
-/* Draws the tints' keys and the sum; only measures unless `drawn`. Returns their
- * height. */
+/* Draws the keys of the tints, and the sum. If `drawn` is false, only measures. Returns
+ * the height. */
 static double draw_sums(const struct pp_pepper_pot_drawing *drawing, struct pp_box room,
                         bool drawn)
 {
@@ -189,15 +192,15 @@ static void pepper_pot_titles(const struct pp_pepper_pot_drawing *drawing, char 
              sheet->point.x, sheet->point.y, sheet->point.z, plane, sky);
 }
 
-/* Default viewing distance (mm). Dots worth less are closer together, and need a larger
- * drawing. */
+/* Default viewing distance (mm). Dots of lower value are closer together and need a
+ * larger drawing. */
 static double default_viewing(const struct pp_pepper_pot_sheet *sheet)
 {
     return sheet->worth < 0.0005 ? 60.0 : 30.0;
 }
 
-/* Largest of the usual viewing distances (mm), up to the default, at which all windows
- * fit into frames of that size. */
+/* Chooses the largest of the usual viewing distances (mm), at most the default, at
+ * which all windows fit into frames of that size. */
 static double choose_viewing(const struct pp_pepper_pot_sheet *sheet, double width,
                              double height)
 {

@@ -1,4 +1,5 @@
-/* pepper_pot_plot.c - Pleijel's dots, the windows in perspective, and their scales. */
+/* pepper_pot_plot.c - draws Pleijel's dots, the windows in perspective, and the scales
+ * of a panel. */
 #include "charts/drawing_board/pepper_pot_plot.h"
 
 #include <math.h>
@@ -7,15 +8,15 @@
 #include "charts/drawing_board/board.h"
 #include "charts/sheet/page.h"
 
-/* Number of dots, where they are densest, on a square whose side is the viewing
- * distance, if each dot is worth 0.1 %. */
+/* Number of dots on a square whose side is the viewing distance, where the dots are
+ * densest, if each dot is worth 0.1 %. */
 static const double densest = 90.0;
 
-/* One panel on paper. */
+/* A panel and its position on paper. */
 struct pepper_pot_plot {
     const struct pp_pepper_pot_panel *panel;
     struct pp_box frame;
-    struct pp_board_map map; /* map.mm: viewing distance */
+    struct pp_board_map map; /* map.mm is the viewing distance */
     int first;               /* number of the panel's first window */
 };
 
@@ -28,7 +29,7 @@ struct pp_bounds2 pp_pepper_pot_plot_extent(const struct pp_pepper_pot_panel *pa
     for (int w = 0; w < panel->count; w++)
         pp_board_sheets_window_extent(&panel->windows[w], extent.low, extent.high);
     if (panel->any_slope)
-        extent.low[1] = fmin(extent.low[1] - 0.2, -1.0); /* space for dots all round */
+        extent.low[1] = fmin(extent.low[1] - 0.2, -1.0); /* space for dots all around */
     else
         extent.low[1] = fmax(extent.low[1], -0.3);
     return extent;
@@ -43,7 +44,7 @@ static void draw_outlines(const struct pp_pepper_pot_drawing *drawing,
                              &plot->panel->windows[w].pieces[p].outline);
 }
 
-/* Writes each window's letter, beside the upper left corner of its visible part. */
+/* Writes each window's letter beside the upper left corner of its visible part. */
 static void draw_letters(const struct pp_pepper_pot_drawing *drawing,
                          const struct pepper_pot_plot *plot)
 {
@@ -89,7 +90,7 @@ static void draw_dots(const struct pp_pepper_pot_drawing *drawing,
     }
 }
 
-/* Least step of the scales at which labels do not overlap. */
+/* Smallest interval of the scales at which labels do not overlap. */
 static double scale_step(const struct pp_pepper_pot_drawing *drawing)
 {
     static const double steps[] = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0};
@@ -150,7 +151,7 @@ static void panel_words(char *words, size_t room,
                 100.0 * panel->whole);
 }
 
-/* Space for scales and words around a panel's frame: left, top, right, bottom (mm). */
+/* Space for scales and text around a panel's frame: left, top, right, bottom (mm). */
 struct pepper_pot_margins {
     double left, top, right, bottom;
 };

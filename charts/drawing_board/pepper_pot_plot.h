@@ -21,11 +21,11 @@ struct pp_pepper_pot_drawing {
     double viewing; /* distance from the eye to the paper, mm */
 };
 
-/* Extent of a panel's windows and the point straight ahead, over the distance of their
- * plane; below the horizon only the uppermost part. */
+/* Extent of a panel's windows and the point straight ahead, as multiples of the
+ * distance of their plane. Vertical panels extend at most 0.3 below the horizon. */
 struct pp_bounds2 pp_pepper_pot_plot_extent(const struct pp_pepper_pot_panel *panel);
 
-/* Frame of the panel in a space that also holds its scales and words. */
+/* Frame of the panel within `room`, leaving space for its scales and text. */
 struct pp_box pp_pepper_pot_plot_frame(const struct pp_pepper_pot_drawing *drawing,
                                        struct pp_box room);
 

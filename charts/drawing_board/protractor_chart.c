@@ -9,7 +9,7 @@
 #include "charts/drawing_board/protractor_disc.h"
 #include "charts/drawing_board/protractor_worked.h"
 
-/* Least height of title, notes and ruler together (mm). */
+/* Least total height of title, notes and ruler (mm). */
 static double taken_mm(const struct pp_style *style)
 {
     return 50.0 * style->scale;
@@ -85,7 +85,7 @@ static double write_line(cairo_t *cr, const struct pp_style *style,
     return y + pp_lettering_draw(cr, style, &set, x, y, words).height;
 }
 
-/* Writes the protractor's name on the disc itself, which may be cut out. */
+/* Writes the protractor's name on the disc, since the disc may be cut out. */
 static void write_name(cairo_t *cr, const struct pp_style *style,
                        const struct pp_protractor_disc *disc)
 {

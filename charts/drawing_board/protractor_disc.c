@@ -1,5 +1,5 @@
-/* protractor_disc.c - draws the two halves of a protractor: rim with degrees,
- * primary scale, semicircles of the auxiliary scale.
+/* protractor_disc.c - draws the two halves of a protractor: rim with degrees, primary
+ * scale, and semicircles of the auxiliary scale.
  */
 #include "charts/drawing_board/protractor_disc.h"
 
@@ -10,7 +10,7 @@
 #include "charts/sheet/lettering.h"
 #include "model/geometry/vec.h"
 
-/* Radius of the innermost semicircle divided by that of the outermost. */
+/* Radius of the innermost semicircle divided by the radius of the outermost. */
 static const double innermost = 0.24;
 
 double pp_protractor_disc_border(const struct pp_style *style)
@@ -80,8 +80,8 @@ static void arc(cairo_t *cr, const struct pp_protractor_disc *disc,
         cairo_arc_negative(cr, disc->x, disc->y, distance, first, last);
 }
 
-/* Writes words whose baseline faces the centre; on a plan it faces outwards if they
- * would otherwise be upside down. */
+/* Writes text with its baseline towards the centre. On a plan, the baseline is away
+ * from the centre where the text would otherwise be upside down. */
 static void write_round(cairo_t *cr, const struct pp_style *style,
                         const struct pp_protractor_disc *disc, place_function *place,
                         double angle, double distance, double grey, const char *words)
@@ -99,7 +99,8 @@ static void write_round(cairo_t *cr, const struct pp_style *style,
     pp_lettering_draw(cr, style, &set, xy[0], xy[1], words);
 }
 
-/* Draws degrees on the rim, from `low` to `high`; labels give the angle from 0. */
+/* Draws degree marks on the rim from `low` to `high`. first_label: first degree that is
+ * labelled; labels give the angle from 0. */
 static void draw_rim(cairo_t *cr, const struct pp_style *style,
                      const struct pp_protractor_disc *disc, place_function *place,
                      int low, int high, int first_label)
@@ -164,7 +165,7 @@ void pp_protractor_disc_primary(cairo_t *cr, const struct pp_style *style,
         arc(cr, &other, pp_protractor_disc_section, disc->radius, 0.0, PP_PI / 2.0);
         cairo_stroke(cr);
     }
-    /* Draws the base and the zenith. */
+    /* Draws the radii at 0 degrees (base) and at the zenith. */
     double at = pp_protractor_disc_arc(style, disc->radius);
     pp_style_line(cr, style->thin, disc->grey);
     radial(cr, disc, pp_protractor_disc_section, 0.0, 0.0, disc->radius);
@@ -223,8 +224,8 @@ static void write_factors(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-/* Writes altitudes along the normal, where the space between semicircles is
- * sufficient. */
+/* Writes the average altitude of each semicircle on the normal, if the space between
+ * semicircles is sufficient. */
 static void write_averages(cairo_t *cr, const struct pp_style *style,
                            const struct pp_protractor_disc *disc)
 {
@@ -247,7 +248,7 @@ static void write_averages(cairo_t *cr, const struct pp_style *style,
 void pp_protractor_disc_auxiliary(cairo_t *cr, const struct pp_style *style,
                                   const struct pp_protractor_disc *disc, bool whole)
 {
-    /* A whole disc labels the ends of its base in the same way as the section. */
+    /* On a whole disc, the ends of the base are labelled with the section half. */
     draw_rim(cr, style, disc, pp_protractor_disc_plan, -90, 90, whole ? -80 : -90);
     int last = (int)(disc->scale->last_average_rad / PP_RAD + 0.5);
     pp_style_line(cr, style->thin, disc->grey);

@@ -1,4 +1,4 @@
-/* protractor_sums.c - writes the readings and the sums. */
+/* protractor_sums.c - see protractor_sums.h. */
 #include "charts/drawing_board/protractor_sums.h"
 
 #include <math.h>

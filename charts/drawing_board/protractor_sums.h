@@ -1,4 +1,4 @@
-/* protractor_sums.h - the sums below a worked protractor, in words. */
+/* protractor_sums.h - the readings and sums below a worked protractor, as text. */
 #ifndef PP_CHARTS_DRAWING_BOARD_PROTRACTOR_SUMS_H
 #define PP_CHARTS_DRAWING_BOARD_PROTRACTOR_SUMS_H
 
@@ -7,21 +7,22 @@
 
 #include "model/results/protractor_sheet.h"
 
-/* Most sums on one sheet; the rest is on further sheets. */
+/* Maximum number of readings on one sheet. The others are on further sheets. */
 enum { PP_PROTRACTOR_SUMS_MOST = 6 };
 
 struct pp_protractor_sums {
-    int first, all; /* range of the readings, numbered from 0 */
+    int first, all; /* index of the first reading on the sheet; number of all
+                     * readings */
     bool last;      /* the sheet with the result */
 };
 
-/* The readings of the sheet, a line each, numbered if there are several; then, on the
- * last sheet, the result. */
+/* Writes the readings of the sheet, one per line, numbered if there are several. On the
+ * last sheet the result follows. */
 void pp_protractor_sums_say(char *text, size_t room,
                             const struct pp_protractor_sheet *sheet,
                             const struct pp_protractor_sums *sums);
 
-/* Writes a reading with the precision of careful readers: to 0.01 %. */
+/* Writes a reading in per cent to two decimals, the precision of a careful reader. */
 void pp_protractor_sums_percent(char *text, size_t room, double fraction);
 
 #endif

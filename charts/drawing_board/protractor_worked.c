@@ -27,7 +27,7 @@ double pp_protractor_worked_radius_mm(const struct pp_canvas *canvas)
     return fmin(0.62 * half, 62.0 * style.scale);
 }
 
-/* A line from the centre at an angle, with its reading. */
+/* A straight line from the centre at an angle, with its reading. */
 struct sight_line {
     double angle_rad;
     double reach; /* length to the edge, mm */
@@ -44,10 +44,10 @@ struct protractor_drawing {
     struct pp_style style;
     const struct pp_protractor_sheet *sheet;
     double radius;
-    double least_scale; /* section and plan have the same scale, 1 to this or smaller */
+    double least_scale; /* section and plan are drawn at 1 : least_scale or smaller */
 };
 
-/* Adds a sight line in order of angle, unless it exists already. */
+/* Adds a sight line to the list, sorted by angle, unless the list contains it. */
 static void note(struct sight_lines *sights, struct sight_line sight)
 {
     int at = 0;
@@ -65,8 +65,8 @@ static void note(struct sight_lines *sights, struct sight_line sight)
 typedef void place_function(const struct pp_protractor_disc *disc, double angle_rad,
                             double distance, double xy[2]);
 
-/* Writes the words of a sight line beyond its edge if that is near, else at the rim;
- * farther out if other words are there. */
+/* Writes the reading of a sight line: beyond the edge if the edge is near, else at the
+ * rim; farther out if other text is there. */
 static struct pp_box write_sight(const struct protractor_drawing *drawing,
                                  const struct pp_protractor_disc *disc,
                                  place_function *place, const struct sight_line *sight,
@@ -145,8 +145,8 @@ static void note_edges(struct sight_lines *sights,
     }
 }
 
-/* Draws the section. If scale is not NULL, nothing is drawn, and only the largest
- * possible scale of the section is calculated (1 to *scale). */
+/* Draws the section. If `scale` is not NULL, nothing is drawn; *scale is set to the
+ * denominator of the largest scale at which the section fits. */
 static enum pp_status draw_section(const struct protractor_drawing *drawing,
                                    struct pp_box box, double *height, double *scale,
                                    struct pp_error *err)
@@ -173,7 +173,7 @@ static enum pp_status draw_section(const struct protractor_drawing *drawing,
     double edge = drawing->radius + pp_protractor_disc_border(style);
     double words = 26.0 * style->scale, s = pp_section_cut_s(&cut, sheet->point);
 
-    /* Leaves space for the scale bar, and for the protractor beside and above the
+    /* Reserves space for the scale bar, and for the protractor beside and above the
      * room. */
     bool overhead = sheet->read.list[0].edge_rad[1] > 1.0;
     double left = 0.0, right = 0.0, top = (overhead ? 10.0 : 3.0) * style->scale;
@@ -250,7 +250,7 @@ static double caption_mm(const struct pp_style *style)
     return 3.6 * style->text[PP_TEXT_SMALL];
 }
 
-/* Draws the opening straight ahead, as a line that crosses the sight lines to its
+/* Draws the opening as seen straight ahead: a line that crosses the sight lines to the
  * jambs. */
 static void draw_turned_down(const struct protractor_drawing *drawing,
                              struct pp_box box)
@@ -266,7 +266,7 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
         jamb[k] = slant * tan(reading->jamb_rad[k]);
         widest = fmax(widest, fabs(jamb[k]));
     }
-    /* Size of the words (mm), for which space is left around the line. */
+    /* Size of the text around the line (mm), for which space is reserved. */
     double words = 20.0 * style->scale;
     least = fmin((box.height - caption_mm(style) - 0.5 * words) / slant,
                  (box.width / 2.0 - 1.6 * words) / widest);
@@ -301,8 +301,8 @@ static void draw_turned_down(const struct protractor_drawing *drawing,
                   text);
 }
 
-/* Adds the space that the half disc and its words need outside the room: `low` to the
- * left and below, `high` to the right and above. */
+/* Adds the space outside the room that the half disc and its text need: to `low` at the
+ * left and below, to `high` at the right and above. */
 static void make_room_for_disc(const struct protractor_drawing *drawing,
                                const struct pp_room_plan *plan, double low[2],
                                double high[2])
@@ -375,8 +375,9 @@ static void draw_lower(const struct protractor_drawing *drawing, struct pp_box b
         draw_worked_plan(drawing, box, NULL);
 }
 
-/* Finds the largest scale at which both section and plan fit, so that distances are
- * equal in both. A plan that is turned down has its own scale. */
+/* Finds the largest scale at which both section and plan fit, so that equal distances
+ * are equally long in both. If the auxiliary scale is turned down, its plan has a
+ * separate scale. */
 static enum pp_status find_scale(struct protractor_drawing *drawing,
                                  struct pp_box upper, struct pp_box lower,
                                  struct pp_error *err)
@@ -402,7 +403,7 @@ static void say_subtitle(char *text, size_t room,
              sheet->point.z, sheet->opening->label);
 }
 
-/* Draws one sheet with the protractors of all readings that `sums` selects. */
+/* Draws one sheet with the protractors of the readings in `sums`. */
 static enum pp_status draw_one(struct pp_canvas *canvas,
                                const struct pp_protractor_sheet *sheet,
                                const struct pp_protractor_sums *sums,

@@ -1,5 +1,6 @@
-/* skylight_indicator_chart.c - a half disc around the window with arcs of altitude,
- * rays of azimuth, the marks and the obstructions; scales and sum below. */
+/* skylight_indicator_chart.c - draws a half disc around the window with arcs of
+ * altitude, rays of azimuth, marks and obstructions, and writes scales and the sum
+ * below. */
 #include "charts/drawing_board/skylight_indicator_chart.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@ struct indicator_drawing {
     struct pp_style style;
     const struct pp_skylight_indicator_sheet *sheet;
     struct pp_board_map
-        map; /* map.mm: length (mm) of a ratio of distance to height of 1 */
+        map; /* map.mm: length on paper (mm) where distance equals height */
 };
 
 /* Altitudes of the arcs (degrees). */
@@ -59,8 +60,8 @@ static void draw_net(const struct indicator_drawing *drawing)
     cairo_stroke(cr);
 }
 
-/* Writes the altitudes along the wall, in its right half, which has no marks, and the
- * azimuths along the rim. */
+/* Writes the altitudes along the right half of the wall, where there are no marks, and
+ * the azimuths along the rim. */
 static void label_net(const struct indicator_drawing *drawing)
 {
     const struct pp_style *style = &drawing->style;
@@ -107,7 +108,7 @@ static double mark_size(const struct indicator_drawing *drawing)
     return fmin(0.8 * drawing->style.scale, 0.075 * drawing->map.mm);
 }
 
-/* Draws a cross; grey if its mark does not count. */
+/* Draws the cross of a mark: grey if the mark is not counted. */
 static void draw_cross(const struct indicator_drawing *drawing, double x, double y,
                        bool counted)
 {
@@ -135,7 +136,7 @@ static double ratios_height(const struct pp_style *style)
     return 1.44 * style->scale + 2.8 * style->text[PP_TEXT_SMALL];
 }
 
-/* Draws the scale of distance divided by height, along the wall. */
+/* Draws a scale along the wall: distance divided by height. */
 static void draw_ratios(const struct indicator_drawing *drawing)
 {
     const struct pp_style *style = &drawing->style;
@@ -179,7 +180,8 @@ static void say_indicator_foot(char *foot, size_t room,
               "their height above the centre of the window.");
 }
 
-/* Writes the heights for which the drawing is correct on plans of several scales. */
+/* Lists, for several usual plan scales, the obstruction height for which the indicator
+ * has the scale of the plan. */
 static void plan_words(const struct indicator_drawing *drawing, char *words,
                        size_t room)
 {
@@ -212,7 +214,8 @@ static void indicator_titles(const struct pp_skylight_indicator_sheet *sheet,
                  sheet->label, sheet->middle.x, sheet->middle.y, sheet->middle.z, sky);
 }
 
-/* Draws the sum and the scales; only measures unless `drawn`. Returns their height. */
+/* Draws the sum and the scales. If `drawn` is false, only measures. Returns the
+ * height. */
 static double draw_words(const struct indicator_drawing *drawing, struct pp_box room,
                          bool drawn)
 {
@@ -240,8 +243,8 @@ static double draw_words(const struct indicator_drawing *drawing, struct pp_box 
     return height;
 }
 
-/* Largest round length (mm) of one unit for which a half disc of radius `reach` (units)
- * fits. */
+/* Largest round length (mm) of one unit at which a half disc with a radius of `reach`
+ * units fits. */
 static double choose_unit(double reach, double width, double height)
 {
     double most = fmin(0.5 * width, height) / reach;

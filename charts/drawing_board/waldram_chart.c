@@ -48,7 +48,7 @@ static void say_waldram_foot(char *foot, size_t room,
     pp_page_say(foot, room, "After Waldram and Waldram, 1923.");
 }
 
-/* Draws keys and sum below the panels; only measures unless `drawn`. Returns their
+/* Draws keys and sum below the panels. If `drawn` is false, only measures. Returns the
  * height. */
 static double draw_below(const struct pp_waldram_drawing *drawing, double x, double y,
                          double width, bool drawn)
@@ -120,7 +120,7 @@ static void waldram_titles(const struct pp_waldram_sheet *sheet, char *title,
              sheet->point.x, sheet->point.y, sheet->point.z, sky);
 }
 
-/* Number of columns of panels with which the smallest square is largest. */
+/* Number of panel columns at which the squares of the diagrams are largest. */
 static int choose_columns(const struct pp_waldram_drawing *drawing, struct pp_box body,
                           double gap)
 {

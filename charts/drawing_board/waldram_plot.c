@@ -1,5 +1,5 @@
-/* waldram_plot.c - squares, droop lines, scales of altitude and azimuth, and the windows
- * with their counted squares.
+/* waldram_plot.c - draws squares, droop lines, scales of altitude and azimuth, and the
+ * windows with their counted squares.
  */
 #include "charts/drawing_board/waldram_plot.h"
 
@@ -11,18 +11,18 @@
 #include "charts/sheet/page.h"
 #include "model/geometry/bounds.h"
 
-/* Columns of squares from azimuth 0 to 90 degrees. */
+/* Number of columns of squares from azimuth 0 to 90 degrees. */
 enum { HALF_COLUMNS = 18 };
 
-/* Curve of style.c whose dash is used for the droop lines of edges perpendicular to the
+/* Index of the curve style (style.c) for droop lines of edges perpendicular to the
  * window. */
 enum { ACROSS_DASH = 1 };
 
-/* One panel on paper; map.mm is the side of a square. */
+/* A panel on paper; map.mm is the side of a square. */
 struct waldram_plot {
     const struct pp_waldram_panel *panel;
     struct pp_board_map map;
-    int first; /* index of its first window */
+    int first; /* index of the panel's first window */
 };
 
 static double at_x(const struct waldram_plot *plot, double x)
@@ -113,8 +113,8 @@ static void draw_droop_lines(const struct pp_waldram_drawing *drawing,
     cairo_set_dash(drawing->cr, NULL, 0, 0.0);
 }
 
-/* Writes altitudes at the lines of edges parallel to the window, where there is
- * space. */
+/* Writes the altitude on each droop line of edges parallel to the window, where there
+ * is space. */
 static void label_droop_lines(const struct pp_waldram_drawing *drawing,
                               const struct waldram_plot *plot)
 {
@@ -140,7 +140,7 @@ static void label_droop_lines(const struct pp_waldram_drawing *drawing,
 /* --- scales --------------------------------------------------------------------------
  */
 
-/* Altitudes in the order in which they are labelled, if there is space. */
+/* Altitudes in order of priority for labels. */
 static const int altitudes[] = {0, 90, 50, 30, 70, 40, 60, 20, 80, 10};
 
 static double label_height(const struct pp_waldram_drawing *drawing)
@@ -223,8 +223,8 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
     double last = -INFINITY, width = 1.25 * label_width(drawing);
     for (int degree = -end; degree <= end; degree += step) {
         double x = azimuth_place(plot, degree);
-        /* Through glass the scale is compressed towards its ends; the labels of the
-         * ends are kept. */
+        /* For a glazed window the scale is compressed towards its ends. Labels that
+         * would overlap the labels of the ends are omitted. */
         bool crowds = abs(degree) != end
                       && (fabs(x - azimuth_place(plot, end)) < width || x - last < width
                           || fabs(x - azimuth_place(plot, -end)) < width);
@@ -243,8 +243,8 @@ static void draw_azimuths(const struct pp_waldram_drawing *drawing,
 /* --- windows -------------------------------------------------------------------------
  */
 
-/* Writes the tenths of part squares: of sky in the upper part, of obstruction in the
- * lower. */
+/* Writes the tenths of partly covered squares: for sky in the upper part of the square,
+ * for obstructions in the lower. */
 static void draw_tenths(const struct pp_waldram_drawing *drawing,
                         const struct waldram_plot *plot,
                         const struct pp_board_piece *piece)
@@ -316,8 +316,8 @@ static void draw_windows(const struct pp_waldram_drawing *drawing,
     cairo_rectangle(drawing->cr, frame.x, frame.y, frame.width, frame.height);
     cairo_clip(drawing->cr);
     draw_pieces(drawing, plot, tints);
-    /* A window that crosses one end of a diagram of all azimuths continues at the other
-     * end. */
+    /* On a diagram of all azimuths, a window that crosses one end continues at the
+     * other end. */
     for (int side = -1; side <= 1 && panel->high > HALF_COLUMNS; side += 2) {
         struct waldram_plot turned = *plot;
         turned.map.x0 += side * (panel->high - panel->low) * plot->map.mm;
@@ -349,7 +349,7 @@ static void panel_words(char *words, size_t room, const struct pp_waldram_sheet 
                 100.0 * panel->whole);
 }
 
-/* Space for scales and words around a panel's frame, mm. */
+/* Space for scales and text around a panel's frame, mm. */
 struct waldram_margins {
     double side, head, foot;
 };

@@ -18,14 +18,14 @@ struct pp_waldram_drawing {
 struct pp_curve_style pp_waldram_plot_droop_style(const struct pp_style *style,
                                                   bool across);
 
-/* Largest side of a square (mm) at which a panel with its scales and words fits into a
- * space of that size. */
+/* Largest side of a square (mm) at which a panel with its scales and text fits into
+ * this width and height. */
 double pp_waldram_plot_square(const struct pp_waldram_drawing *drawing,
                               const struct pp_waldram_panel *panel, double width,
                               double height);
 
-/* Draws a panel of the sheet in the middle of `room`; `first` is the number of its first
- * window. */
+/* Draws a panel of the sheet in the middle of `room`. `first` is the index of the
+ * panel's first window. */
 void pp_waldram_plot_draw(const struct pp_waldram_drawing *drawing,
                           const struct pp_waldram_panel *panel, int first,
                           struct pp_box room);

@@ -1,4 +1,5 @@
-/* net_chart.c - draws the pieces of a net: solid lines are cut, dashed lines folded. */
+/* net_chart.c - draws the pieces of a net: solid lines to be cut, dashed lines to be
+ * folded. */
 #include "charts/net/net_chart.h"
 
 #include <math.h>
@@ -17,13 +18,13 @@ struct net_drawing {
     struct pp_style style;
     const struct pp_model_net *model;
     struct pp_net net;
-    struct pp_box area; /* area of the sheet */
+    struct pp_box area; /* area of the sheet that is free for pieces */
     struct pp_labels *labels;
 };
 
 /* ---- panels ---- */
 
-/* Converts a position on a piece to one on paper. */
+/* Converts a position on a piece to a position on paper. */
 static void on_paper(const struct net_drawing *drawing,
                      const struct pp_net_panel *panel, const double xy[2],
                      double paper[2])
@@ -93,14 +94,14 @@ static void draw_edge(const struct net_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* Traces an opening in a panel's face, and reserves its place against labels. */
+/* Traces an opening in a panel's face, and marks its area as occupied for labels. */
 static void trace_opening(const struct net_drawing *drawing,
                           const struct pp_net_panel *panel,
                           const struct pp_polygon *outline)
 {
     cairo_t *cr = drawing->cr;
     cairo_new_path(cr);
-    /* Returns to the first corner, so that labels avoid the last side too. */
+    /* Returns to the first corner, so that labels also avoid the last side. */
     for (int k = 0; k <= outline->count; k++) {
         double xy[2], paper[2], before[2];
         pp_net_panels_point(&drawing->net.panels, panel,
@@ -115,8 +116,8 @@ static void trace_opening(const struct net_drawing *drawing,
     cairo_close_path(cr);
 }
 
-/* Draws the outline of a door or a dado, except where it runs along the panel's
- * edges. */
+/* Draws the outline of a door or a dado, except where it coincides with an edge of the
+ * panel. */
 static void draw_cover(const struct net_drawing *drawing,
                        const struct pp_net_panel *panel,
                        const struct pp_polygon *outline)
@@ -148,8 +149,8 @@ static void draw_cover(const struct net_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* Draws painted doors and dados, and the openings to cut out. A panel that is part of a
- * face has its part of them. */
+/* Draws painted doors and dados, and the openings to be cut out. If the panel is only a
+ * part of a face, they are clipped to that part. */
 static void draw_in_face(const struct net_drawing *drawing,
                          const struct pp_net_panel *panel)
 {
@@ -182,13 +183,14 @@ static const char *role_of(enum pp_role role)
     return role == PP_FLOOR ? "Floor" : role == PP_CEILING ? "Ceiling" : "Wall";
 }
 
-/* The area that words describe: a panel, or a door or a dado in it. */
+/* The painted area that a label describes: a panel, or a door or a dado in it. */
 struct painted {
     const struct pp_net_panel *panel;
     const struct pp_surface *surface; /* the panel's face, or the door or dado */
 };
 
-/* Forms of a label: name and paint in two lines, in one, or paint alone. */
+/* Number of forms of a label: name and paint in two lines, in one line, or only the
+ * paint. */
 enum { WORDINGS = 3 };
 
 static void painted_name(char *words, size_t room, const struct painted *painted,
@@ -212,8 +214,7 @@ static void painted_name(char *words, size_t room, const struct painted *painted
         snprintf(words, room, "paint %.2f", surface->front);
 }
 
-/* True if a place of the panel has this paint; the point is given in the panel's own
- * coordinates. */
+/* True if this point of the panel, in the panel's own coordinates, has this paint. */
 static bool is_painted_so(const struct net_drawing *drawing,
                           const struct painted *painted, const double own[2])
 {
@@ -257,8 +258,8 @@ static struct pp_bounds2 painted_extent(const struct net_drawing *drawing,
     return extent;
 }
 
-/* Writes a label as near to the panel's middle as possible without covering a line;
- * false if there is no space. */
+/* Writes a label as near to the middle of the panel as possible without covering a
+ * line. Returns false if there is no space. */
 static bool write_words(const struct net_drawing *drawing,
                         const struct painted *painted, const char *words)
 {
@@ -311,8 +312,8 @@ static void write_names(const struct net_drawing *drawing,
             write_name(drawing, &(struct painted){panel, &world->surfaces[i]});
 }
 
-/* Writes an edge's number inside the panel at the edge's middle, with an asterisk if
- * the edge has no tab. */
+/* Writes the number of an edge inside the panel, at the middle of the edge. An asterisk
+ * means that the edge has no tab. */
 static void number_edge(const struct net_drawing *drawing,
                         const struct pp_net_panel *panel, int edge)
 {
@@ -335,8 +336,8 @@ static void number_edge(const struct net_drawing *drawing,
                                          paper[1], words));
 }
 
-/* Appends the note "Reveals are up to 6.0 mm deep; add them on the outside." for rooms
- * with reveals. */
+/* Appends, for a room with reveals, the note "Reveals are up to 6.0 mm deep; add them
+ * on the outside." */
 static void say_reveals(char *foot, size_t room, const struct pp_model_net *model)
 {
     double deepest = 0.0;
@@ -383,7 +384,7 @@ static void say_net_foot(char *foot, size_t room, const struct pp_model_net *mod
 
 /* ---- sheets ---- */
 
-/* Draws titles, notes and a ruler; sets the free area. */
+/* Draws titles, notes and a ruler, and sets the free area. */
 static void draw_page(struct net_drawing *drawing, int sheet)
 {
     char subtitle[128], foot[1536] = "";
@@ -441,7 +442,7 @@ static enum pp_status draw_sheets(struct net_drawing *drawing, struct pp_error *
     return status;
 }
 
-/* The free area that draw_page would set. */
+/* Returns the free area that draw_page would set. */
 static struct pp_box measure_area(const struct net_drawing *drawing)
 {
     char foot[1536] = "";

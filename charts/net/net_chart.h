@@ -1,6 +1,6 @@
-/* net_chart.h - a room as a scale model to cut out and fold: panels, openings, tabs,
- * numbers of matching edges, surfaces to paint; and corrections for measurements in a
- * mirror-box artificial sky. */
+/* net_chart.h - a room as a scale model to be cut out and folded: panels, openings,
+ * tabs, numbers of matching edges, and surfaces to be painted. The sheet also gives
+ * corrections for measurements in a mirror-box artificial sky. */
 #ifndef PP_CHARTS_NET_NET_CHART_H
 #define PP_CHARTS_NET_NET_CHART_H
 
@@ -10,11 +10,12 @@
 
 struct pp_model_net {
     const struct pp_world *world;
-    double scale;             /* 20 for 1:20 */
-    struct pp_mirror_box box; /* the box whose corrections are given */
+    double scale;             /* denominator of the scale: 20 for 1:20 */
+    struct pp_mirror_box box; /* mirror box whose corrections are printed */
 };
 
-/* Draws on as many sheets as needed; PP_BAD_INPUT if the format has a single sheet. */
+/* Draws on as many sheets as needed. PP_BAD_INPUT if the format has a single sheet
+ * only. */
 enum pp_status pp_net_chart_draw(struct pp_canvas *canvas,
                                  const struct pp_model_net *net, struct pp_error *err);
 

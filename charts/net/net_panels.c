@@ -1,5 +1,6 @@
-/* net_panels.c - flattens faces, cuts the large ones by a grid of equal cells, and numbers
- * the edges: one number for each edge of the room, and one for each cut. */
+/* net_panels.c - makes flat panels of the faces, cuts large faces by a grid of equal
+ * cells, and numbers the edges: one number for each edge of the room, and one for each
+ * cut. */
 #include "charts/net/net_panels.h"
 
 #include <math.h>
@@ -9,11 +10,11 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Distance (mm on the model) below which ends are the same. */
+/* Ends closer than this distance (mm on the model) are considered equal. */
 static const double SAME_MM = 1e-3;
 
-/* Largest number of parts of cut faces, each on a sheet of its own: a model of more is
- * a mistake in the units or in the scale. */
+/* Maximum number of panels if faces must be cut, since each part needs a separate
+ * sheet. A larger model is considered a mistake in units or scale. */
 enum { PARTS_MOST = 400 };
 
 /* ---- from the room to a panel ---- */
@@ -50,7 +51,7 @@ void pp_net_panels_point(const struct pp_net_panels *panels,
 
 /* ---- panels ---- */
 
-/* Adds a panel of a face with these corners in its own axes. */
+/* Adds a panel of the same face as `like`, with corners in the axes of that face. */
 static enum pp_status add_panel(struct pp_net_panels *panels,
                                 const struct pp_net_panel *like, const double (*own)[2],
                                 int count, struct pp_error *err)
@@ -72,7 +73,7 @@ static enum pp_status add_panel(struct pp_net_panels *panels,
     return PP_OK;
 }
 
-/* Adds the part of a face in one cell. */
+/* Adds the part of a face that lies in one cell. */
 static enum pp_status add_cell(struct pp_net_panels *panels, struct pp_net_panel *like,
                                struct pp_clipper *clipper, const struct pp_region *face,
                                const double low[2], const double high[2],
@@ -97,7 +98,7 @@ static enum pp_status add_cell(struct pp_net_panels *panels, struct pp_net_panel
     return status;
 }
 
-/* Adds cells of equal size, as few as possible within the limit. */
+/* Adds the parts of a face in a grid of cells[0] by cells[1] equal cells. */
 static enum pp_status add_cells(struct pp_net_panels *panels, struct pp_net_panel *like,
                                 const double (*own)[2], int count,
                                 const struct pp_bounds2 *extent, const int cells[2],
@@ -174,7 +175,7 @@ static enum pp_status add_net_face(struct pp_net_panels *panels,
 
 /* ---- edges ---- */
 
-/* A corner in the room. */
+/* Position of a panel's corner in the room. */
 static struct pp_vec3 in_room(const struct pp_net_panels *panels,
                               const struct pp_net_panel *panel, int corner)
 {
@@ -191,7 +192,7 @@ static double off_line(struct pp_vec3 p, struct pp_vec3 a, struct pp_vec3 b)
     return pp_vec_length(pp_vec_cross(pp_vec_sub(p, a), along)) / pp_vec_length(along);
 }
 
-/* True if two edges lie on one line and overlap. */
+/* True if two edges lie on the same line and overlap. */
 static bool meet(const struct pp_net_panels *panels, const struct pp_net_panel *p,
                  int i, const struct pp_net_panel *q, int k)
 {
@@ -217,7 +218,7 @@ static bool same_ends(const struct pp_net_panels *panels, const struct pp_net_pa
                   < same;
 }
 
-/* Gives edges that meet, directly or through others, the same number. */
+/* Gives the same number to all edges that meet, directly or through other edges. */
 static void number_edges(struct pp_net_panels *panels)
 {
     for (int p = 0; p < panels->count; p++)

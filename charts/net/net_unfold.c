@@ -1,5 +1,5 @@
 /* net_unfold.c - unfolds the floor first, then its neighbours about their common edges,
- * then their neighbours. A panel that overlaps others or does not fit begins a new
+ * then the next neighbours. A panel that would overlap others or not fit begins a new
  * piece. */
 #include "charts/net/net_unfold.h"
 
@@ -10,8 +10,8 @@
 #include "model/base/array.h"
 #include "model/geometry/clipper.h"
 
-/* Sizes on paper (mm): a tab's width, the space between pieces, and the tolerated
- * overlap. */
+/* Sizes on paper: width of a tab and space between pieces (mm), and tolerated overlap
+ * (mm2). */
 static const double TAB_MM = 8.0, GAP_MM = 5.0, OVERLAP_MM2 = 0.05;
 
 struct unfolding {
@@ -46,8 +46,8 @@ static double common_area(struct unfolding *unfolding, const double (*a)[2],
     return area;
 }
 
-/* Corners of a panel in its piece; the caller frees them. NULL, with unfolding->status
- * set: out of memory. */
+/* Corners of a panel in the coordinates of its piece; the caller frees them. If memory
+ * is exhausted, returns NULL and sets unfolding->status. */
 static double (*corners_of(struct unfolding *unfolding,
                            const struct pp_net_panel *panel))[2]
 {
@@ -59,8 +59,8 @@ static double (*corners_of(struct unfolding *unfolding,
     return xy;
 }
 
-/* True if a polygon overlaps a panel of the piece other than panel `other_than` (-1:
- * any). */
+/* True if a polygon overlaps any panel of the piece other than panel `other_than` (-1:
+ * no exception). */
 static bool hits_panel(struct unfolding *unfolding, int piece, const double (*xy)[2],
                        int count, int other_than)
 {
@@ -101,8 +101,8 @@ static bool fits(const struct unfolding *unfolding, const struct pp_bounds2 *ext
            && extent->high[1] - extent->low[1] <= unfolding->limit[1] + 1e-6;
 }
 
-/* Turns and shifts a panel so that its edge own_edge lies on an edge of a placed panel,
- * in the opposite direction. */
+/* Turns and shifts a panel so that its edge own_edge coincides with an edge of a placed
+ * panel, in the opposite direction. */
 static void lay_beside(const struct pp_net_panel *placed, int edge,
                        struct pp_net_panel *panel, int own_edge)
 {
@@ -120,8 +120,8 @@ static void lay_beside(const struct pp_net_panel *placed, int edge,
     panel->shift[1] = b[1] - panel->turn[1] * c[0] - panel->turn[0] * c[1];
 }
 
-/* Connects the neighbour at an edge to the piece, if it fits and overlaps nothing.
- * False: not connected. */
+/* Connects the neighbour at an edge to the piece if it fits and does not overlap the
+ * piece. Returns false if it is not connected. */
 static bool hang(struct unfolding *unfolding, int index, int edge)
 {
     struct pp_net_panels *panels = &unfolding->net->panels;
@@ -131,7 +131,7 @@ static bool hang(struct unfolding *unfolding, int index, int edge)
         return false;
     struct pp_net_panel *panel = &panels->list[joint->panel];
     if (panel->face == placed->face)
-        return false; /* parts cut from one face are not connected */
+        return false; /* parts of the same face are never connected */
     int piece = placed->piece;
     lay_beside(placed, edge, panel, joint->edge);
     double(*xy)[2] = corners_of(unfolding, panel);
@@ -148,8 +148,8 @@ static bool hang(struct unfolding *unfolding, int index, int edge)
     return false;
 }
 
-/* Starts a piece with a panel, upright or, if it does not fit so, turned by 90 degrees.
- * Then connects neighbours as long as any fits. */
+/* Starts a piece with a panel, upright or, if the panel does not fit, turned by 90
+ * degrees. Then connects neighbours until no more fit. */
 static void grow_piece(struct unfolding *unfolding, int first)
 {
     struct pp_net *net = unfolding->net;
@@ -187,7 +187,7 @@ void pp_net_unfold_tab(const struct pp_net_panel *panel, int edge,
     double length = hypot(along[0], along[1]), wide = fmin(TAB_MM, 0.3 * length);
     along[0] /= length;
     along[1] /= length;
-    /* Corners run counter-clockwise: outside is on the right. */
+    /* Corners run counter-clockwise, so the outside is on the right. */
     for (int i = 0; i < 2; i++) {
         double in = i ? -wide : wide;
         const double *from = xy[i ? 3 : 0];
@@ -196,7 +196,7 @@ void pp_net_unfold_tab(const struct pp_net_panel *panel, int edge,
     }
 }
 
-/* True if a tab overlaps no panel and no other tab. */
+/* True if a tab does not overlap any panel or other tab. */
 static bool tab_is_free(struct unfolding *unfolding, int index, int edge)
 {
     const struct pp_net_panels *panels = &unfolding->net->panels;
@@ -274,7 +274,7 @@ static double height_of(const struct pp_net_piece *piece)
     return piece->extent.high[1] - piece->extent.low[1];
 }
 
-/* The tallest piece that is not laid yet; -1: none. */
+/* Index of the tallest piece that is not yet placed; -1: none. */
 static int tallest(const struct pp_net *net)
 {
     int found = -1;
@@ -286,7 +286,7 @@ static int tallest(const struct pp_net *net)
     return found;
 }
 
-/* Places pieces in rows from the top of the area down, the tallest first. */
+/* Places pieces in rows from the top of the area downwards, the tallest piece first. */
 static void lay_on_sheets(struct pp_net *net, const double area[2])
 {
     double x = 0.0, top = area[1], row = 0.0;
@@ -314,7 +314,7 @@ static void lay_on_sheets(struct pp_net *net, const double area[2])
     net->sheet_count = sheet + 1;
 }
 
-/* Next panel of that role that is in no piece; -1: none. */
+/* Index of a panel of that role that does not yet belong to a piece; -1: none. */
 static int first_of(const struct pp_net_panels *panels, const struct pp_world *world,
                     enum pp_role role)
 {

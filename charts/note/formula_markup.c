@@ -1,5 +1,5 @@
-/* formula_markup.c - a name consists of Latin or Greek letters, followed by
- * subscripts. */
+/* formula_markup.c - see formula_markup.h. A name is a Latin or Greek letter, followed
+ * by subscripts. */
 #include "charts/note/formula_markup.h"
 
 #include <ctype.h>
@@ -41,16 +41,16 @@ static bool is_function(const char *name, int length)
     return false;
 }
 
-/* Begins small type, raised by rise_mm (negative: lowered). Pango expects 1024ths of a
- * unit of the drawing. */
+/* Begins small type, raised by rise_mm (negative: lowered). Pango expects the rise in
+ * 1/1024 of a unit of the drawing. */
 static void begin_small(char *markup, size_t room, double rise_mm)
 {
     pp_text_append(markup, room, "<span size=\"x-small\" rise=\"%d\">",
                    (int)lrint(1024.0 * rise_mm));
 }
 
-/* Appends the subscripts after a name, separated by commas. Returns the number of bytes
- * of text that they take; 0 if there are none. */
+/* Appends the subscripts after a name, separated by commas. Returns the length of the
+ * subscripts in text (bytes); 0: there are none. */
 static int add_subscripts(char *markup, size_t room, const char *text, double size_mm)
 {
     int at = 1;
@@ -63,8 +63,8 @@ static int add_subscripts(char *markup, size_t room, const char *text, double si
     return at;
 }
 
-/* Appends an exponent such as "^2" as a superscript. Returns the number of bytes of
- * text that it takes; 0 if there is none. */
+/* Appends an exponent such as "^2" as a superscript. Returns the length of the exponent
+ * in text (bytes); 0: there is none. */
 static int add_power(char *markup, size_t room, const char *text, double size_mm)
 {
     int digits = text[0] == '^' ? (int)strspn(text + 1, "0123456789.") : 0;
@@ -75,7 +75,7 @@ static int add_power(char *markup, size_t room, const char *text, double size_mm
     return 1 + digits;
 }
 
-/* Appends a character that is not part of a name or exponent; * becomes a
+/* Appends a character that is not part of a name or exponent; "*" becomes a
  * multiplication sign. */
 static void add_sign(char *markup, size_t room, char sign)
 {

@@ -6,11 +6,11 @@
 
 #include <stddef.h>
 
-/* Adds the formula, in the UTF-8 form of step_text.h, to `markup` of `room` bytes, for
- * type of that size. */
+/* Adds the formula, in the UTF-8 form of step_text.h, to `markup` (a buffer of `room`
+ * bytes). size_mm: type size. */
 void pp_formula_markup(char *markup, size_t room, const char *formula, double size_mm);
 
-/* Adds words without markup. */
+/* Adds plain text. */
 void pp_formula_markup_words(char *markup, size_t room, const char *words);
 
 #endif

@@ -1,5 +1,5 @@
-/* note_chart.c - a column of lines, which breaks between steps, and a margin with
- * drawings; as many sheets as needed. */
+/* note_chart.c - lays out a note: a column of lines, which breaks between steps, and a
+ * margin with drawings, on as many sheets as needed. */
 #include "charts/note/note_chart.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ struct note_drawing {
     const struct pp_note_chart *note;
     struct pp_box lines, margin; /* areas of this sheet */
     double y, margin_y;          /* y of the next line and of the next drawing */
-    int sheet;                   /* from 1 */
+    int sheet;                   /* number of the sheet, from 1 */
     bool shown[OPENINGS_MOST];   /* true for openings already drawn */
     enum pp_status status;
     struct pp_error *err;
@@ -30,7 +30,7 @@ struct note_drawing {
 
 /* ---- sheets ---- */
 
-/* Draws the title, and sets the columns of lines and drawings below it. */
+/* Draws the title and sets the columns below it, for lines and for drawings. */
 static void begin_sheet(struct note_drawing *drawing)
 {
     const struct pp_report *report = drawing->note->report;
@@ -57,7 +57,7 @@ static void begin_sheet(struct note_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* Begins a new sheet, unless that height is left on this one. */
+/* Begins a new sheet unless `height` is left on the current sheet. */
 static void need(struct note_drawing *drawing, double height)
 {
     double left = drawing->lines.y + drawing->lines.height - drawing->y;
@@ -78,14 +78,15 @@ static void need(struct note_drawing *drawing, double height)
 
 /* ---- lines ---- */
 
-/* Layout of a line. */
+/* Style and indents of a line. */
 struct note_line {
     struct pp_lettering set;
     double in; /* indent from the column's left edge */
-    double to; /* space left free at the right edge of the column, for the value */
+    double to; /* space at the right edge of the column, left free for the value */
 };
 
-/* Places words at the current height without advancing; returns their height. */
+/* Places text at the current height without advancing. If `drawn` is false, only
+ * measures. Returns the height of the text. */
 static double put_note_words(struct note_drawing *drawing, struct note_line line,
                              const char *words, bool drawn)
 {
@@ -124,8 +125,9 @@ static void put_figure(struct note_drawing *drawing, const char *figure, bool bo
                       drawing->lines.x + drawing->lines.width, drawing->y, figure);
 }
 
-/* Places a step: formula, inserted values, and the result with its name; or, for a
- * figure that was read, its symbol and name. Returns the height. */
+/* Places a step: formula, inserted values, and the result with its name. For a number
+ * that was read from a table or chart, places its symbol and name. Returns the
+ * height. */
 static double put_step(struct note_drawing *drawing, const struct pp_steps *steps,
                        int index, bool drawn)
 {
@@ -178,7 +180,8 @@ static void put_rule(struct note_drawing *drawing)
     drawing->y += 0.6 * drawing->style.scale;
 }
 
-/* Writes a heading and keeps at least `below` of space below it on the same sheet. */
+/* Writes a heading. Begins a new sheet if the current sheet has less than `below` mm
+ * left below the heading. */
 static void put_heading(struct note_drawing *drawing, const char *words, double below)
 {
     const struct note_line line = {{.size = PP_TEXT_HEAD, .bold = true}, 0.0, 0.0};
@@ -193,8 +196,8 @@ static void put_heading(struct note_drawing *drawing, const char *words, double 
         put_note_words(drawing, line, words, true) + 0.5 * drawing->style.scale;
 }
 
-/* Draws the wall of the opening in the margin, once for each opening, if there is space
- * beside the lines about it. */
+/* Draws the wall of an opening in the margin, once for each opening, if there is space
+ * beside the lines about the opening. */
 static void show_opening(struct note_drawing *drawing, int line)
 {
     const struct pp_report *report = drawing->note->report;
@@ -296,7 +299,7 @@ static void put_given(struct note_drawing *drawing)
     put_paragraph(drawing, line, words);
 }
 
-/* Places each column's value, or the reason why it has none. */
+/* Places the value of each column, or the reason why there is none. */
 static void put_results(struct note_drawing *drawing)
 {
     static const char *const names[PP_COMPONENT_COUNT] = {

@@ -1,6 +1,6 @@
-/* note_chart.h - a calculation as a design note: the given data with the room's plan
- * and section beside them, each method's formulae as printed, the inserted values,
- * results, and the sources. */
+/* note_chart.h - a calculation as a design note: the given data beside the room's plan
+ * and section, each method's formulae with inserted values and results, and the
+ * sources. */
 #ifndef PP_CHARTS_NOTE_NOTE_CHART_H
 #define PP_CHARTS_NOTE_NOTE_CHART_H
 
@@ -8,17 +8,18 @@
 #include "model/results/report.h"
 
 struct pp_note_chart {
-    const struct pp_report *report; /* report of one point, with steps */
-    const char *const *contents;    /* corrections already contained in a column's
-                                     * figures, a sentence for each column; "": none */
-    const char *const *sources;     /* the sources, a paragraph each */
+    const struct pp_report *report; /* report for one point, with the steps of the
+                                     * calculation */
+    const char *const *contents;    /* one sentence per column: corrections that its
+                                     * figures already include; "": none */
+    const char *const *sources;     /* sources, one paragraph each */
     int source_count;
-    const char *const *notes; /* notes on the methods, of the same form */
+    const char *const *notes; /* notes on the methods, one paragraph each */
     int note_count;
 };
 
-/* Draws on as many sheets as needed. PP_BAD_INPUT if the format has one sheet only and
- * the note is longer, or the point is on no section. */
+/* Draws on as many sheets as needed. PP_BAD_INPUT if the format has only one sheet and
+ * the note is longer, or if no section contains the point. */
 enum pp_status pp_note_chart_draw(struct pp_canvas *canvas,
                                   const struct pp_note_chart *note,
                                   struct pp_error *err);

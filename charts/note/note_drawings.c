@@ -8,7 +8,8 @@
 #include "charts/room/room_plan.h"
 #include "charts/section/room_section.h"
 
-/* Draws the caption below a drawing, from its left edge; returns the height. */
+/* Draws the caption below a drawing, from its left edge. If `drawn` is false, only
+ * measures. Returns the height. */
 static double caption(cairo_t *cr, const struct pp_style *style, struct pp_box box,
                       double y, const char *words, bool drawn)
 {
@@ -80,7 +81,7 @@ enum pp_status pp_note_drawings_room(double *height, cairo_t *cr,
     return PP_OK;
 }
 
-/* Fills the opening. */
+/* Tints the area of the opening. */
 static void tint_opening(cairo_t *cr, const struct pp_room_elevation *elevation,
                          const struct pp_opening *opening)
 {

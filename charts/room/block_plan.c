@@ -25,7 +25,8 @@ static void base_of(const struct pp_block *block, double xy[4][2])
     }
 }
 
-/* Frame of the plan of the room with its blocks, in the box without the caption. */
+/* Frame of the plan of the room and the blocks, fitted into the box above the
+ * caption. */
 static struct pp_room_plan frame_of_blocks(const struct pp_style *style,
                                            const struct pp_world *world,
                                            struct pp_box box)
@@ -56,8 +57,8 @@ static struct pp_room_plan frame_of_blocks(const struct pp_style *style,
     return frame;
 }
 
-/* Writes name, coordinates and height of a block at its middle, or near it where that is
- * free. */
+/* Writes name, coordinates and height of a block at its middle, or at a free place
+ * nearby. */
 static void say_block(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_plan *frame, const struct pp_block *block,
                       struct pp_labels *labels)
@@ -80,7 +81,7 @@ static void say_block(cairo_t *cr, const struct pp_style *style,
                        "%.4g \u00d7 %.4g\u00a0m, turned %.4g\u00b0\n", block->width_m,
                        block->depth_m, block->rotate_rad / PP_RAD);
     double eaves = block->corner.z + block->height_m, ridge = eaves;
-    /* A roof consists of surfaces with the block's name. */
+    /* A block with a roof has further surfaces with the block's name. */
     for (int i = 0; i < frame->world->surface_count && block->name; i++) {
         const struct pp_surface *roof = &frame->world->surfaces[i];
         if (roof->name && strcmp(roof->name, block->name) == 0)

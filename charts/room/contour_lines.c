@@ -1,5 +1,5 @@
-/* contour_lines.c - draws a contour line with a gap for its figure where the line is
- * straight and no label is near. */
+/* contour_lines.c - draws a contour line with a gap for its figure, where the line is
+ * straight and there is no other label nearby. */
 #include "charts/room/contour_lines.h"
 
 #include <math.h>
@@ -22,16 +22,16 @@ void pp_contour_lines_path(cairo_t *cr, const struct pp_room_plan *plan,
 struct track {
     int count;
     double (*xy)[2];
-    double *length; /* length of the track up to each point */
+    double *length; /* length of the track from its start to each point, mm */
 };
 
-/* A place on a track, and its direction. */
+/* A point on a track, and the unit vector along the track. */
 struct station {
     double x, y, dx, dy;
 };
 
-/* Makes the track of a curve. False: out of memory. The caller clears *track in either
- * case. */
+/* Converts a curve to a track on paper. Returns false if memory is exhausted. The
+ * caller clears *track in either case. */
 static bool lay_track(struct track *track, const struct pp_room_plan *plan,
                       const struct pp_curve *curve)
 {
@@ -89,9 +89,9 @@ static void path_between(cairo_t *cr, const struct track *track, double from, do
     cairo_line_to(cr, last.x, last.y);
 }
 
-/* Midpoint and direction of the chord between the points half of `width` before and
- * after `at` on the track. *excess: share of the track between them by which the chord
- * is shorter; 0 on a straight line. */
+/* Midpoint and direction of the chord between two points on the track, half of `width`
+ * before and after `at`. *excess: relative difference between the length of the track
+ * and of the chord; 0 on a straight line. */
 static struct station chord_at(const struct track *track, double at, double width,
                                double *excess)
 {
@@ -103,8 +103,8 @@ static struct station chord_at(const struct track *track, double at, double widt
                             (after.x - before.x) / chord, (after.y - before.y) / chord};
 }
 
-/* True if a label at this station, turned along the line, covers no place noted for
- * other owners. */
+/* True if a label at this station, turned along the line, does not cover places
+ * registered by other owners. */
 static bool is_clear(const struct pp_labels *labels, int owner, struct station at,
                      double width, double height)
 {
@@ -123,8 +123,8 @@ static bool is_clear(const struct pp_labels *labels, int owner, struct station a
     return true;
 }
 
-/* Best place for a label, as a length along the track: free of other labels, on a
- * straight piece (excess below 0.2), near the middle. Negative: there is no place. The
+/* Best position for a label, as a length along the track: free of other labels, on a
+ * straight part (excess below 0.2), and near the middle. Negative: there is none. The
  * weights were chosen by trial. */
 static double best_place(const struct track *track, const struct pp_labels *labels,
                          int owner, double width, double height)

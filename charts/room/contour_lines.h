@@ -7,9 +7,9 @@
 #include "charts/room/room_plan.h"
 #include "model/geometry/curve.h"
 
-/* Draws a curve with its level's figure in a gap, along the line and not upside down.
- * The figure avoids labels of other owners and is itself registered in `labels`. False:
- * the line has no figure, since it is too short or has no free place. */
+/* Draws a curve with the figure of its level in a gap, along the line and never upside
+ * down. The figure avoids labels of other owners and is registered in `labels`. Returns
+ * false if the line has no figure because it is too short or has no free place. */
 bool pp_contour_lines_draw(cairo_t *cr, const struct pp_style *style,
                            const struct pp_room_plan *plan,
                            const struct pp_curve *curve, double weight_mm,

@@ -3,14 +3,14 @@
 
 #include <math.h>
 
-/* Distances on paper (mm, at the style's scale). */
+/* Dimensions on paper (mm, to be multiplied by style.scale). */
 static const double gap_mm = 0.9, stroke_mm = 1.2, apart_mm = 1.0, wave_mm = 1.6;
 
-/* Line of the device on paper. */
+/* Line on paper that represents the device. */
 struct device_line {
-    double x, y;   /* its start */
-    double dx, dy; /* unit vector along it */
-    double nx, ny; /* into the room */
+    double x, y;   /* start of the line */
+    double dx, dy; /* unit vector along the line */
+    double nx, ny; /* unit vector into the room */
     double length;
 };
 

@@ -1,5 +1,5 @@
-/* exercise_chart.c - section and plan side by side, the elevations below them, and
- * ruled lines for the answer at the bottom. */
+/* exercise_chart.c - lays out section and plan side by side, the elevations below, and
+ * ruled lines for the answers at the bottom. */
 #include "charts/room/exercise_chart.h"
 
 #include <math.h>
@@ -23,11 +23,11 @@ struct exercise_drawing {
     struct pp_style style;
     const struct pp_exercise *exercise;
     struct pp_section_cut cut;
-    struct pp_report report; /* report of the single point */
+    struct pp_report report; /* report for the single point */
     struct pp_room_elevation elevations[ELEVATIONS_MOST];
     int elevation_count;
-    double scale; /* scale of section and plan, and of elevations not drawn for a
-                   * diagram */
+    double scale; /* denominator of the scale of section and plan; also of elevations,
+                   * unless they have the scale of a diagram */
 };
 
 /* Finds the walls whose openings face the point, in order of their first openings. */
@@ -53,7 +53,8 @@ static double caption_mm(const struct pp_style *style)
     return 1.8 * style->text[PP_TEXT_SMALL];
 }
 
-/* Height of the scale bar below the plan, and of dimensions below an elevation. */
+/* Height of the scale bar below the plan, and of the dimensions below an elevation
+ * (mm). */
 static double bar_mm(const struct pp_style *style)
 {
     return 6.5 * style->scale;
@@ -76,7 +77,7 @@ static void write_caption(const struct exercise_drawing *drawing, double x, doub
                       y + 0.8 * drawing->style.scale, words);
 }
 
-/* Space beside the section for obstructions. */
+/* Width beside the section to be reserved for obstructions (mm). */
 static double outside_mm(const struct exercise_drawing *drawing, bool near)
 {
     struct pp_room_section section = {.world = drawing->exercise->world,
@@ -116,8 +117,7 @@ static struct pp_room_plan fitted_plan(const struct exercise_drawing *drawing,
     return plan;
 }
 
-/* Largest usual scale at which all elevations fit side by side; returns its
- * denominator. */
+/* Denominator of the largest usual scale at which all elevations fit side by side. */
 static double elevations_scale(const struct exercise_drawing *drawing,
                                struct pp_box box)
 {
@@ -133,8 +133,8 @@ static double elevations_scale(const struct exercise_drawing *drawing,
     return pp_room_plan_usual_scale(1000.0 / most);
 }
 
-/* Chooses one scale for section and plan, and for elevations unless a diagram sets
- * their scale. */
+/* Chooses a common scale for section and plan; also for elevations, unless a diagram
+ * determines their scale. */
 static void choose_scale(struct exercise_drawing *drawing, struct pp_box section,
                          struct pp_box plan, struct pp_box elevations)
 {
@@ -196,8 +196,8 @@ static void dimension(const struct exercise_drawing *drawing, double x0, double 
                                 length / mm_per_m, false);
 }
 
-/* Draws a chain of dimensions below the wall, at the jambs of its openings, and one on
- * its left, at the lowest sill and the highest head. */
+/* Draws dimensions of the wall: below, to the jambs of the openings; at the left, to
+ * the lowest sill and the highest head. */
 static void draw_elevation_dimensions(const struct exercise_drawing *drawing,
                                       const struct pp_room_elevation *elevation)
 {
@@ -301,8 +301,8 @@ static void draw_answers(const struct exercise_drawing *drawing, struct pp_box b
     }
 }
 
-/* Height of the elevations (mm). Elevations drawn at the scale of a diagram keep that
- * scale on every sheet size; others get two fifths of the height `most`. */
+/* Height of the elevations (mm). Elevations at the scale of a diagram keep that scale
+ * on every sheet size; others get two fifths of `most`. */
 static double elevations_height(const struct exercise_drawing *drawing, double most)
 {
     double tallest = 0.0, viewing = drawing->exercise->viewing_mm;
@@ -316,13 +316,13 @@ static double elevations_height(const struct exercise_drawing *drawing, double m
                : 0.4 * most;
 }
 
-/* Boxes of the drawings on the sheet. */
+/* Areas of the drawings on the sheet. */
 struct exercise_layout {
     struct pp_box section, plan, elevations;
-    struct pp_box blocks; /* width 0: no blocks */
+    struct pp_box blocks; /* width 0: no block plan */
 };
 
-/* Lays out the sheet above the answers with elevations `below` high. */
+/* Lays out the sheet above the answers. below: height of the elevations (mm). */
 static struct exercise_layout lay_out(const struct exercise_drawing *drawing,
                                       struct pp_box body, double below)
 {
@@ -331,8 +331,8 @@ static struct exercise_layout lay_out(const struct exercise_drawing *drawing,
     bool at_diagram = drawing->exercise->viewing_mm > 0.0;
     struct pp_box elevations = {body.x, body.y + above + gap, body.width, below};
     struct exercise_layout layout = {.elevations = elevations};
-    /* The section's caption is 90 mm wide; on a narrow sheet the plan is below the
-     * section. */
+    /* The caption of the section is 90 mm wide; on a narrow sheet the plan is placed
+     * below the section. */
     if (0.6 * body.width < (90.0 + 14.0) * drawing->style.scale) {
         layout.section = (struct pp_box){body.x, body.y, body.width, 0.4 * above - gap};
         layout.plan =
@@ -360,8 +360,8 @@ static struct exercise_layout lay_out(const struct exercise_drawing *drawing,
     return layout;
 }
 
-/* Lays out the sheet at the largest scale: with elevations as high as a diagram
- * requires, or else as high as suits all drawings. */
+/* Lays out the sheet at the largest scale. The elevations have the height that a
+ * diagram requires, or else the height that suits all drawings. */
 static struct exercise_layout best_layout(struct exercise_drawing *drawing,
                                           struct pp_box body)
 {

@@ -11,19 +11,18 @@
 #include "charts/sheet/hatch.h"
 #include "charts/sheet/page.h"
 
-/* Curves of style.c: a solid line for the present state, a dashed one for the
- * former. */
+/* Curve styles of style.c: solid for the present state, dashed for the former. */
 enum { LINE_NOW = 0, LINE_BEFORE = 2 };
 
-/* Areas below this (m2) are within the tolerance of lines, and are not drawn as loss or
- * gain. */
+/* Areas smaller than this (m2) are within the tolerance of the lines, and are not drawn
+ * as loss or gain. */
 static const double no_area_m2 = 0.005;
 
 struct lit_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_lit_area_chart *chart;
-    struct pp_world legal; /* the world with the area's plane, for drawing the plan */
+    struct pp_world legal; /* copy of the world with the reference plane of the area */
     struct pp_room_plan plan;
     struct pp_key keys[6];
     int key_count;
@@ -50,7 +49,7 @@ static struct pp_box plane_box(const struct lit_drawing *drawing)
     return (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-/* Clips to the area outside the outlines. */
+/* Clips to the part of the plane outside the outlines of dark areas. */
 static void clip_to_lit(struct lit_drawing *drawing, const struct pp_curve_list *dark)
 {
     struct pp_box box = plane_box(drawing);
@@ -139,7 +138,7 @@ static void gather_keys(struct lit_drawing *drawing)
         add_key(drawing, PP_KEY_HATCH, "gained")->curve.dashes[0] = 2.6;
 }
 
-/* Writes the lit area of one state, and its share of the room. */
+/* Writes the lit area of one state, and its fraction of the room's area. */
 static void say_area(const struct lit_drawing *drawing, char *text, size_t room,
                      const char *state, const struct pp_lit_area *area)
 {

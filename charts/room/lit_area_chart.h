@@ -1,5 +1,5 @@
-/* lit_area_chart.h - the room's plan with the sufficiently lit part, now and before,
- * and the lost part hatched; to a true scale. */
+/* lit_area_chart.h - plan of the room, to scale, with the sufficiently lit area at
+ * present and formerly. The lost area is hatched. */
 #ifndef PP_CHARTS_ROOM_LIT_AREA_CHART_H
 #define PP_CHARTS_ROOM_LIT_AREA_CHART_H
 

@@ -24,16 +24,16 @@ struct plan_drawing {
     struct pp_room_plan plan;
     struct pp_labels *labels;
     struct pp_key keys[8];
-    const char *quantity; /* "daylight factor" */
+    const char *quantity; /* what is shown, such as "daylight factor" */
     int key_count;
-    bool in_table; /* values are in a table, since they would be too close on the
-                    * plan */
+    bool in_table; /* true if values are listed in a table because they would be too
+                    * close together on the plan */
 };
 
-/* Curve of style.c whose dash is used for the no-sky line. */
+/* Curve style of style.c used for the no-sky line. */
 enum { NO_SKY_LINE = 2 };
 
-/* Owner of the no-sky line's labels. Labels of contours have the contour's index as
+/* Label owner of the no-sky line. Labels of a contour have the index of the contour as
  * owner. */
 enum { NO_SKY_OWNER = PP_LABEL_MARKS - 1 };
 
@@ -48,7 +48,8 @@ bool pp_plan_chart_landscape(const struct pp_world *world)
 
 /* ---- the plane ---- */
 
-/* True if no glass can be seen through: then no view of the sky is drawn. */
+/* True if all glass is diffusing. Then no sky is visible, and no view of the sky is
+ * drawn. */
 static bool is_all_diffusing(const struct pp_world *world)
 {
     for (int i = 0; i < world->opening_count; i++)
@@ -77,7 +78,7 @@ static void draw_no_sky_line(struct plan_drawing *drawing)
     cairo_stroke(drawing->cr);
 }
 
-/* Tints the places where a sampled figure is within one standard error of a level. */
+/* Tints the area where a simulated value is within one standard error of a level. */
 static void draw_bands(struct plan_drawing *drawing)
 {
     const struct pp_curve_list *bands = &drawing->chart->plan->bands;
@@ -95,7 +96,7 @@ static void draw_bands(struct plan_drawing *drawing)
     }
 }
 
-/* Weight of a level's line: the lines of 2 and 5 %, which are used in assessment, are
+/* Line weight of a level. The levels of 2 and 5 %, which are used in assessments, are
  * heavier. */
 static double weight_of(const struct pp_style *style, double level)
 {
@@ -103,7 +104,8 @@ static double weight_of(const struct pp_style *style, double level)
     return heavy ? style->medium : style->thin;
 }
 
-/* Writes a level's figure beside a line if none of the level's lines is long enough. */
+/* Writes the figure of a level beside a line if none of its lines is long enough for a
+ * gap. */
 static void label_beside(struct plan_drawing *drawing, int owner, const char *words)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL};
@@ -119,8 +121,8 @@ static void label_beside(struct plan_drawing *drawing, int owner, const char *wo
     pp_labels_note_box(drawing->labels, box);
 }
 
-/* Registers every line before any is labelled, so that values and labels avoid all of
- * them. */
+/* Registers all lines before the first is labelled, so that values and labels avoid all
+ * lines. */
 static void note_lines(struct plan_drawing *drawing)
 {
     const struct pp_curve_list *curves = &drawing->chart->plan->contours,
@@ -199,7 +201,7 @@ static void add_key(struct plan_drawing *drawing, enum pp_legend_kind kind, int 
     snprintf(key->words, sizeof key->words, "%s", words);
 }
 
-/* True if the figures are simulated: then they are not "by" a method. */
+/* True if the values are simulated, so that they are not described as "by" a method. */
 static bool is_traced(const struct pp_daylight_plan *plan)
 {
     return strcmp(plan->name, "traced") == 0;
@@ -244,7 +246,7 @@ static void gather_keys(struct plan_drawing *drawing)
     }
 }
 
-/* Writes a share in per cent; "under 0.01 %" if it is smaller. */
+/* Writes a fraction in per cent, or "under 0.01 %". */
 static void say_percent(char *text, size_t room, double fraction)
 {
     if (fraction < 1e-4)
@@ -300,13 +302,13 @@ static void place_plan(struct plan_drawing *drawing, struct pp_box room)
     drawing->labels->field = (struct pp_box){plan->x, plan->y - height, width, height};
 }
 
-/* Largest share of the field's width or height that a table of values may take. */
+/* Maximum fraction of the field's width or height for a table of values. */
 static const double table_most = 0.5;
 
-/* Places the plan in the field. If the values of points are too close to each other
- * they go into a table beside or below the plan, whichever leaves a larger plan. If the
- * table is too large, table and values are left out. The last key, that of the points,
- * mentions the table. */
+/* Places the plan in the field. If values beside the points would be too close
+ * together, they are listed in a table beside or below the plan, whichever leaves the
+ * larger plan. If the table is too large, table and values are omitted. The last key,
+ * for the points, refers to the table. */
 static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
 {
     const struct pp_plan_chart *chart = drawing->chart;
@@ -347,7 +349,8 @@ static void lay_plan(struct plan_drawing *drawing, struct pp_box field)
     pp_plan_table_draw(drawing->cr, style, chart, table, true);
 }
 
-/* Blanks fittings that pass through the plane: no daylight factor, no colour. */
+/* Paints white the fittings that pass through the plane, since there is no daylight
+ * factor. */
 static void blank_fittings(const struct plan_drawing *drawing)
 {
     const struct pp_world *world = drawing->chart->world;
@@ -365,7 +368,7 @@ static void blank_fittings(const struct plan_drawing *drawing)
     }
 }
 
-/* Draws everything on the plane. Areas are clipped to it; lines are not. */
+/* Draws everything on the plane. Areas are clipped to the plane; lines are not. */
 static void draw_plane(struct plan_drawing *drawing)
 {
     const struct pp_plan_chart *chart = drawing->chart;
@@ -382,7 +385,8 @@ static void draw_plane(struct plan_drawing *drawing)
     draw_contours(drawing);
 }
 
-/* Draws the summary of the plane, from the top of the box on; returns its height. */
+/* Draws the summary of the plane at the top of the box. If `drawn` is false, only
+ * measures. Returns the height. */
 static double draw_summary(struct plan_drawing *drawing, struct pp_box box, bool drawn)
 {
     char text[1024] = "";
@@ -396,7 +400,7 @@ static double draw_summary(struct plan_drawing *drawing, struct pp_box box, bool
            + 3.0 * drawing->style.scale;
 }
 
-/* Finds the places of the values; the caller frees the list. NULL: values are not
+/* Finds places for the values; the caller frees the list. NULL: values are not written
  * beside the points. */
 static struct pp_plan_figure *place_figures(struct plan_drawing *drawing)
 {

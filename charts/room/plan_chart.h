@@ -1,9 +1,9 @@
 /* plan_chart.h - the room's plan with contours of the daylight factor and the no-sky
- * line, to a true scale.
+ * line, to scale.
  *
- * The scale is the largest of the usual ones (1:1, 2, 5, 10, 20, 25, 50, 100 ...) that
- * fits the sheet, and is stated. Walls are cut at the working plane; openings in
- * vertical faces are drawn as in architects' plans, others in outline from above.
+ * The scale is the largest usual scale (1:1, 2, 5, 10, 20, 25, 50, 100 ...) that fits
+ * the sheet, and is printed. Walls are cut at the working plane. Openings in vertical
+ * faces are drawn as in architects' plans; other openings are outlines seen from above.
  */
 #ifndef PP_CHARTS_ROOM_PLAN_CHART_H
 #define PP_CHARTS_ROOM_PLAN_CHART_H
@@ -17,8 +17,8 @@
 /* Fill between the contours. */
 enum pp_plan_fill {
     PP_FILL_NONE,
-    PP_FILL_COLOUR, /* from dark blue to yellow, in the same order in grey */
-    PP_FILL_GREY,   /* for printing in black: darker is less light */
+    PP_FILL_COLOUR, /* dark blue to yellow, with increasing luminance */
+    PP_FILL_GREY,   /* for black-and-white print: less light is darker */
 };
 
 struct pp_plan_chart {
@@ -29,9 +29,10 @@ struct pp_plan_chart {
         *report; /* report whose receivers are marked; NULL: none; not owned */
     const struct pp_column
         *figures; /* figures at the receivers and of the plane; NULL: none; not owned */
-    const struct pp_plan_mark *mark; /* of the section; NULL: none; not owned */
+    const struct pp_plan_mark *mark; /* mark of the section; NULL: none; not owned */
     enum pp_plan_fill fill;
-    const char *const *notes; /* further sentences for the foot; not owned */
+    const char *const *notes; /* further sentences for the foot of the sheet; not
+                               * owned */
     int note_count;
 };
 

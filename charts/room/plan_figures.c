@@ -1,5 +1,5 @@
-/* plan_figures.c - places the figures of points where they cover nothing, and describes
- * the plane as a whole in words. */
+/* plan_figures.c - places the values at points where they do not cover anything, and
+ * describes the whole plane in words. */
 #include "charts/room/plan_figures.h"
 
 #include <math.h>
@@ -28,8 +28,9 @@ void pp_plan_figures_value(char *words, size_t room, const struct pp_plan_chart 
         *space = '\0';
 }
 
-/* Finds a box next to a mark, as near as possible, that covers nothing, or else only
- * lines. False: there is none. *on_lines: the box covers lines. */
+/* Finds a box next to a mark, as near as possible, that does not cover anything, or
+ * else covers only lines. Returns false if there is none. *on_lines: the box covers
+ * lines. */
 static bool find_box(struct pp_box *box, bool *on_lines, const struct pp_labels *labels,
                      struct pp_box size, double x, double y, double off)
 {
@@ -126,7 +127,8 @@ void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
 
 /* ---- of the plane ---- */
 
-/* Appends `what` and "1.46 %" or "1.46 ± 0.02 %", with two decimals as in df. */
+/* Appends `what` and a value such as "1.46 %" or "1.46 ± 0.02 %", with two decimals as
+ * in df. */
 static void say_reading(char *text, size_t room, const char *what,
                         const struct pp_reading *reading, const char *end)
 {

@@ -7,42 +7,42 @@
 #include "charts/room/room_plan.h"
 #include "charts/sheet/labels.h"
 
-/* True if the receiver faces up on the working plane and has a value. */
+/* True if the receiver lies on the working plane, faces up and has a value. */
 bool pp_plan_figures_has(const struct pp_plan_chart *chart, int receiver);
 
-/* Writes the receiver's value in per cent, without the sign. */
+/* Writes the receiver's value in per cent, without the per cent sign. */
 void pp_plan_figures_value(char *words, size_t room, const struct pp_plan_chart *chart,
                            int receiver);
 
-/* True if the points are far enough apart on paper for values beside them. */
+/* True if the points are far enough apart on paper to write values beside them. */
 bool pp_plan_figures_fit(cairo_t *cr, const struct pp_style *style,
                          const struct pp_room_plan *plan,
                          const struct pp_plan_chart *chart);
 
-/* Place of the value of a receiver on paper. */
+/* Position on paper of a receiver's value. */
 struct pp_plan_figure {
     struct pp_box box;
     bool placed;
-    bool on_lines; /* covers lines: there is no other place */
+    bool on_lines; /* the value covers lines, since there is no other place */
 };
 
-/* Finds places for the values of the report's receivers, and registers them and the
- * points in `labels`; list: as many entries as there are receivers. Lines must be
- * registered before; their own labels are placed afterwards. */
+/* Finds places for the values at the report's receivers. Registers these places and the
+ * points in `labels`. list: one entry for each receiver. Register lines beforehand;
+ * place their labels afterwards. */
 void pp_plan_figures_place(struct pp_plan_figure *list, cairo_t *cr,
                            const struct pp_style *style,
                            const struct pp_room_plan *plan,
                            const struct pp_plan_chart *chart, struct pp_labels *labels);
 
-/* Draws the points of the chart's report, and the values at their places; list NULL: no
- * values. */
+/* Draws the points of the chart's report, and the values at the places in `list`; NULL:
+ * no values. */
 void pp_plan_figures_draw(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
                           const struct pp_plan_chart *chart,
                           const struct pp_plan_figure *list);
 
-/* Minimum, median, mean, uniformity and shares over the levels, as a sentence or two;
- * empty if there are none. */
+/* Writes minimum, median, mean, uniformity and the fractions of the plane above the
+ * levels, as one or two sentences; empty if there are none. */
 void pp_plan_figures_say(char *text, size_t room, const struct pp_plan_chart *chart);
 
 #endif

@@ -1,4 +1,4 @@
-/* plan_fill.c - the scale of colours, and areas painted from the lowest to the highest
+/* plan_fill.c - the colour scale, and areas painted from the lowest to the highest
  * level. */
 #include "charts/room/plan_fill.h"
 
@@ -7,8 +7,8 @@
 
 #include "charts/room/contour_lines.h"
 
-/* Colours at equal steps of the logarithm from lowest to highest, interpolated
- * linearly. */
+/* Colours (RGB) at equal steps of the logarithm from `lowest` to `highest`,
+ * interpolated linearly between them. */
 enum { STEPS = 7 };
 static const double colours[STEPS][3] = {
     {0.50, 0.55, 0.83}, {0.46, 0.69, 0.88}, {0.50, 0.82, 0.83}, {0.62, 0.89, 0.66},
@@ -17,7 +17,8 @@ static const double lowest = 2e-3, highest = 0.15;
 static const double darkest_grey = 0.55;
 
 /* Sets the colour of a daylight factor. Few greys can be distinguished, so a grey
- * depends only on the area's index among `count` areas. */
+ * depends only on the index of the area, not on the daylight factor. count: number of
+ * areas. */
 static void set_colour(cairo_t *cr, enum pp_plan_fill fill, double factor, int area,
                        int count)
 {
@@ -49,8 +50,8 @@ static int levels_of(double levels[LEVELS_MOST],
     return count;
 }
 
-/* Value that represents the area between two levels; the lowest and highest area end at
- * the extremes found. */
+/* Daylight factor that represents the area between two levels: their geometric mean.
+ * The lowest and highest area end at the lowest and highest value on the plane. */
 static double level_of_area(const struct pp_daylight_plan *daylight,
                             const double *levels, int count, int area)
 {

@@ -13,7 +13,8 @@ bool pp_plan_frame_is_shade(const struct pp_surface *surface)
     return surface->is_shade && surface->owner >= 0 && surface->role == PP_FREE_SURFACE;
 }
 
-/* Adds corners to the extent, at most `most` (m) beyond the room. */
+/* Adds corners to the extent. Corners more than `most` metres outside the room are
+ * moved to that limit. */
 static void add_corners(struct pp_bounds2 *outer, const struct pp_room_plan *plan,
                         const struct pp_vec3 *corners, int count, double most)
 {
@@ -24,8 +25,8 @@ static void add_corners(struct pp_bounds2 *outer, const struct pp_room_plan *pla
             fmin(fmax(corners[i].y, room->low[1] - most), room->high[1] + most));
 }
 
-/* Extent (m) of the room with what is drawn outside it: reveals, its windows' overhangs
- * and balconies, and facades, which continue for half a metre. */
+/* Extent (m) of the room with the parts drawn outside: reveals, overhangs and balconies
+ * of windows, and facades, which continue for at most 0.5 m. */
 static struct pp_bounds2 outer_extent(const struct pp_room_plan *plan)
 {
     static const double balcony_m = 2.5, facade_m = 0.5;

@@ -1,7 +1,6 @@
-/* plan_frame.h - the extent of a plan, and the positions of points on paper. True y
- * runs up on paper. Walls have no thickness in the model: on paper they are a thick
- * line outside their inside face, in which windows are drawn as in architects'
- * plans. */
+/* plan_frame.h - the extent of a plan, and positions on paper. The y axis points up on
+ * paper. Walls have no thickness in the model; they are drawn as a thick line outside
+ * their inside face. Windows are drawn in this line as in architects' plans. */
 #ifndef PP_CHARTS_ROOM_PLAN_FRAME_H
 #define PP_CHARTS_ROOM_PLAN_FRAME_H
 
@@ -15,13 +14,13 @@ enum pp_plan_side { PP_PLAN_LEFT, PP_PLAN_RIGHT, PP_PLAN_ABOVE, PP_PLAN_BELOW };
 struct pp_room_plan {
     const struct pp_world *world;
     struct pp_bounds2 extent; /* extent of the plane, m */
-    double scale;             /* 50 for 1:50 */
-    double least_scale;       /* set by the caller: scale is 1 to this or smaller; 0:
-                               * any */
-    bool named;               /* set by the caller: its borders have space for names and
-                               * dimensions (plan_names.h) */
+    double scale;             /* denominator of the scale: 50 for 1:50 */
+    double least_scale;       /* largest permitted scale, as a denominator, set by the
+                               * caller; 0: no limit */
+    bool named;               /* set by the caller: names and dimensions are drawn in
+                               * the border (plan_names.h) */
     double mm_per_m;
-    double x, y; /* position on paper of the extent's low x and y */
+    double x, y; /* position on paper (mm) of the low corner of `extent` */
 };
 
 /* Width of the border without names and dimensions, mm. */
@@ -32,17 +31,17 @@ double pp_plan_frame_walls_mm(const struct pp_room_plan *plan,
 double pp_plan_frame_wall_mm(const struct pp_style *style);
 
 /* Ends on paper of a window, door or wall, left and right as seen from inside, and the
- * unit direction out of the room. The outline must be vertical. */
+ * unit vector out of the room. The outline must be vertical. */
 void pp_plan_frame_ends(const struct pp_room_plan *plan,
                         const struct pp_polygon *outline, double ends[2][2],
                         double out[2]);
 
-/* True if the opening is in a wall at the plane's edge, not in a roof or in a monitor
- * over the plane's middle. */
+/* True if the opening is in a wall at the edge of the plane, not in a roof or in a
+ * monitor inside the plan. */
 bool pp_plan_frame_is_in_wall(const struct pp_world *world,
                               const struct pp_opening *opening);
 
-/* Position on paper (mm) of a place in the room. */
+/* Position on paper (mm) of a point in the room (m). */
 double pp_plan_frame_x(const struct pp_room_plan *plan, double x);
 double pp_plan_frame_y(const struct pp_room_plan *plan, double y);
 

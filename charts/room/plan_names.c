@@ -7,7 +7,8 @@
 
 #include "model/room/section.h"
 
-/* Maximum number of names whose boxes are noted, so that no other name covers them. */
+/* Maximum number of names that are registered, so that later names do not cover
+ * them. */
 enum { NAMES_MOST = 200 };
 
 struct name_drawing {
@@ -18,7 +19,7 @@ struct name_drawing {
     int count;
 };
 
-/* Height of the strip of names, and of the strip of dimensions beyond it. */
+/* Height (mm) of the strip of names, and of the strip of dimensions outside it. */
 static double strip_mm(const struct pp_style *style)
 {
     return 4.6 * style->scale;
@@ -49,7 +50,7 @@ static bool is_free(const struct name_drawing *drawing, struct pp_box box)
 
 /* ---- along walls ---- */
 
-/* Distance from the wall's inner face to its outer face or facade, on paper. */
+/* Distance on paper (mm) from the wall's inner face to its outer face or facade. */
 static double depth_of(const struct name_drawing *drawing, int face)
 {
     const struct pp_world *world = drawing->plan->world;
@@ -66,8 +67,8 @@ static double depth_of(const struct name_drawing *drawing, int face)
     return depth;
 }
 
-/* Writes a name outside a wall, in the middle of a piece of it or as near to that as
- * is free. Names of walls that run up the sheet are turned. */
+/* Writes a name outside a wall, at the middle of a piece of the wall or at the nearest
+ * free place. Names along walls that run up the sheet are turned. */
 static void write_along(struct name_drawing *drawing, const struct pp_polygon *piece,
                         int face, struct pp_lettering set, const char *words)
 {
@@ -135,8 +136,8 @@ static void name_walls(struct name_drawing *drawing)
 
 /* ---- overhead ---- */
 
-/* Box of the name of an opening above the plane, in the upper left corner of the
- * opening's outline. */
+/* Box of the name of an opening above the plane, in the upper left corner of its
+ * outline. */
 static struct pp_box overhead_box(cairo_t *cr, const struct pp_style *style,
                                   const struct pp_room_plan *plan,
                                   const struct pp_opening *opening)
@@ -150,8 +151,8 @@ static struct pp_box overhead_box(cairo_t *cr, const struct pp_style *style,
     return pp_lettering_measure(cr, style, &set, x + gap, y + gap, opening->label);
 }
 
-/* Registers a fitting that the plane cuts, its outline and its inside, by ever smaller
- * outlines 2 mm apart: lower than any value. */
+/* Registers the area of a fitting that the plane cuts, as nested outlines 2 mm apart,
+ * which is less than the height of any label. */
 static void note_fitting(struct pp_labels *labels, const struct pp_room_plan *plan,
                          const struct pp_fitting *fitting)
 {
@@ -268,7 +269,7 @@ static void draw_dimensions(struct name_drawing *drawing)
 
 /* ---- section marks ---- */
 
-/* Depth of the wall on whose inner face a place (m) lies. */
+/* Thickness on paper (mm) of the wall on whose inner face a point (m) lies. */
 static double depth_at(const struct name_drawing *drawing, const double xy[2])
 {
     const struct pp_world *world = drawing->plan->world;
@@ -285,8 +286,8 @@ static double depth_at(const struct name_drawing *drawing, const double xy[2])
 }
 
 /* Draws one end of a section mark: a heavy line outwards, an arrow in the direction of
- * view, and the letter A. `out` points out of the room along the section, `seen` in the
- * direction of view; both are unit vectors on paper. */
+ * view, and the letter A. out: unit vector on paper out of the room, along the section;
+ * seen: unit vector in the direction of view. */
 static void mark_end(struct name_drawing *drawing, double x, double y, double depth,
                      const double out[2], const double seen[2])
 {
@@ -325,7 +326,7 @@ static void draw_mark(struct name_drawing *drawing, const struct pp_plan_mark *m
     if (!(length > 0.0))
         return;
     double along[2] = {(x[1] - x[0]) / length, (y[1] - y[0]) / length};
-    /* y runs down on paper: the left of `along` is (along_y, -along_x). */
+    /* On paper y runs down, so the left of `along` is (along_y, -along_x). */
     double seen[2] = {along[1], -along[0]}, back[2] = {-along[0], -along[1]};
     mark_end(drawing, x[0], y[0], depth_at(drawing, mark->from), back, seen);
     mark_end(drawing, x[1], y[1], depth_at(drawing, mark->to), along, seen);

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* Draws the outer faces of the walls that have a facade at the height of the cut. */
+/* Draws the outer faces of walls that have a facade at the height of the cut. */
 static void draw_facades(cairo_t *cr, const struct pp_style *style,
                          const struct pp_room_plan *plan)
 {
@@ -36,7 +36,7 @@ static void set_pen(cairo_t *cr, const struct pp_style *style, bool above)
         cairo_set_dash(cr, dashes, 2, 0.0);
 }
 
-/* Traces a horizontal surface as its outline, a vertical one as a line. */
+/* Traces a horizontal surface as an outline, and a vertical surface as a line. */
 static void trace_shade(cairo_t *cr, const struct pp_room_plan *plan,
                         const struct pp_polygon *outline)
 {
@@ -53,8 +53,8 @@ static void trace_shade(cairo_t *cr, const struct pp_room_plan *plan,
     cairo_close_path(cr);
 }
 
-/* True if a vertical surface stands on the edge of a slab of the same window, as a
- * parapet does. Only the slab's outline is then drawn. */
+/* True if a vertical surface stands on the edge of a slab of the same window, like a
+ * parapet. Only the outline of the slab is then drawn. */
 static bool is_on_slab(const struct pp_world *world, const struct pp_surface *upright)
 {
     struct pp_vec3 middle = pp_polygon_middle(&upright->outline);
@@ -95,8 +95,8 @@ static void draw_shades(cairo_t *cr, const struct pp_style *style,
     }
 }
 
-/* Draws the furniture that the working plane does not cut. The outlines of the rest are
- * drawn as part of the plan. */
+/* Draws the furniture that the working plane does not cut. Furniture that it cuts is
+ * drawn with the plan. */
 static void draw_furniture(cairo_t *cr, const struct pp_style *style,
                            const struct pp_room_plan *plan)
 {

@@ -15,9 +15,9 @@ struct plan_table {
     cairo_t *cr;
     const struct pp_style *style;
     const struct pp_plan_chart *chart;
-    int *points; /* receivers with a value on the plane */
+    int *points; /* indices of the receivers with a value on the plane */
     int count;
-    double *x, *y; /* different coordinates, ascending */
+    double *x, *y; /* distinct coordinates (m), ascending */
     int x_count, y_count;
     double cell, row; /* width and height of a cell, mm */
 };
@@ -28,7 +28,7 @@ static int compare_numbers(const void *a, const void *b)
     return (*p > *q) - (*p < *q);
 }
 
-/* Sorts coordinates and removes equal ones; returns their number. */
+/* Sorts coordinates and removes duplicates. Returns the number that remain. */
 static int keep_different(double *list, int count)
 {
     int kept = 0;
@@ -39,8 +39,8 @@ static int keep_different(double *list, int count)
     return kept;
 }
 
-/* Collects the points with values and their coordinates, and measures a cell. False:
- * out of memory. The caller frees the lists in either case. */
+/* Collects the points with values and their coordinates, and measures a cell. Returns
+ * false if memory is exhausted. The caller frees the lists in either case. */
 static bool gather_values(struct plan_table *table)
 {
     const struct pp_report *report = table->chart->report;
@@ -67,7 +67,7 @@ static bool gather_values(struct plan_table *table)
     return true;
 }
 
-/* Writes words with their right end in column `column` of row `row`, from 0. */
+/* Writes text right-aligned in column `column` of row `row`, both counted from 0. */
 static void write_cell(const struct plan_table *table, struct pp_box box, int column,
                        int row, double grey, const char *words)
 {
@@ -128,8 +128,8 @@ static void write_list(const struct plan_table *table, struct pp_box box, int ro
     }
 }
 
-/* Lays out the table as a grid or as a list, and draws it if `drawn`. Returns its
- * box. */
+/* Lays out the table as a grid or as a list. If `drawn` is false, only measures.
+ * Returns the box of the table. */
 static struct pp_box lay_table(const struct plan_table *table, struct pp_box box,
                                bool drawn)
 {

@@ -1,12 +1,13 @@
-/* room_elevation.c - outlines of the wall and its openings, a dashed horizon, a cross. */
+/* room_elevation.c - draws outlines of a wall and its openings, a dashed horizon, and a
+ * cross. */
 #include "charts/room/room_elevation.h"
 
 #include <math.h>
 
 #include "charts/room/device_drawing.h"
 
-/* Coordinates of a place in the wall's plane, from the foot of the perpendicular from
- * the eye. */
+/* Coordinates of a point in the plane of the wall (m), from the foot of the
+ * perpendicular from the eye. */
 static void elevation_xy(const struct pp_room_elevation *elevation,
                          struct pp_vec3 point, double xy[2])
 {

@@ -1,4 +1,4 @@
-/* room_plan.c - chooses the plan's scale and draws walls, windows, rooflights and
+/* room_plan.c - chooses the scale of a plan and draws walls, windows, rooflights and
  * free-standing surfaces.
  */
 #include "charts/room/room_plan.h"
@@ -10,8 +10,8 @@
 #include "charts/room/plan_names.h"
 #include "charts/room/plan_outside.h"
 
-/* Sills higher than this above the working plane (m) are above the eyes of seated
- * users: such windows are dashed, like everything above a plan's cut. */
+/* A window whose sill is higher than this above the working plane (m) is above the eyes
+ * of seated users. It is dashed, like everything above the cut. */
 #define HIGH_SILL_M 1.0
 
 double pp_room_plan_border(const struct pp_room_plan *plan,
@@ -38,7 +38,7 @@ void pp_room_plan_place(struct pp_room_plan *plan, const struct pp_style *style,
 double pp_room_plan_usual_scale(double least)
 {
     static const struct {
-        double step, from; /* the step is used from this power of ten on */
+        double step, from; /* step is used if the power of ten is `from` or more */
     } steps[] = {{1.0, 1}, {1.25, 100}, {2.0, 1}, {2.5, 10},
                  {5.0, 1}, {7.5, 10},   {10.0, 1}};
     double power = pow(10.0, floor(log10(fmax(least, 1.0))));
@@ -60,8 +60,8 @@ void pp_room_plan_fit(struct pp_room_plan *plan, const struct pp_world *world,
     if (world->plane.count == 0)
         plan->extent = (struct pp_bounds2){{0.0, 0.0}, {1.0, 1.0}};
 
-    /* Walls and reveals need more space at larger scales: starts with the scale for the
-     * room alone, then reduces it. */
+    /* Walls and reveals need more space at larger scales. The search starts with the
+     * largest scale permitted and goes to smaller scales until room and borders fit. */
     plan->scale = fmax(plan->least_scale, 1.0);
     for (int i = 0; i < 100; i++) {
         plan->scale = pp_room_plan_usual_scale(plan->scale * (i ? 1.001 : 1.0));
@@ -91,8 +91,8 @@ void pp_room_plan_path(cairo_t *cr, const struct pp_room_plan *plan)
     }
 }
 
-/* Draws the walls. The stroke is clipped to the outside of the room, so that its inner
- * edge is the inside face. */
+/* Draws the walls. The stroke is clipped to the outside of the room, so that the inner
+ * edge of the stroke is the inside face. */
 static void draw_walls(cairo_t *cr, const struct pp_style *style,
                        const struct pp_room_plan *plan)
 {
@@ -133,9 +133,9 @@ static void trace_jambs(cairo_t *cr, double ends[2][2], const double out[2],
     }
 }
 
-/* Draws a window. The wall's outline is interrupted, its faces continue as thin lines,
- * and the glass is a line at its own place: in the middle of the wall or at the outer
- * end of the reveal. The opening extends to the facade. */
+/* Draws a window. The outline of the wall is interrupted, and its faces continue as
+ * thin lines. The glass is a line in its true position: in the middle of the wall or at
+ * the outer end of the reveal. The opening extends to the facade. */
 static void draw_window(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *plan,
                         const struct pp_opening *opening)
@@ -174,8 +174,8 @@ static void draw_window(cairo_t *cr, const struct pp_style *style,
                           (double[]){-out[0], -out[1]}, opening->device.vertical);
 }
 
-/* Draws a door: the wall's line is interrupted up to the facade; the closed leaf is at
- * the inner face. */
+/* Draws a door. The line of the wall is interrupted up to the facade, and the closed
+ * leaf is at the inner face. */
 static void draw_door(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_plan *plan, const struct pp_surface *door)
 {
@@ -197,9 +197,8 @@ static void draw_door(cairo_t *cr, const struct pp_style *style,
     cairo_stroke(cr);
 }
 
-/* Draws rooflights and sloping glass, which are above the plan's cut, with dashed
- * lines. Vertical glass above the plan's interior, such as a clerestory's, is a single
- * dashed line. */
+/* Draws rooflights and sloping glass, which are above the cut, with dashed lines.
+ * Vertical glass inside the plan, such as a clerestory, is a single dashed line. */
 static void draw_overhead(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *plan,
                           const struct pp_opening *opening)
@@ -298,7 +297,8 @@ void pp_room_plan_draw(cairo_t *cr, const struct pp_style *style,
 struct pp_box pp_room_plan_scale_bar(cairo_t *cr, const struct pp_style *style,
                                      double mm_per_m, double x, double y)
 {
-    /* Largest of 1, 2, 5 times a power of ten that is below 60 mm on paper. */
+    /* Largest of 1, 2 or 5 times a power of ten (m) that is at most 60 mm long on
+     * paper. */
     double most = 60.0 * style->scale / mm_per_m;
     double power = pow(10.0, floor(log10(most)));
     double metres = most >= 5.0 * power   ? 5.0 * power

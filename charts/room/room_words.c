@@ -1,4 +1,5 @@
-/* room_words.c - lengths to the centimetre, fractions to two or three digits. */
+/* room_words.c - see room_words.h. Lengths are given to the centimetre, fractions to
+ * two or three digits. */
 #include "charts/room/room_words.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* room_section.c - scale of a section; cut faces, openings, plane, lines of sight. */
+/* room_section.c - chooses the scale of a section, and draws cut faces, openings, the
+ * working plane, and lines of sight. */
 #include "charts/section/room_section.h"
 #include "charts/room/room_elevation.h"
 
@@ -23,7 +24,7 @@ bool pp_room_section_has_outside(const struct pp_room_section *section, bool nea
     return sight.angle_rad > 0.0 || sight.overhang_rad < 0.5 * PP_PI;
 }
 
-/* Height of names, dimensions and caption below the floor. */
+/* Height (mm) of names, dimensions and caption below the floor. */
 static double below_mm(const struct pp_room_section *section,
                        const struct pp_style *style)
 {
@@ -50,7 +51,7 @@ struct section_drawing {
     const struct pp_room_section *section;
     cairo_t *cr;
     const struct pp_style *style;
-    double low, high; /* z */
+    double low, high; /* lowest and highest z of the cut faces */
 };
 
 static double at_s(const struct section_drawing *drawing, double s)
@@ -82,9 +83,9 @@ static void stroke_cuts(const struct section_drawing *drawing, enum pp_cut_kind 
     cairo_stroke(drawing->cr);
 }
 
-/* True if the opening is seen edge-on in the section, like glass in a slope that is cut
- * beside it. s, z: the two corners that are farthest apart, which are the ends of the
- * visible line. */
+/* True if the opening is seen edge-on in the section, like glass in a slope that the
+ * section cuts beside the glass. s, z: the two corners that are farthest apart, which
+ * are the ends of the visible line. */
 static bool is_edge_on(const struct section_drawing *drawing,
                        const struct pp_polygon *outline, double s[2], double z[2])
 {
@@ -109,7 +110,8 @@ static bool is_edge_on(const struct section_drawing *drawing,
     return widest * drawing->section->mm_per_m < drawing->style->thick;
 }
 
-/* Draws glass seen edge-on beside the section: a dashed gap in its face's line. */
+/* Draws glass that is seen edge-on beside the section, as a dashed gap in the line of
+ * its face. */
 static void draw_edge_on(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
@@ -125,8 +127,8 @@ static void draw_edge_on(const struct section_drawing *drawing)
     }
 }
 
-/* True if the outline lies beyond the ends of the section, as in another wing of an
- * L-shaped room. */
+/* True if the outline lies beyond the ends of the section, for example in another wing
+ * of an L-shaped room. */
 static bool is_beyond_ends(const struct pp_section_cut *cut,
                            const struct pp_polygon *outline)
 {
@@ -134,8 +136,8 @@ static bool is_beyond_ends(const struct pp_section_cut *cut,
     return s < -PP_TOUCH_M || s > cut->length_m + PP_TOUCH_M;
 }
 
-/* Draws the openings that the section plane does not cut, in elevation behind it.
- * Returns their number. */
+/* Draws the openings that the section plane does not cut, as seen in elevation behind
+ * it. Returns their number. */
 static int draw_openings_behind(const struct section_drawing *drawing)
 {
     const struct pp_world *world = drawing->section->world;
@@ -192,8 +194,8 @@ static void draw_covers_behind(const struct section_drawing *drawing)
     }
 }
 
-/* Draws the device beside the glass that is cut between two ends on paper. Slats follow
- * each other upwards. */
+/* Draws the blind, screen or curtain beside cut glass. ends: ends of the glass on
+ * paper. Slats are arranged upwards. */
 static void draw_device_cut(const struct section_drawing *drawing,
                             const struct pp_opening *opening, double ends[2][2])
 {
@@ -203,7 +205,7 @@ static void draw_device_cut(const struct section_drawing *drawing,
     double length = hypot(dx, dy);
     const struct pp_vec3 n = opening->inner.normal;
     double inwards[2] = {dy / length, -dx / length};
-    /* s runs to the right on paper, z upwards. */
+    /* Coordinates: s runs to the right on paper, z upwards. */
     if ((n.x * cut->along[0] + n.y * cut->along[1]) * inwards[0] - n.z * inwards[1]
         < 0.0) {
         inwards[0] = -inwards[0];
@@ -213,7 +215,7 @@ static void draw_device_cut(const struct section_drawing *drawing,
                           inwards, !opening->device.vertical);
 }
 
-/* Draws glass as two thin lines, and the sides of a reveal out to it. */
+/* Draws glass as two thin lines, and the sides of a reveal between face and glass. */
 static void draw_openings_cut(const struct section_drawing *drawing)
 {
     const struct pp_section_cut *cut = drawing->section->cut;
@@ -252,7 +254,7 @@ static void draw_openings_cut(const struct section_drawing *drawing)
     }
 }
 
-/* Distance on paper (mm) from a cut face to its facade; 0: the face has none. */
+/* Distance on paper (mm) from a cut face to its facade; 0: there is no facade. */
 static double facade_mm(const struct section_drawing *drawing, int face)
 {
     const struct pp_world *world = drawing->section->world;
@@ -262,7 +264,7 @@ static double facade_mm(const struct section_drawing *drawing, int face)
     return 0.0;
 }
 
-/* Traces a band parallel to a cut, between `from` and `to` (mm) from it. */
+/* Traces a band parallel to a cut, at distances `from` to `to` (mm) from it. */
 static void trace_beside(const struct section_drawing *drawing,
                          const struct pp_cut *cut, double from, double to)
 {
@@ -276,8 +278,8 @@ static void trace_beside(const struct section_drawing *drawing,
     cairo_close_path(drawing->cr);
 }
 
-/* Draws a door as a leaf in the wall's line, with the facade open in front of it, and a
- * dado as a thin line in front of the wall. */
+/* Draws a door as a leaf in the line of the wall, with an opening in the facade in
+ * front of it, and a dado as a thin line in front of the wall. */
 static void draw_cover_cut(const struct section_drawing *drawing,
                            const struct pp_cut *cut)
 {
@@ -387,7 +389,7 @@ static void write_caption(const struct section_drawing *drawing, int behind)
         left = fmin(left,
                     fmax(section->most_x - set.width, section->x - section->left_mm));
     set.lines = section->no_angles ? 3 : 2;
-    /* The caption has a white ground, since a facade and the ground outside may
+    /* The caption has a white background, since a facade and the ground outside may
      * continue below the floor. */
     pp_lettering_draw_on_white(
         drawing->cr, drawing->style, &set, left,

@@ -14,11 +14,11 @@
 #include "charts/section/section_names.h"
 #include "charts/section/section_series.h"
 
-/* Ratio of values above which a logarithmic scale is used: on a linear one the low
- * values would be on the axis. */
+/* If the ratio of the highest to the lowest value is larger, the scale is logarithmic;
+ * on a linear scale the low values would lie on the axis. */
 #define WIDE_RANGE 30.0
 
-/* Value in per cent, plus this many standard errors. */
+/* Value in per cent, with `errors` standard errors added. */
 static double percent_of(const struct pp_reading *reading, double errors)
 {
     double error = isfinite(reading->std_error) ? reading->std_error : 0.0;
@@ -55,8 +55,8 @@ static void range_of(const struct pp_section_plot *plot, double *low, double *hi
  * At the first and last point m is the slope of the only chord.
  */
 
-/* Slope at point i: weighted harmonic mean of the slopes of both chords, 0 at an
- * extremum; at the ends the slope of the only chord. */
+/* Slope at point i: the weighted harmonic mean of the slopes of both chords, or 0 at an
+ * extremum. At the first and last point, the slope of the only chord. */
 static double smooth_slope_at(const double (*xy)[2], int count, int i)
 {
     int left = i > 0 ? i - 1 : 0, right = i + 1 < count ? i : count - 2;
@@ -69,9 +69,9 @@ static double smooth_slope_at(const double (*xy)[2], int count, int i)
     return 1.0 / (w0 / d0 + w1 / d1);
 }
 
-/* Adds to the path the cubics through the points: monotone wherever the points are,
- * smooth elsewhere. The x of the points must be strictly ascending; count is 1 or more,
- * and with 1 the path only moves to the point. */
+/* Adds cubics through the points to the path. The curve is smooth, and monotone
+ * wherever the points are. The x of the points must be strictly ascending. count: 1 or
+ * more; for 1 the path only moves to the point. */
 static void smooth_path(cairo_t *cr, const double (*xy)[2], int count)
 {
     cairo_move_to(cr, xy[0][0], xy[0][1]);
@@ -116,7 +116,7 @@ static enum pp_status sort_points(struct pp_section_plot *plot, struct pp_error 
     return PP_OK;
 }
 
-/* Sets the axes along the lower and left side of the field. */
+/* Sets the axes along the lower and the left side of the field. */
 static void lay_axes(struct pp_section_plot *plot, enum pp_section_scale scale)
 {
     const struct pp_style *style = &plot->style;
@@ -139,8 +139,8 @@ static void lay_axes(struct pp_section_plot *plot, enum pp_section_scale scale)
 
 /* ---- curves ---- */
 
-/* Draws points first ... last of the order, which all have values, as one curve; labels
- * avoid its path. Points at equal distance are drawn once. */
+/* Draws points first ... last of the order as one curve, which labels avoid. All of
+ * them must have values. Points at equal distance are drawn once. */
 static void draw_run(struct pp_section_plot *plot, int index, int first, int last)
 {
     const struct pp_series *series = &plot->series[index];
@@ -303,8 +303,8 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     if (plot->legend.columns)
         body.height -= plot->legend.height + 4.0 * plot->style.scale;
 
-    /* The section has the height that its scale requires; the curves are above it at
-     * the same horizontal scale. */
+    /* The section has the height that its scale requires. The curves are above the
+     * section, at the same horizontal scale. */
     struct pp_style *style = &plot->style;
     struct pp_room_section section = {
         .world = world, .cut = &plot->cut, .report = chart->report, .named = true};
@@ -322,12 +322,12 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     }
     pp_room_section_fit(&section, style, body.width - left - right,
                         0.5 * (body.height - between));
-    /* The wells of rooflights extend above the room. */
+    /* Reserves height for the wells of rooflights, which extend above the room. */
     double wells = pp_section_frame_above_mm(&section) + style->scale - section.head_mm;
     section.head_mm += fmax(wells, 0.0);
     between += fmax(wells, 0.0);
     double width = plot->cut.length_m * section.mm_per_m;
-    /* Spare width is used for obstructions. */
+    /* Uses any spare width for obstructions. */
     double spare = fmax(body.width - left - right - width, 0.0);
     if (pp_room_section_has_outside(&section, true))
         left += spare;
@@ -338,8 +338,8 @@ static void draw_section_sheet(struct pp_section_plot *plot, struct pp_canvas *c
     high = fmin(high, fmax(1.2 * width, 85.0 * style->scale));
     plot->field = (struct pp_box){body.x + left, body.y + title, width, high};
 
-    /* A narrow room leaves a strip beside the curves for the legend; in a wide room the
-     * legend is in the curves' upper right corner. */
+    /* The legend is beside the curves if a narrow room leaves enough width there;
+     * otherwise in the curves' upper right corner. */
     double beside = body.x + body.width - (plot->field.x + width) - 5.0 * style->scale;
     struct pp_box aside = {plot->field.x + width + 5.0 * style->scale, plot->field.y,
                            beside, 0};

@@ -1,5 +1,5 @@
 /* section_cut.c - finds the line of the receivers and cuts every polygon of the world
- * along it.
+ * along that line.
  */
 #include "charts/section/section_cut.h"
 
@@ -8,8 +8,8 @@
 
 #include "model/base/array.h"
 
-/* Largest distance of receivers from their line (m), which allows for rounded
- * coordinates. */
+/* Greatest permitted distance of receivers from their line (m), for coordinates that
+ * were rounded. */
 #define OFF_LINE_M 1e-3
 
 void pp_section_cut_clear(struct pp_section_cut *cut)
@@ -33,8 +33,8 @@ static double off_plane(const struct pp_section_cut *cut, struct pp_vec3 point)
 
 /* ---- the line ---- */
 
-/* Aims at right angles to the opening with the nearest centre; along y if there is
- * none. */
+/* Sets the direction of the section perpendicular to the opening with the nearest
+ * centre, or along y if there is no opening. */
 static void aim_at_opening(struct pp_section_cut *cut, const struct pp_world *world,
                            struct pp_vec3 point)
 {
@@ -126,8 +126,9 @@ static int compare_places(const void *a, const void *b)
     return (p[1] > q[1]) - (p[1] < q[1]);
 }
 
-/* Places where the outline crosses the section's plane, in order along their common
- * line; they bound the cuts in pairs. The caller frees *places; -1: out of memory. */
+/* Points where the outline crosses the plane of the section, sorted along the section.
+ * Consecutive pairs are the ends of the cuts. The caller frees *places. Returns the
+ * number of points; -1: out of memory. */
 static int places_of(const struct pp_section_cut *cut, const struct pp_polygon *outline,
                      double (**places)[2])
 {
@@ -164,7 +165,8 @@ static bool cut_polygon(struct pp_section_cut *cut, const struct pp_polygon *out
     return good;
 }
 
-/* Removes the cut openings from the cuts of their faces. False: out of memory. */
+/* Subtracts the cut openings from the cuts of their faces. Returns false if memory is
+ * exhausted. */
 static bool open_faces(struct pp_section_cut *cut, const struct pp_world *world)
 {
     for (int o = 0; o < cut->count; o++) {
@@ -175,8 +177,8 @@ static bool open_faces(struct pp_section_cut *cut, const struct pp_world *world)
             struct pp_cut face = cut->list[f];
             if (face.kind != PP_CUT_FACE || face.of != world->openings[hole.of].face)
                 continue;
-            /* Ends of the opening as shares of the face's cut; both have the same
-             * direction. */
+            /* Positions of both ends of the opening as fractions of the face's cut,
+             * which has the same direction. */
             double ds = face.s[1] - face.s[0], dz = face.z[1] - face.z[0];
             double square = ds * ds + dz * dz, share[2];
             for (int k = 0; k < 2 && square > 0.0; k++)
@@ -218,7 +220,7 @@ static bool cut_world(struct pp_section_cut *cut, const struct pp_world *world)
     return good;
 }
 
-/* ---- which end is the window's ---- */
+/* ---- the end with the window ---- */
 
 static bool has_opening(const struct pp_world *world, int face)
 {

@@ -10,22 +10,23 @@ struct pp_room_section {
     const struct pp_world *world;
     const struct pp_section_cut *cut;
     const struct pp_report *report; /* report whose receivers are marked */
-    double least_scale;             /* scale is 1 to this or smaller; 0: any */
-    bool named;                     /* with names and dimensions (section_words.h) */
-    bool no_sights;                 /* leave out the obstructions' angles */
-    bool no_angles;                 /* obstructions without lines of sight: their angles
-                                     * are to be found */
-    bool no_caption;                /* leave out the caption, which is at least 90 mm
-                                     * wide */
+    double least_scale;             /* largest permitted scale, as a denominator; 0: no
+                                     * limit */
+    bool named;                     /* draw names and dimensions (section_words.h) */
+    bool no_sights;                 /* do not draw lines of sight and obstruction
+                                     * angles */
+    bool no_angles;                 /* draw obstructions without lines of sight, for
+                                     * exercises in which the angles are to be found */
+    bool no_caption;                /* omit the caption, which is at least 90 mm wide */
 
     /* Scale, set by pp_room_section_fit. */
-    double mm_per_m;  /* a usual scale: 1:20, 1:25, 1:50, 1:75 ... */
+    double mm_per_m;  /* usual scales are 1:20, 1:25, 1:50, 1:75 ... */
     double height_mm; /* height of the drawing with its caption */
 
-    /* Set by the caller: x of the near wall's inside face, y of the top, and widths for
-     * obstructions outside the near and the far wall. */
+    /* Set by the caller, mm: x of the inside face of the near wall, y of the upper
+     * edge, and widths for obstructions outside the near and the far wall. */
     double x, y, left_mm, right_mm;
-    double head_mm; /* height for obstructions above the room */
+    double head_mm; /* height reserved for obstructions above the room */
     double most_x;  /* right end of the caption; 0: unlimited */
 };
 
@@ -33,14 +34,14 @@ struct pp_room_section {
 void pp_section_frame_heights(const struct pp_section_cut *cut, double *low,
                               double *high);
 
-/* True if the section passes through the opening. */
+/* True if the section cuts the opening. */
 bool pp_section_frame_is_cut(const struct pp_section_cut *cut, int opening);
 
-/* Height above the room of the glass that is cut, such as that of rooflights over
- * wells, mm; valid after pp_room_section_fit. */
+/* Height (mm) by which cut glass extends above the room, such as rooflights over wells.
+ * Valid after pp_room_section_fit. */
 double pp_section_frame_above_mm(const struct pp_room_section *section);
 
-/* Position on paper of a place in the section; valid after pp_room_section_fit. */
+/* Position on paper (mm) of a point in the section. Valid after pp_room_section_fit. */
 double pp_section_frame_x(const struct pp_room_section *section, double s);
 double pp_section_frame_y(const struct pp_room_section *section, double z);
 

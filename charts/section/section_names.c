@@ -1,11 +1,11 @@
-/* section_names.c - writes the names of the curves next to them, or in a legend if
- * there is no space. */
+/* section_names.c - writes the names of the curves beside them, or in a legend if there
+ * is not enough space. */
 #include "charts/section/section_names.h"
 
 #include <math.h>
 
-/* Draws the name of a series. A curve's name has a sample of its line, since curves may
- * coincide; points and horizontal lines have words only. */
+/* Draws the name of a series. The name of a curve has a sample of its line, since
+ * curves may coincide. Names of points and of horizontal lines are text only. */
 static struct pp_box draw_name(struct pp_section_plot *plot,
                                const struct pp_series *series, double x, double y,
                                bool drawn)
@@ -54,7 +54,8 @@ void pp_section_names_fit_legend(struct pp_section_plot *plot, double width)
     legend->height = legend->rows * row;
 }
 
-/* Draws the legend in the first free corner of the field, or else beside the field. */
+/* Draws the legend. If `aside` is beside the field, the legend is there; else it is in
+ * the first free corner of the field, or at `aside` if no corner is free. */
 static void draw_legend_inside(struct pp_section_plot *plot, struct pp_box aside)
 {
     struct pp_box field = plot->field;

@@ -4,15 +4,16 @@
 
 #include "charts/section/section_plot.h"
 
-/* Draws names next to the curves if there is space for all, else a legend in a free
- * corner of the field, or at `aside` if that lies beside the field. */
+/* Draws names beside the curves if there is space for all names. Otherwise draws a
+ * legend at `aside` if that is beside the field, else in a free corner of the field. */
 void pp_section_names_draw(struct pp_section_plot *plot, struct pp_box aside);
 
-/* Sets plan and size of plot->legend, the legend below the section for more than
- * PP_KEYS_INSIDE names, in columns that fit into `width`. */
+/* Sets columns and size of the legend below the section (plot->legend), so that the
+ * columns fit into `width`. The legend is below the section if there are more than
+ * PP_KEYS_INSIDE names. */
 void pp_section_names_fit_legend(struct pp_section_plot *plot, double width);
 
-/* Draws a legend of `count` names from number `first` on, on a white ground. */
+/* Draws a legend of `count` names from index `first`, on a white background. */
 void pp_section_names_draw_keys(struct pp_section_plot *plot, int first, int count,
                                 double x, double y, double width);
 

@@ -9,8 +9,8 @@
 #include "charts/sheet/lettering.h"
 #include "model/base/text.h"
 
-/* Objects outside one end of the section. out: direction on paper, -1 to the left, 1 to
- * the right. */
+/* Drawing state outside one end of the section. out: direction on paper, -1 to the
+ * left, 1 to the right. */
 struct outside_drawing {
     cairo_t *cr;
     const struct pp_style *style;
@@ -18,7 +18,7 @@ struct outside_drawing {
     struct pp_section_sight sight;
     double out;
     double x, y;  /* middle of the window */
-    double reach; /* width of the strip */
+    double reach; /* width of the strip outside the section */
     double run;   /* horizontal length of the line of sight on paper */
 };
 
@@ -27,8 +27,8 @@ static double least_of(double a, double b, double c)
     return fmin(a, fmin(b, c));
 }
 
-/* Distance on paper (mm) from the window to the outermost part of the room's own wall:
- * its facade or reveal. */
+/* Distance on paper (mm) from the window to the outermost part of the room's own wall,
+ * which is a facade or a reveal. */
 static double facade_mm(const struct outside_drawing *drawing)
 {
     const struct pp_section_cut *cut = drawing->section->cut;
@@ -46,7 +46,8 @@ static double facade_mm(const struct outside_drawing *drawing)
     return fmin(farthest, 0.5 * drawing->reach);
 }
 
-/* Draws the line below an overhang, dashed: sky is visible under it. */
+/* Draws the line of sight to an overhang, dashed: the sky is visible below that
+ * line. */
 static void draw_overhang(const struct outside_drawing *drawing)
 {
     const struct pp_room_section *section = drawing->section;
@@ -73,8 +74,8 @@ static void draw_overhang(const struct outside_drawing *drawing)
                                drawing->y - 0.5 * style->scale, words);
 }
 
-/* True if the obstruction at the end of the line of sight is drawn nearer than its
- * distance at the scale of the section. */
+/* True if the obstruction at the end of the line of sight is drawn nearer than its true
+ * distance at this scale. */
 static bool is_moved(const struct outside_drawing *drawing)
 {
     double distance = drawing->sight.distance_m;
@@ -82,14 +83,14 @@ static bool is_moved(const struct outside_drawing *drawing)
            && distance * drawing->section->mm_per_m > drawing->run + 0.1;
 }
 
-/* Width on paper of the moved building. */
+/* Width on paper (mm) of a building that is drawn nearer than it is. */
 static double building_mm(const struct outside_drawing *drawing)
 {
     return is_moved(drawing) ? 3.5 * drawing->style->scale : 0.0;
 }
 
-/* Draws the building opposite at the end of the line of sight, from its head to the
- * ground or the end of the drawing. */
+/* Draws the building opposite at the end of the line of sight, from the head of the
+ * building to the ground or the end of the drawing. */
 static void draw_building(const struct outside_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
@@ -113,8 +114,8 @@ static void draw_building(const struct outside_drawing *drawing)
     cairo_stroke(cr);
 }
 
-/* Draws two slanting strokes across the horizontal, which show that the distance is
- * shortened. */
+/* Draws two slanting strokes across the horizontal line, which show that the distance
+ * is shortened. */
 static void draw_break(const struct outside_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
@@ -131,7 +132,7 @@ static void draw_break(const struct outside_drawing *drawing)
     cairo_stroke(cr);
 }
 
-/* Name of the obstruction with this surface; NULL: it has none. */
+/* Name of the obstruction to which the surface belongs; NULL: it has no name. */
 static const char *obstruction_name(const struct pp_world *world, int surface)
 {
     if (surface < 0)
@@ -156,8 +157,8 @@ void pp_section_outside_say(char *text, size_t room,
                    sight.z + sight.distance_m * tan(sight.angle_rad));
 }
 
-/* Writes name, angle and distance below the horizontal, between the obstruction and
- * the room's own facade. */
+/* Writes name, angle and distance below the horizontal line, between the obstruction
+ * and the room's own facade. */
 static void write_sight_words(const struct outside_drawing *drawing)
 {
     const struct pp_style *style = drawing->style;
@@ -181,8 +182,8 @@ static void write_sight_words(const struct outside_drawing *drawing)
                                drawing->y + 1.6 * style->scale, words);
 }
 
-/* Draws the line of sight to the obstruction's head, the horizontal, and the angle
- * between them. */
+/* Draws the line of sight to the head of the obstruction, the horizontal line, and the
+ * angle between them. */
 static void draw_line_of_sight(const struct outside_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
@@ -232,8 +233,9 @@ void pp_section_outside_draw(cairo_t *cr, const struct pp_style *style,
         draw_overhang(&drawing);
     if (!(sight->angle_rad > 0.0))
         return;
-    /* The line is extended as far as the strip and the top of the section allow. A
-     * moved building has its own width beyond the end. */
+    /* The line of sight is extended as far as the strip and the top of the section
+     * allow. A building drawn nearer than it is needs additional width beyond the
+     * end. */
     double top = fmax(drawing.y - section->y + 0.8 * section->head_mm, 1.0);
     double far =
         sight->distance_m > 0.0 ? sight->distance_m * section->mm_per_m : INFINITY;

@@ -1,4 +1,5 @@
-/* section_series.c - chooses which columns of the report are drawn, and how. */
+/* section_series.c - chooses the columns of the report to be drawn, and their line
+ * styles. */
 #include "charts/section/section_series.h"
 
 #include <math.h>
@@ -29,7 +30,7 @@ static int values_in(const struct pp_report *report, const struct pp_column *col
     return count;
 }
 
-/* Adds a note at the foot for a column that lacks values. */
+/* Adds a note at the foot if a column has no value at some points; why: the reason. */
 static void account(struct pp_section_plot *plot, const struct pp_column *column,
                     int count, const char *why)
 {
@@ -39,7 +40,7 @@ static void account(struct pp_section_plot *plot, const struct pp_column *column
     char where[64] = "";
     if (column->points && count > 0)
         snprintf(where, sizeof where, " at %d of %d points", all - count, all);
-    /* A reason may begin with the method's name. */
+    /* Removes the method's name from the start of a reason. */
     size_t length = strlen(column->name);
     if (why && strncmp(why, column->name, length) == 0 && why[length] == ':')
         why += length + 1 + strspn(why + length + 1, " ");
@@ -81,8 +82,8 @@ static bool has_samples(const struct pp_report *report)
 
 void pp_section_series_choose(struct pp_section_plot *plot)
 {
-    /* Solid lines are reserved for simulated values; if there are any, hand figures are
-     * dashed. */
+    /* Solid lines are reserved for simulated values. If there are any, hand
+     * calculations are dashed. */
     int lines = has_samples(plot->report) ? 1 : 0, sampled = 0;
     for (int i = 0; i < plot->report->column_count; i++) {
         const struct pp_column *column = &plot->report->columns[i];

@@ -55,7 +55,7 @@ static bool stands_outside(const struct pp_cut *cut, const struct pp_world *worl
            && !is_round_window(&world->surfaces[cut->of], world);
 }
 
-/* True if the sky is visible from the sight's place at that angle. */
+/* True if the sky is visible from the middle of the window at that angle. */
 static bool sees_sky(const struct pp_section_cut *section, const struct pp_world *world,
                      const struct pp_section_sight *sight, double out, double angle_rad)
 {
@@ -80,12 +80,13 @@ static bool sees_sky(const struct pp_section_cut *section, const struct pp_world
     return true;
 }
 
-/* Number of steps, each a quarter of a degree, in which the section is searched for
+/* Number of steps, a quarter of a degree each, in which the section is searched for
  * sky. */
 enum { SIGHT_STEPS = 360 };
 
-/* Sets both ends of the highest part in which sky is visible; the lower one stays 0 and
- * the upper pi/2 if nothing limits it. False: no sky is visible. */
+/* Finds the highest range of angles in which sky is visible. angle_rad stays 0 and
+ * overhang_rad stays pi/2 if nothing limits the range. Returns false if no sky is
+ * visible. */
 static bool find_sky(struct pp_section_sight *sight,
                      const struct pp_section_cut *section, const struct pp_world *world,
                      double out)

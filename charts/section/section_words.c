@@ -11,7 +11,8 @@ double pp_section_words_mm(const struct pp_style *style)
     return 4.6 * style->scale;
 }
 
-/* Finds the lowest and highest z of the room's faces at s; false unless they differ. */
+/* Finds the lowest and highest z of the room's faces at s. Returns false if they are
+ * equal. */
 static bool heights_at(const struct pp_section_cut *cut, double s, double *low,
                        double *high)
 {
@@ -30,8 +31,8 @@ static bool heights_at(const struct pp_section_cut *cut, double s, double *low,
     return *high > *low + 1e-6;
 }
 
-/* Draws the height of the room where it is greatest, near the far wall if possible.
- * Returns its x on paper. */
+/* Draws the dimension of the room's height where the room is highest, near the far wall
+ * if possible. Returns the x of the dimension on paper. */
 static double draw_height(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_section *section)
 {
@@ -39,7 +40,7 @@ static double draw_height(cairo_t *cr, const struct pp_style *style,
     const struct pp_section_cut *cut = section->cut;
     double best_s = -1.0, best_low = 0.0, best_high = 0.0;
     for (int i = 0; i < PLACES; i++) {
-        /* 0.9 L, 0.85 L ... 0.05 L, then 0.95 L. */
+        /* Positions are tried in the order 0.9 L, 0.85 L ... 0.05 L, then 0.95 L. */
         int place = i <= FIRST ? FIRST - i : FIRST + 1;
         double s = cut->length_m * (place + 1) / (PLACES + 1.0), low, high;
         if (heights_at(cut, s, &low, &high)
@@ -57,8 +58,8 @@ static double draw_height(cairo_t *cr, const struct pp_style *style,
     return x;
 }
 
-/* Writes the name of the room in the upper middle of the section, or beside its height
- * if that is there. */
+/* Writes the name of the room at the top of the section, in the middle, or beside the
+ * height dimension if that is in the middle. */
 static void name_room(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_section *section, double height_x)
 {
@@ -78,7 +79,7 @@ static void name_room(cairo_t *cr, const struct pp_style *style,
         pp_lettering_draw_on_white(cr, style, &set, x, y, world->name);
 }
 
-/* Writes the name of a cut opening inside the room, beside its glass. */
+/* Writes the name of a cut opening inside the room, beside the glass. */
 static void name_cut(cairo_t *cr, const struct pp_style *style,
                      const struct pp_room_section *section, const struct pp_cut *cut)
 {
@@ -126,7 +127,7 @@ static void name_behind(cairo_t *cr, const struct pp_style *style,
         pp_lettering_draw(cr, style, &set, x, y, opening->label);
 }
 
-/* Writes the name of the wall at an end of the section, outside it. */
+/* Writes the name of the wall at an end of the section, outside the wall. */
 static void name_wall(cairo_t *cr, const struct pp_style *style,
                       const struct pp_room_section *section, bool near, double y)
 {

@@ -1,5 +1,5 @@
-/* section_words.h - names and dimensions of a section: the room and its height, its
- * length between the walls with their names, and the openings. */
+/* section_words.h - names and dimensions in a section: name and height of the room, the
+ * length between its walls, and the names of walls and openings. */
 #ifndef PP_CHARTS_SECTION_SECTION_WORDS_H
 #define PP_CHARTS_SECTION_SECTION_WORDS_H
 

@@ -1,10 +1,11 @@
-/* axis.c - chooses ticks of 1, 2 or 5 times a power of ten and draws axes with them. */
+/* axis.c - chooses ticks at 1, 2 or 5 times a power of ten, and draws axes with
+ * them. */
 #include "charts/sheet/axis.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* Smallest round step (1, 2 or 5 times a power of ten) that is at least `least`. */
+/* Smallest round interval (1, 2 or 5 times a power of ten) that is at least `least`. */
 static double round_step(double least)
 {
     double power = pow(10.0, floor(log10(least)));

@@ -1,4 +1,5 @@
-/* bytes.c - a growing block of bytes, and the ids and titles of cairo's SVG files. */
+/* bytes.c - implements a growing block of bytes, and changes ids and titles in SVG
+ * files of cairo. */
 #include "charts/sheet/bytes.h"
 
 #include <stdint.h>
@@ -40,7 +41,7 @@ static bool add_string(struct pp_bytes *bytes, const char *string)
     return pp_bytes_add(bytes, string, strlen(string));
 }
 
-/* Appends a string with XML escapes; leaves out characters that XML 1.0 cannot hold. */
+/* Appends a string with XML escapes, without characters that XML 1.0 does not allow. */
 static bool add_escaped(struct pp_bytes *bytes, const char *string)
 {
     bool good = true;
@@ -65,20 +66,20 @@ static bool add_escaped(struct pp_bytes *bytes, const char *string)
 
 /* ---- SVG ---- */
 
-/* A piece of the file, not terminated by a zero. */
+/* A piece of the file, not null-terminated. */
 struct svg_span {
     const char *start;
     size_t length;
 };
 
-/* Ids in order of appearance: the number of an id is its index in the list. */
+/* Ids in order of first appearance. The number of an id is its index in the list. */
 struct ids {
     char prefix[16];
     struct svg_span *list;
     int count, room;
 };
 
-/* Number of an id; -1: out of memory. */
+/* Number of an id, which is added to the list if necessary; -1: out of memory. */
 static int id_number(struct ids *ids, struct svg_span id)
 {
     for (int i = 0; i < ids->count; i++)
@@ -93,8 +94,9 @@ static int id_number(struct ids *ids, struct svg_span id)
     return ids->count++;
 }
 
-/* FNV-1a hash of title and drawing. cairo's names depend on earlier drawings of the
- * same process, so digits inside quotes and url() after # or id= are skipped. */
+/* FNV-1a hash of title and drawing. The ids that cairo chooses depend on earlier
+ * drawings in the same process, so they (the text between # or id=" and the closing
+ * quote or bracket) are not hashed. */
 static uint32_t hash_drawing(struct svg_span drawing, const char *title)
 {
     uint32_t hash = 2166136261u;
@@ -147,8 +149,8 @@ static bool add_renamed(struct pp_bytes *svg, struct svg_span body, struct ids *
 }
 
 /* Adds the head of an SVG file, with its size. cairo_svg_surface_set_document_unit is
- * not used for the size: coordinates would then be in millimetres, which cairo rounds
- * to 1/256 (outlines of letters to 1/64), so labels would differ in size and place from
+ * not used, because coordinates would then be in millimetres, which cairo rounds to
+ * 1/256 (outlines of letters to 1/64). Labels would differ in size and position from
  * those in PDF and PNG. */
 static bool add_head(struct pp_bytes *svg, const char *prefix, double width_mm,
                      double height_mm, const char *title, const char *description)
@@ -173,7 +175,7 @@ bool pp_bytes_name_svg(struct pp_bytes *svg, const struct pp_bytes *cairo,
                        double width_mm, double height_mm, const char *title,
                        const char *description)
 {
-    /* The drawing follows cairo's own <svg ...> element. */
+    /* The drawing is the content of cairo's <svg ...> element. */
     const char *start = (const char *)cairo->list, *end = start + cairo->count;
     const char *root = memmem(start, cairo->count, "<svg", 4);
     root = root ? memchr(root, '>', (size_t)(end - root)) : 0;

@@ -1,5 +1,5 @@
-/* canvas.c - makes the cairo surface of a sheet of paper and turns cairo's output into
- * the finished file. */
+/* canvas.c - makes the cairo surface of a sheet of paper, and makes the finished file
+ * from cairo's output. */
 #include "charts/sheet/canvas.h"
 
 #include <math.h>
@@ -19,37 +19,37 @@
 #define MM_PER_INCH 25.4
 #define POINTS_PER_MM (72.0 / MM_PER_INCH)
 
-/* Date of every PDF, so that equal drawings are equal files. */
+/* Date in every PDF, so that equal drawings give equal files. */
 #define FIXED_DATE "2000-01-01T00:00:00Z"
 
 /* A PNG whose pixels need more than WHOLE_BYTES_MOST is drawn in bands of about
- * BAND_BYTES. */
+ * BAND_BYTES each. */
 enum { WHOLE_BYTES_MOST = 128 << 20, BAND_BYTES = 32 << 20 };
 
 enum { OUTLINE_LEVELS = 3 };
 
 struct pp_canvas {
-    struct pp_sheet sheet; /* with its own copies of the texts */
+    struct pp_sheet sheet; /* copy with title and description owned by the canvas */
     char *title, *description;
     char imprint[160];
     struct pp_project project;
     double width_mm, height_mm, dpi;
-    int width_px, height_px; /* size of a PNG */
-    bool in_bands;           /* true: a PNG drawn in bands, as its pixels would need
-                              * too much memory at once */
+    int width_px, height_px; /* size of a PNG in pixels */
+    bool in_bands;           /* true: a PNG is drawn in bands, since its pixels would
+                              * need too much memory at once */
     cairo_surface_t *surface;
     cairo_t *cr;
-    int page; /* from 1 */
+    int page; /* number of the current page, from 1 */
     int outlines[OUTLINE_LEVELS
-                 + 1];    /* for each level of the contents the last entry; [0]:
-                           * the root */
+                 + 1];    /* last outline entry of each level; [0]: the root */
     struct pp_bytes raw;  /* output of cairo */
     struct pp_bytes file; /* the finished file */
     bool finished;
-    bool lacks_memory; /* a part of the drawing is missing */
+    bool lacks_memory; /* true if parts of the drawing are missing for lack of memory */
 };
 
-/* Key of the context's user data: the address of its canvas's lacks_memory. */
+/* Key of the user data that is attached to the cairo context: a pointer to lacks_memory
+ * of its canvas. */
 static const cairo_user_data_key_t memory_key;
 
 static enum pp_status fail_cairo(struct pp_error *err, cairo_status_t status)
@@ -82,7 +82,7 @@ static void paper_size(const struct pp_sheet *sheet, double *width_mm,
     *height_mm = upright[sheet->paper][sheet->landscape ? 0 : 1];
 }
 
-/* True if there are fonts: without any, Pango draws boxes or ends the process. */
+/* True if fonts are installed. Without fonts, Pango draws boxes or ends the process. */
 static bool has_fonts(void)
 {
     PangoFontFamily **families;
@@ -303,7 +303,7 @@ void pp_canvas_add_outline(struct pp_canvas *canvas, int level, const char *titl
 }
 
 /* cairo (1.16) rasterises some drawings unless the matrix between the two canvases is a
- * shift by whole units, so the position is rounded to points. */
+ * shift by whole units. The position is therefore rounded to points. */
 void pp_canvas_place(struct pp_canvas *canvas, const struct pp_canvas *drawing,
                      double x_mm, double y_mm)
 {

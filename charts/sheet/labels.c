@@ -1,5 +1,5 @@
-/* labels.c - finds the nearest free place for a label: tries all sides of the places
- * that it may name, at growing distances. */
+/* labels.c - finds the nearest free place for a label. All sides of the owner's
+ * registered places are tried, at increasing distances. */
 #include "charts/sheet/labels.h"
 
 #include <math.h>
@@ -28,7 +28,7 @@ void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner)
             continue;
         double to[2] = {data[1].point.x, data[1].point.y};
         bool drawn = data->header.type == CAIRO_PATH_LINE_TO;
-        /* Short pieces of a curve are joined until they are half a millimetre long. */
+        /* Joins short pieces of a curve until they are 0.5 mm long. */
         bool last =
             i + data->header.length >= path->num_data
             || path->data[i + data->header.length].header.type != CAIRO_PATH_LINE_TO;
@@ -62,8 +62,9 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
     return false;
 }
 
-/* True if the box is at least `pad` from all registered places with other owners, and
- * at least pad/4 from those of its owner. */
+/* True if the box is in the field, at least `pad` from registered places of other
+ * owners, and at least pad/4 from places of its owner. covers_lines: lines are
+ * ignored. */
 static bool is_free(const struct pp_labels *labels, struct pp_box box, int owner,
                     double pad, bool covers_lines)
 {
@@ -94,7 +95,7 @@ bool pp_labels_covers_lines_only(const struct pp_labels *labels, struct pp_box b
     return is_free(labels, box, -2, 0.3, true);
 }
 
-/* Distance from the line a-b to the nearest place of another owner. */
+/* Distance (mm) from the line a-b to the nearest place of another owner. */
 static double clearance(const struct pp_labels *labels, const double a[2],
                         const double b[2], int owner)
 {

@@ -1,8 +1,9 @@
 /* labels.h - placement of labels next to the objects that they name.
  *
- * Drawn objects are registered as places that labels must not cover. For each place
- * that a label may name, positions on all sides and at increasing distances are tried.
- * The label is put at the nearest position where it covers nothing, or left out.
+ * Drawn objects are registered as places that labels must not cover. A label is put
+ * near one of the places registered for its owner: positions on all sides of these
+ * places are tried, at increasing distances. The label gets the nearest position where
+ * it does not cover anything, or is omitted.
  */
 #ifndef PP_CHARTS_SHEET_LABELS_H
 #define PP_CHARTS_SHEET_LABELS_H
@@ -15,7 +16,7 @@ enum { PP_LABEL_PLACES_MOST = 12000 };
 
 struct pp_label_place {
     double x, y;
-    int owner; /* index of a curve; -1: no owner */
+    int owner; /* index of the curve to which the place belongs; -1: none */
 };
 
 struct pp_labels {
@@ -29,7 +30,7 @@ struct pp_labels {
 void pp_labels_note(struct pp_labels *labels, int owner, double x0, double y0,
                     double x1, double y1);
 
-/* Registers cairo's current path, flattened, as places about a millimetre apart. */
+/* Registers the current path of cairo, flattened, as places about 1 mm apart. */
 void pp_labels_note_path(struct pp_labels *labels, cairo_t *cr, int owner);
 
 /* Registers the whole area of a box. */
@@ -42,21 +43,21 @@ bool pp_labels_is_near(const struct pp_labels *labels, int owner, double x, doub
 /* True if a box is within the field and free of all registered places. */
 bool pp_labels_is_free(const struct pp_labels *labels, struct pp_box box);
 
-/* Owner of marks of points: unlike lines they are never covered. */
+/* Owner of the marks of points. Unlike lines, marks are never covered. */
 enum { PP_LABEL_MARKS = 1000000 };
 
-/* The same, but lines, which have owners from 0 to below PP_LABEL_MARKS, may be
- * covered. */
+/* True if a box is within the field and covers only lines. Lines have owners from 0 to
+ * PP_LABEL_MARKS - 1. */
 bool pp_labels_covers_lines_only(const struct pp_labels *labels, struct pp_box box);
 
-/* Finds a place for a box next to one of the owner's places, farther from places of
- * other owners than from the owner's. *anchor: the end of a leader. False: there is no
- * place. */
+/* Finds a position for a box next to one of the owner's places, where places of other
+ * owners are farther away. *anchor is set to the end of a leader. Returns false if
+ * there is none. */
 bool pp_labels_find(const struct pp_labels *labels, const struct pp_style *style,
                     double width, double height, int owner, struct pp_box *box,
                     double anchor[2]);
 
-/* Draws a leader from the box to the anchor, unless they are adjacent. */
+/* Draws a leader from the box to the anchor, unless the box is next to the anchor. */
 void pp_labels_lead(cairo_t *cr, const struct pp_style *style, struct pp_box box,
                     const double anchor[2]);
 

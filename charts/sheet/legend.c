@@ -1,5 +1,5 @@
-/* legend.c - draws or measures a column of samples and words, by one function, so
- * that a measured legend is as large as the drawn one.
+/* legend.c - draws or measures a column of samples with text. One function does both,
+ * so that a measured legend has the size of the drawn one.
  */
 #include "charts/sheet/legend.h"
 

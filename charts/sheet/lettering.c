@@ -1,11 +1,11 @@
-/* lettering.c - lays text out with pango, unhinted, and draws or measures it. */
+/* lettering.c - lays out text with Pango, unhinted, and draws or measures it. */
 #include "charts/sheet/lettering.h"
 
 #include <stdio.h>
 
 #include <pango/pangocairo.h>
 
-/* Fonts in order of preference; the last is an alias that exists on every machine. */
+/* Fonts in order of preference. The last is an alias that exists on every machine. */
 static const char families[] =
     "Source Sans 3, Source Sans Pro, Nimbus Sans, Liberation Sans, "
     "DejaVu Sans Condensed, DejaVu Sans, sans-serif";
@@ -16,8 +16,8 @@ bool pp_lettering_boxes_overlap(struct pp_box a, struct pp_box b)
            && b.y < a.y + a.height;
 }
 
-/* All sizes are laid out at this size and enlarged: for each new size pango searches
- * the machine's fonts again, with two threads. */
+/* Type size for all layouts (mm), which are then scaled. For each new size, Pango
+ * searches the fonts of the machine again, with two threads. */
 static const double laid_out_mm = 4.0;
 
 static double enlargement(const struct pp_style *style, const struct pp_lettering *text)
@@ -25,7 +25,7 @@ static double enlargement(const struct pp_style *style, const struct pp_letterin
     return style->text[text->size] / laid_out_mm;
 }
 
-/* All text is laid out at laid_out_mm and enlarged. */
+/* Lays out text at the size laid_out_mm; the caller scales the layout. */
 static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
                               const struct pp_lettering *text, const char *words)
 {
@@ -38,7 +38,7 @@ static PangoLayout *layout_of(cairo_t *cr, const struct pp_style *style,
     pango_cairo_context_set_font_options(context, options);
     cairo_font_options_destroy(options);
     pango_context_set_round_glyph_positions(context, FALSE);
-    /* not the locale's, so that a sheet has the same bytes everywhere */
+    /* fixed, not from the locale, so that a sheet has the same bytes everywhere */
     pango_context_set_language(context, pango_language_from_string("en"));
     pango_layout_context_changed(layout);
 
@@ -115,7 +115,7 @@ static struct pp_box draw_lettering(cairo_t *cr, const struct pp_style *style,
         cairo_fill(cr);
     }
     pp_style_grey(cr, text->grey);
-    /* Aligned lines in a layout of fixed width do not start at its left edge. */
+    /* In a layout of fixed width, aligned lines do not start at the left edge. */
     double scale = enlargement(style, text);
     cairo_scale(cr, scale, scale);
     cairo_move_to(cr, -(double)logical.x / PANGO_SCALE, 0.0);

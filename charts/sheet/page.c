@@ -1,5 +1,5 @@
-/* page.c - title, subtitle and notes of a sheet, and sentences common to the notes of
- * several charts. */
+/* page.c - title, subtitle and notes of a sheet, and sentences that the notes of
+ * several charts share. */
 #include "charts/sheet/page.h"
 #include "charts/sheet/title_block.h"
 #include "model/base/text.h"
@@ -63,7 +63,8 @@ void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
              type, asin(fmin(sky->sun.z, 1.0)) / PP_RAD, bearing / PP_RAD);
 }
 
-/* Writes "0.9" or, for different ends, "0.6 to 0.9"; returns text. */
+/* Writes a number, "0.9", or a range, "0.6 to 0.9", if its ends differ. Returns
+ * `text`. */
 static const char *range_text(char *text, size_t room, double low, double high)
 {
     if (high - low < 5e-4)
@@ -103,7 +104,7 @@ static void say_openings(char *text, size_t room, const struct pp_world *world)
                     range_text(glass, sizeof glass, low[CURTAINS], high[CURTAINS]));
 }
 
-/* Appends the note on the allowance for decorations, if there is one. */
+/* Appends a note on the allowance for decorations, if the room has one. */
 static void say_decorations(char *text, size_t room, const struct pp_world *world)
 {
     if (world->decorations != 1.0)
@@ -162,7 +163,7 @@ static struct pp_box lay_page(struct pp_canvas *canvas, const struct pp_style *s
     bottom -= block > 0.0 ? block + 2.0 * style->scale : 0.0;
 
     if (page->title) {
-        /* A long name is set in smaller type, in up to four lines. */
+        /* A long name is set in smaller type, on up to four lines. */
         struct pp_lettering title = {
             .size = PP_TEXT_TITLE, .bold = true, .width = width};
         if (pp_lettering_measure(cr, style, &title, 0, 0, page->title).height

@@ -1,4 +1,4 @@
-/* page.h - title, subtitle and notes above and below the drawing, for all charts. */
+/* page.h - title and subtitle above the drawing, and notes below it, for all charts. */
 #ifndef PP_CHARTS_SHEET_PAGE_H
 #define PP_CHARTS_SHEET_PAGE_H
 
@@ -9,40 +9,40 @@
 #include "model/room/world.h"
 
 struct pp_page {
-    const char *title;    /* the room's name; may be long; NULL: no title line */
+    const char *title;    /* name of the room; may be long; NULL: no title line */
     const char *subtitle; /* content of the chart, and the sky */
     const char *foot;     /* notes, one paragraph; NULL or "": none */
 };
 
-/* Draws title and notes and returns the free box between them. */
+/* Draws title and notes. Returns the free box between them. */
 struct pp_box pp_page_draw(struct pp_canvas *canvas, const struct pp_style *style,
                            const struct pp_page *page);
 
-/* Returns the box of pp_page_draw without drawing. */
+/* Returns the box that pp_page_draw would return, without drawing. */
 struct pp_box pp_page_measure(struct pp_canvas *canvas, const struct pp_style *style,
                               const struct pp_page *page);
 
-/* Adds a sentence to `text` (of `room` bytes), after a space unless a line begins; text
- * that does not fit is cut. */
+/* Appends a sentence to `text` (a buffer of `room` bytes), after a space unless the
+ * sentence begins a line. Text that does not fit is cut. */
 void pp_page_say(char *text, size_t room, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Common name of the sky: "CIE overcast sky", "ISO 15469 sky of type 12, sun 30° high
- * at 180°". */
+/* Writes the common name of the sky: "CIE overcast sky", "ISO 15469 sky of type 12, sun
+ * 30° high at 180°". */
 void pp_page_sky(char *text, size_t room, const struct pp_world *world,
                  const struct pp_outside_light *light);
 
-/* Common name of a sky without a room; north_rad is the bearing of the plan's +y
+/* Writes the common name of a sky without a room. north_rad: bearing of the plan's +y
  * axis. */
 void pp_page_sky_words(char *text, size_t room, const struct pp_sky *sky,
                        double north_rad);
 
-/* Adds the room's assumptions, as pp_page_say does: transmittance, frame and dirt of the
- * openings, reflectances. */
+/* Appends the room's assumptions, as pp_page_say does: transmittance, frame and dirt of
+ * the openings, and reflectances. */
 void pp_page_assumptions(char *text, size_t room, const struct pp_world *world,
                          const struct pp_outside_light *light);
 
-/* Style for the size of the canvas's sheet. */
+/* Style for the size of the canvas. */
 struct pp_style pp_page_style(const struct pp_canvas *canvas);
 
 #endif

@@ -1,4 +1,5 @@
-/* png_file.c - passes the rows of an image, or of one band after another, to libpng. */
+/* png_file.c - passes the rows of an image to libpng. A large drawing is rendered and
+ * passed band by band. */
 #include "charts/sheet/png_file.h"
 
 #include <math.h>
@@ -6,18 +7,18 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* State of a file while it is written. A failing function of libpng is left by longjmp,
- * so everything to be freed is kept here. */
+/* State of a file while it is written. If libpng fails, its functions end in longjmp,
+ * so everything to be freed is stored here. */
 struct png_writer {
     struct pp_bytes *file;
     cairo_surface_t *drawing; /* NULL: the image is the whole drawing */
-    cairo_surface_t *image;   /* the whole drawing, or a band of it; not owned */
+    cairo_surface_t *image;   /* whole drawing, or a band of it; not owned */
     int width, height;
     bool has_alpha;
     double dots_per_mm;
     png_structp png;
     png_infop info;
-    unsigned char *row; /* red, green, blue, and alpha if there is one */
+    unsigned char *row; /* red, green, blue, and alpha if the file has transparency */
     cairo_status_t status;
 };
 
@@ -32,7 +33,7 @@ static void flush_nothing(png_structp png)
     (void)png;
 }
 
-/* Replaces libpng's own handler, which prints. */
+/* Error handler that replaces libpng's own, which prints a message. */
 static void leave(png_structp png, png_const_charp message)
 {
     (void)message;
@@ -55,8 +56,8 @@ static void draw_band(struct png_writer *writer, int first)
     cairo_surface_flush(writer->image);
 }
 
-/* One colour of a pixel as PNG stores it: cairo premultiplies colours by alpha, PNG
- * does not. */
+/* One colour component of a pixel as PNG stores it. In cairo, colours are premultiplied
+ * by alpha; in PNG they are not. */
 static unsigned char colour(uint32_t pixel, int shift, uint32_t alpha)
 {
     uint32_t value = pixel >> shift & 0xff;

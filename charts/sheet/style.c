@@ -1,6 +1,5 @@
-/* style.c - the sizes, dashes and markers of style.h, and figures as charts print
- * them.
- */
+/* style.c - the sizes, dashes and markers of style.h, and the number formats of
+ * charts. */
 #include "charts/sheet/style.h"
 
 #include <math.h>
@@ -42,12 +41,13 @@ struct pp_curve_style pp_style_curve(int index)
         {4, {1.8, 0.8, 1.8, 2.2}, 0.7, 0},
         {2, {0.35, 1.0}, 1.2, 0},
     };
-    /* Circle and diamond are reserved for sampled points. */
+    /* Circle and diamond are reserved for simulated points. */
     static const enum pp_marker markers[] = {
         PP_DISC,         PP_CROSS,  PP_FULL_SQUARE, PP_TRIANGLE,
         PP_FULL_DIAMOND, PP_SQUARE, PP_PLUS,
     };
-    /* 8 lines and 7 markers have no common factor: 56 different pairs. */
+    /* The numbers of lines (8) and markers (7) have no common factor, so there are 56
+     * different pairs. */
     struct pp_curve_style style = lines[index % 8];
     style.marker = markers[index % 7];
     return style;

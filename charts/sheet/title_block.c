@@ -28,7 +28,7 @@ double pp_title_block_draw(cairo_t *cr, const struct pp_style *style,
             continue;
         double left = x + cell % columns * wide,
                top = bottom - (rows - cell / columns) * high;
-        /* The last cell of the last row is as wide as the rest of the row. */
+        /* The last cell of the last row fills the rest of the row. */
         double right = cell == count - 1 ? x + width : left + wide;
         const struct pp_lettering label = {.size = PP_TEXT_SMALL, .grey = PP_GREY_TEXT};
         const struct pp_lettering fact = {

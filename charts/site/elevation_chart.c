@@ -16,12 +16,13 @@ struct elevation_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_elevation_sheet *sheet;
-    double scale; /* 200 for 1:200 */
+    double scale; /* denominator of the scale: 200 for 1:200 */
 };
 
 /* ---- positions on paper ---- */
 
-/* Frame of a plan whose x and y are u and v, with the low corner at x, y on paper. */
+/* Plan frame used for an elevation: its x and y are u and v of the wall. x, y: position
+ * on paper of the low corner. */
 static struct pp_room_plan frame_of(const struct elevation_drawing *drawing,
                                     const struct pp_site_elevation *elevation, double x,
                                     double y)
@@ -61,7 +62,8 @@ static void trace_region(cairo_t *cr, const struct pp_room_plan *frame,
     }
 }
 
-/* Fills bands from the most sky to the least, each drawn over those with more sky. */
+/* Fills the bands in order of decreasing sky component. Each band covers part of the bands
+ * drawn before. */
 static void fill_wall(struct elevation_drawing *drawing,
                       const struct pp_room_plan *frame,
                       const struct pp_elevation_wall *wall)
@@ -98,8 +100,7 @@ static void draw_wall(struct elevation_drawing *drawing,
     cairo_stroke(cr);
 }
 
-/* Draws doors white, with diagonal lines, since the sky component on a door has no
- * meaning. */
+/* Draws doors white with diagonal lines, since no sky component is shown on a door. */
 static void draw_doors(struct elevation_drawing *drawing,
                        const struct pp_room_plan *frame,
                        const struct pp_elevation_wall *wall)
@@ -130,7 +131,8 @@ static struct pp_box window_box(const struct pp_room_plan *frame,
                            pp_plan_frame_y(frame, window->from.z) - top};
 }
 
-/* Writes the figure on white over the middle of a window too small for it. */
+/* Writes the component on white over the middle of a window that is too small for
+ * it. */
 static void say_on_white(struct elevation_drawing *drawing,
                          const struct pp_site_window *window, struct pp_box box)
 {
@@ -142,8 +144,8 @@ static void say_on_white(struct elevation_drawing *drawing,
                                words);
 }
 
-/* Writes name, former and present figure in the window as far as they fit. A name that
- * does not fit is above the window. */
+/* Writes name, former and present component in the window, as far as there is space. A
+ * name that does not fit is written above the window. */
 static void say_component(struct elevation_drawing *drawing,
                           const struct pp_site_window *window, struct pp_box box)
 {
@@ -201,7 +203,7 @@ static void draw_window(struct elevation_drawing *drawing,
     say_component(drawing, window, box);
 }
 
-/* Adds a box in u and v to the path. */
+/* Adds a box, given in u and v, to the path. */
 static void trace_box(cairo_t *cr, const struct pp_room_plan *frame,
                       const struct pp_bounds2 *box)
 {
@@ -211,7 +213,8 @@ static void trace_box(cairo_t *cr, const struct pp_room_plan *frame,
                     pp_plan_frame_y(frame, box->low[1]) - y);
 }
 
-/* Draws facades pale behind the walls, cut off at the edges of the drawing. */
+/* Draws facades behind the walls in a pale tint, cut off at the edges of the
+ * drawing. */
 static void draw_elevation_facades(struct elevation_drawing *drawing,
                                    const struct pp_room_plan *frame,
                                    const struct pp_site_elevation *elevation)
@@ -232,7 +235,7 @@ static void draw_elevation_facades(struct elevation_drawing *drawing,
     cairo_restore(cr);
 }
 
-/* Draws balconies and other shades in outline, in front of walls and windows. */
+/* Draws outlines of balconies and other shading in front of walls and windows. */
 static void draw_elevation_shades(struct elevation_drawing *drawing,
                                   const struct pp_room_plan *frame,
                                   const struct pp_site_elevation *elevation)
@@ -244,7 +247,7 @@ static void draw_elevation_shades(struct elevation_drawing *drawing,
     cairo_stroke(drawing->cr);
 }
 
-/* True if the box covers no window or door. */
+/* True if the box does not cover any window or door. */
 static bool is_free_of_openings(const struct elevation_drawing *drawing,
                                 const struct pp_room_plan *frame,
                                 const struct pp_site_elevation *elevation,
@@ -267,8 +270,9 @@ static bool is_free_of_openings(const struct elevation_drawing *drawing,
     return true;
 }
 
-/* Writes the name of the wall's room at its lower edge, as far left as it covers no
- * opening, or else at its upper edge, if it fits. */
+/* Writes the name of the wall's room at the lower edge of the wall, at the leftmost
+ * place where it does not cover an opening, or else at the upper edge. A name that does
+ * not fit is omitted. */
 static void name_elevation_room(struct elevation_drawing *drawing,
                                 const struct pp_room_plan *frame,
                                 const struct pp_site_elevation *elevation,
@@ -339,13 +343,13 @@ static void draw_elevation(struct elevation_drawing *drawing,
 
 /* ---- the sheet ---- */
 
-/* Places the elevations in rows from the box's top left; draws them if `drawn`. Returns
- * whether they fit. */
+/* Places the elevations in rows, from the upper left corner of the box. If `drawn` is
+ * false, only checks the space. Returns true if they fit. */
 static bool flow(struct elevation_drawing *drawing, struct pp_box box, bool drawn)
 {
     const struct pp_style *style = &drawing->style;
     double head = 1.6 * style->text[PP_TEXT_BODY], gap = 9.0 * style->scale;
-    double least = 34.0 * style->scale; /* for a title */
+    double least = 34.0 * style->scale; /* least width of an elevation, for its title */
     double x = box.x + 2.0 * style->scale, y = box.y, row = 0.0;
     bool fits = true;
     for (int i = 0; i < drawing->sheet->count; i++) {

@@ -27,8 +27,8 @@ static struct pp_bounds2 room_bounds(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* Extent (m) of the rooms and their surroundings; if there is a plot, of the rooms and
- * the plot only. */
+/* Extent (m) of the rooms and their surroundings. If there is a plot, only of the rooms
+ * and the plot. */
 static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
 {
     struct pp_bounds2 rooms = room_bounds(sheet);
@@ -52,9 +52,9 @@ static struct pp_bounds2 site_extent(const struct pp_site_sheet *sheet)
     return box;
 }
 
-/* Denominator of a scale, `least` or the next larger one: of the usual scales or of
- * 1:300, 1:400, 1:600 ... as on triangular scale rulers, which may fill the sheet
- * better. */
+/* Denominator of the smallest scale step that is at least `least`. Besides the usual
+ * scales it may be 1:300, 1:400, 1:600 ... (as on triangular scale rulers), which may
+ * fill the sheet better. */
 static double site_scale(double least)
 {
     static const double more[] = {3.0, 4.0, 6.0};
@@ -66,7 +66,7 @@ static double site_scale(double least)
     return scale;
 }
 
-/* Sets the largest usual scale at which the site fits, with a border for the figures of
+/* Sets the largest usual scale at which the site fits, with a border for the values at
  * windows. */
 static void fit_site_scale(struct pp_site_drawing *drawing, struct pp_box room)
 {
@@ -116,7 +116,7 @@ static void draw_garden(struct pp_site_drawing *drawing,
 
 /* ---- a plot ---- */
 
-/* Writes the height in its cell, to a decimetre, to a metre, or not at all, depending
+/* Writes the height in its cell: to a decimetre, to a metre, or not at all, depending
  * on the space. */
 static void say_height(struct pp_site_drawing *drawing, const struct pp_site_cell *cell,
                        double x, double y, double width)
@@ -164,7 +164,7 @@ static void draw_cells(struct pp_site_drawing *drawing)
 
 /* ---- windows ---- */
 
-/* Angle of text along a line such that it is not upside down. */
+/* Rotation of text along a line, so that the text is not upside down. */
 static double upright_turn(double turn)
 {
     if (turn > PP_PI / 2.0 + 1e-6)
@@ -174,7 +174,7 @@ static double upright_turn(double turn)
     return turn;
 }
 
-/* True if the words fit into the window's strip. */
+/* True if the text fits into the window's strip. */
 static bool strip_fits(const struct pp_site_drawing *drawing,
                        const struct pp_site_window *window, const char *words)
 {
@@ -186,8 +186,8 @@ static bool strip_fits(const struct pp_site_drawing *drawing,
            < strip - 0.4;
 }
 
-/* Writes the words for a window's strip: its name and, unless it is in the table, its
- * figure; only the figure if both do not fit. */
+/* Makes the text of a window's strip: name and, unless it is in the table, value; only
+ * the value if both do not fit. */
 static void window_words(const struct pp_site_drawing *drawing,
                          const struct pp_site_window *window, char *words, size_t room)
 {
@@ -200,7 +200,7 @@ static void window_words(const struct pp_site_drawing *drawing,
         snprintf(words, room, "%.1f", percent);
 }
 
-/* True if name and figure of every window fit into its strip. */
+/* True if name and value of every window fit into its strip. */
 static bool figures_fit(const struct pp_site_drawing *drawing)
 {
     for (int i = 0; i < drawing->sheet->window_count; i++) {
@@ -224,8 +224,8 @@ static bool names_fit(const struct pp_site_drawing *drawing)
     return true;
 }
 
-/* Draws a strip as long as the window in front of it, the lowest storey next to the
- * wall. */
+/* Draws a strip in front of the window, as long as the window. The strip of the lowest
+ * storey is next to the wall. */
 static void draw_window(struct pp_site_drawing *drawing,
                         const struct pp_site_window *window)
 {
@@ -302,7 +302,8 @@ static void draw_site(struct pp_site_drawing *drawing)
     struct pp_box box = pp_site_names_frame(&drawing->frame);
     cairo_t *cr = drawing->cr;
     cairo_save(cr);
-    /* Lines on the edge of the drawing are drawn whole. */
+    /* Extends the clip by one line width, so that lines on the edge of the drawing are
+     * not halved. */
     double line = drawing->style.hair;
     cairo_rectangle(cr, box.x - line, box.y - line, box.width + 2.0 * line,
                     box.height + 2.0 * line);
@@ -323,11 +324,11 @@ static void draw_site(struct pp_site_drawing *drawing)
     pp_site_names_draw(drawing);
 }
 
-/* ---- the figures of windows ---- */
+/* ---- the values at windows ---- */
 
-/* Places the site in the field. If the figures of windows do not all fit into their
- * strips, they go into a table beside or below the site; a table that is too large is
- * left for the next sheet. */
+/* Places the site in the field. If the values of windows do not all fit into their
+ * strips, they are listed in a table beside or below the site. A table that is too
+ * large is left for the next sheet. */
 static void lay_site(struct pp_site_drawing *drawing, struct pp_box field)
 {
     double gap = 5.0 * drawing->style.scale;
@@ -403,7 +404,7 @@ static void draw_site_sheet(struct pp_site_drawing *drawing, struct pp_canvas *c
         drawing->frame.scale, sheet->north_rad, keys, key_count);
 }
 
-/* Draws the table on a sheet of its own. */
+/* Draws the table on a separate sheet. */
 static enum pp_status draw_table_sheet(struct pp_site_drawing *drawing,
                                        struct pp_canvas *canvas, struct pp_error *err)
 {

@@ -1,5 +1,5 @@
-/* site_drawing.h - state of a site plan while it is drawn: shared by its layout and
- * strips (site_chart.c), its names (site_names.c) and its table (strip_table.c). */
+/* site_drawing.h - drawing state of a site plan, shared by site_chart.c (layout and
+ * strips), site_names.c and strip_table.c. */
 #ifndef PP_CHARTS_SITE_SITE_DRAWING_H
 #define PP_CHARTS_SITE_SITE_DRAWING_H
 
@@ -11,11 +11,13 @@ struct pp_site_drawing {
     cairo_t *cr;
     struct pp_style style;
     const struct pp_site_sheet *sheet;
-    struct pp_room_plan frame; /* of the site's x and y */
+    struct pp_room_plan frame; /* frame for x and y of the site */
     struct pp_labels *labels;
-    bool names_before; /* names of windows stand in front of their strips */
-    bool on_next;      /* the table is too large for this sheet */
-    bool in_table;     /* figures of windows are in a table, their names on the plan */
+    bool names_before; /* names of windows are in front of their strips */
+    bool on_next;      /* the table is too large for this sheet, and follows on the
+                        * next */
+    bool in_table;     /* values of windows are in a table, and their names on the
+                        * plan */
 };
 
 #endif

@@ -26,7 +26,7 @@ double pp_site_names_near(const struct pp_style *style, int storey)
     return 0.5 * style->medium + storey * pp_site_names_deep(style);
 }
 
-/* Writes words within `area`, centred as near to x, y as is free. */
+/* Writes a text within `area`, centred at the free place nearest to x, y. */
 static void write_near(struct pp_site_drawing *drawing, struct pp_box area, double x,
                        double y, double width, const char *words)
 {
@@ -57,7 +57,7 @@ static void write_near(struct pp_site_drawing *drawing, struct pp_box area, doub
     pp_labels_note_box(drawing->labels, found);
 }
 
-/* Box on paper of a shape's corners, cut off at the edge of the drawing. */
+/* Box on paper of a shape's corners, limited to the drawing. */
 static struct pp_box shape_box(const struct pp_site_drawing *drawing,
                                const struct pp_site_shape *shape)
 {
@@ -76,8 +76,8 @@ static struct pp_box shape_box(const struct pp_site_drawing *drawing,
 
 /* ---- buildings ---- */
 
-/* True if a room has this name. Shapes that are rooms seen from outside by other rooms
- * also have such names. */
+/* True if a room has this name. Other rooms may see this room from outside as shapes of
+ * the same name. */
 static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
 {
     for (int i = 0; i < sheet->shape_count; i++)
@@ -87,7 +87,7 @@ static bool is_room_name(const struct pp_site_sheet *sheet, const char *name)
     return false;
 }
 
-/* Area of a shape seen from above (m2). middle: mean of its corners. */
+/* Area of a shape in plan (m2). middle: mean of its corners. */
 static double covered_m2(const struct pp_site_shape *shape, double middle[2])
 {
     double area = 0.0;
@@ -102,12 +102,12 @@ static double covered_m2(const struct pp_site_shape *shape, double middle[2])
     return fabs(area);
 }
 
-/* Properties common to all shapes of one name. */
+/* Data of all shapes with the same name. */
 struct named_thing {
-    double area_m2, middle[2]; /* of the largest shape */
+    double area_m2, middle[2]; /* area and middle of the largest shape */
     int largest;
     double top_m;
-    bool first; /* true if this shape is the first of that name */
+    bool first; /* the shape asked for is the first of its name */
 };
 
 static struct named_thing gather_named(const struct pp_site_sheet *sheet, int index)
@@ -133,7 +133,7 @@ static struct named_thing gather_named(const struct pp_site_sheet *sheet, int in
     return thing;
 }
 
-/* Writes name and height of a building, once for all shapes of that name. */
+/* Writes name and height of a building, once for all shapes with that name. */
 static void name_shape(struct pp_site_drawing *drawing, int index)
 {
     static const char *const states[] = {[PP_SITE_ALWAYS] = NULL,
@@ -171,7 +171,7 @@ static void name_shape(struct pp_site_drawing *drawing, int index)
 
 /* ---- rooms and gardens ---- */
 
-/* True if one room lies above the other. */
+/* True if one of the rooms is above the other. */
 static bool same_place(const struct pp_site_shape *a, const struct pp_site_shape *b)
 {
     double p[2], q[2];
@@ -180,7 +180,7 @@ static bool same_place(const struct pp_site_shape *a, const struct pp_site_shape
     return hypot(p[0] - q[0], p[1] - q[1]) < 0.5;
 }
 
-/* Writes the names of rooms that lie one above the other into the lowest one. */
+/* Writes the names of rooms that lie one above the other in the lowest of them. */
 static void name_rooms(struct pp_site_drawing *drawing, int index)
 {
     const struct pp_site_sheet *sheet = drawing->sheet;
@@ -224,7 +224,7 @@ static void name_garden(struct pp_site_drawing *drawing,
 
 /* ---- windows ---- */
 
-/* True if two windows are in one column of strips. */
+/* True if the strips of two windows are in the same stack. */
 static bool same_stack(const struct pp_site_window *a, const struct pp_site_window *b)
 {
     double off[2];
@@ -236,8 +236,8 @@ static bool same_stack(const struct pp_site_window *a, const struct pp_site_wind
     return pp_vec_dot(a->out, b->out) > 0.999 && hypot(off[0], off[1]) < 1.0;
 }
 
-/* Lists the names of the windows of a stack, from the lowest storey up; returns its
- * highest storey. */
+/* Lists the names of the windows in a stack, from the lowest storey upwards. Returns
+ * the highest storey. */
 static int stack_names(const struct pp_site_sheet *sheet,
                        const struct pp_site_window *lowest, char *words, size_t room)
 {

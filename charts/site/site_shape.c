@@ -19,8 +19,8 @@ static void trace_shape(cairo_t *cr, const struct pp_room_plan *frame,
         cairo_close_path(cr);
 }
 
-/* Traces the edges of a part of a mesh that are drawn as lines, or those that are
- * not. */
+/* Traces the edges of a part of a mesh that are drawn as lines; if `unseen` is set, the
+ * other edges. */
 static void trace_edges(cairo_t *cr, const struct pp_room_plan *frame,
                         const struct pp_site_shape *shape, bool unseen)
 {
@@ -42,7 +42,8 @@ static void trace_edges(cairo_t *cr, const struct pp_room_plan *frame,
     }
 }
 
-/* Draws the edge of the drawing where it cuts the shape, so that the shape is closed. */
+/* Draws the boundary of the drawing where it cuts the shape, so that the outline of the
+ * shape is closed. */
 static void close_at_edge(cairo_t *cr, const struct pp_style *style,
                           const struct pp_room_plan *frame, struct pp_box within,
                           const struct pp_site_shape *shape)
@@ -78,8 +79,8 @@ void pp_site_shape_draw(cairo_t *cr, const struct pp_style *style,
         }
     }
     if (shape->unseen && shape->is_level && shape->when == PP_SITE_ALWAYS) {
-        /* Closes the white gaps between adjoining parts, whose common edges are not
-         * drawn. */
+        /* Covers the white gaps between adjoining parts along common edges, which are
+         * not drawn as lines. */
         trace_edges(cr, frame, shape, true);
         pp_style_line(cr, style->thin, PP_GREY_FILL);
         cairo_stroke(cr);

@@ -1,4 +1,4 @@
-/* site_shape.h - an object on a site, as drawn on its plan: covering objects are
+/* site_shape.h - draws an object on a site plan: existing objects that cover ground are
  * filled, new ones hatched, demolished ones dashed. */
 #ifndef PP_CHARTS_SITE_SITE_SHAPE_H
 #define PP_CHARTS_SITE_SITE_SHAPE_H
@@ -6,8 +6,8 @@
 #include "charts/room/room_plan.h"
 #include "model/results/sheets/site_sheet.h"
 
-/* Draws a shape. frame: plan of the site's x and y; hatching stays within the box on
- * paper. */
+/* Draws a shape. frame: plan of the site's x and y; within: box on paper that limits
+ * the hatching. */
 void pp_site_shape_draw(cairo_t *cr, const struct pp_style *style,
                         const struct pp_room_plan *frame, struct pp_box within,
                         const struct pp_site_shape *shape);

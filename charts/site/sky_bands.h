@@ -1,5 +1,5 @@
-/* sky_bands.h - classes of the vertical sky component in drawings: four classes, each
- * with a colour, darker for less sky; the order is also visible in grey. */
+/* sky_bands.h - four classes of the vertical sky component in drawings. Each class has
+ * a colour, darker for less sky, so that the order is also visible in grey. */
 #ifndef PP_CHARTS_SITE_SKY_BANDS_H
 #define PP_CHARTS_SITE_SKY_BANDS_H
 
@@ -8,20 +8,20 @@
 
 enum { PP_SKY_BANDS = PP_SITE_LEVELS + 1 };
 
-/* The class of a component: 0 for the least sky. */
+/* Index of the class of a sky component; 0: the least sky. */
 int pp_sky_bands_of(double component);
 
-/* Sets the class's colour; pale: for walls, as a background of their windows. */
+/* Sets the colour of a class. pale: for walls, as the background of windows. */
 void pp_sky_bands_colour(cairo_t *cr, int band, bool pale);
 
 /* True if text on this colour must be white. */
 bool pp_sky_bands_is_dark(int band);
 
-/* Fills PP_SKY_BANDS keys, from the most sky on: "27 % or more", ... */
+/* Fills PP_SKY_BANDS keys, beginning with the most sky: "27 % or more", ... */
 void pp_sky_bands_keys(struct pp_key *keys);
 
-/* True if the loss is more than [BR209] allows: less than 27 %, and less than 0.8 of
- * the former value. */
+/* True if the loss exceeds the guideline of [BR209]: the present value is less than 27
+ * % and less than 0.8 of the former value. */
 bool pp_sky_bands_is_lost(const struct pp_site_window *window);
 
 #endif

@@ -6,10 +6,10 @@
 
 #include "charts/site/sky_bands.h"
 
-/* Widths of the columns of one window, mm. */
+/* Widths of the columns for one window, mm. */
 struct table_widths {
     double window, room, figure, gap;
-    int figures; /* columns of figures */
+    int figures; /* number of columns of values */
 };
 
 static double text_mm(const struct pp_site_drawing *drawing, const char *words)
@@ -48,7 +48,8 @@ static double row_mm(const struct pp_style *style)
     return 1.35 * style->text[PP_TEXT_SMALL];
 }
 
-/* Number of windows in one column of that height, below its head; at least 1. */
+/* Number of windows that fit below the head of one column of that height; at least
+ * 1. */
 static int rows_in(const struct pp_site_drawing *drawing, double height)
 {
     int rows = (int)(height / row_mm(&drawing->style)) - 1;
@@ -65,7 +66,7 @@ struct pp_box pp_strip_table_size(const struct pp_site_drawing *drawing, double 
                            .height = (rows + 1) * row_mm(&drawing->style)};
 }
 
-/* Writes one row: words of window and room on the left, figures on the right. */
+/* Writes one row: names of window and room on the left, values on the right. */
 static void write_row(const struct pp_site_drawing *drawing,
                       const struct table_widths *widths, double x, double y, bool bold,
                       const char *window, const char *room,

@@ -1,5 +1,5 @@
-/* overlay_chart.c - a circle for the horizon, and in it rings of altitude, dots, cells
- * and paths. Lines have white edges, so that they are visible on dark and on light
+/* overlay_chart.c - draws a circle for the horizon with rings of altitude, dots, cells
+ * and sun paths. Lines have white edges, so that they are visible on dark and light
  * photographs. */
 #include "charts/sky/overlay_chart.h"
 
@@ -25,9 +25,9 @@ static const char *const lens_rules[PP_LENS_COUNT] = {
     [PP_LENS_ORTHOGRAPHIC] = "r = R sin \u03b8",
 };
 
-/* ---- places and lines ---- */
+/* ---- positions and lines ---- */
 
-/* An overlay on its sheet. */
+/* Drawing state of an overlay. */
 struct overlay_plot {
     cairo_t *cr;
     struct pp_style style;
@@ -36,8 +36,8 @@ struct overlay_plot {
     double x0, y0, radius; /* circle of the horizon, mm */
 };
 
-/* Position on paper of a direction (rad): north up, east on the left or, on a sheet, on
- * the right. */
+/* Position on paper of a direction (rad). North is up. East is on the left, or on the
+ * right if the chart is a sheet. */
 static void place_on_overlay(const struct overlay_plot *plot, double altitude,
                              double bearing, double xy[2])
 {
@@ -80,7 +80,7 @@ static void draw_rings(const struct overlay_plot *plot)
     stroke_edged(plot, plot->style.thin);
 }
 
-/* Draws bearings round the horizon: a tick every ten degrees, a label every thirty. */
+/* Draws bearings around the horizon: a tick every 10 degrees, a label every 30. */
 static void draw_bearings(const struct overlay_plot *plot)
 {
     static const char *const winds[] = {"N", "E", "S", "W"};
@@ -106,7 +106,7 @@ static void draw_bearings(const struct overlay_plot *plot)
     }
 }
 
-/* Labels altitudes along a radius that no sun path follows. */
+/* Labels altitudes along a radius that does not follow any sun path. */
 static void label_rings(const struct overlay_plot *plot)
 {
     const struct pp_lettering set = {
@@ -139,8 +139,8 @@ static void draw_dots(const struct overlay_plot *plot)
     }
 }
 
-/* Draws a cell's lower edge and its left side; ring and next cell have the other
- * edges. */
+/* Draws the lower edge and the left side of a cell. The other edges belong to the ring
+ * above and to the next cell. */
 static void draw_cells(const struct overlay_plot *plot)
 {
     const double step = PP_RAD;
@@ -164,8 +164,8 @@ static void draw_cells(const struct overlay_plot *plot)
 
 /* ---- the sun's paths ---- */
 
-/* The paths to draw. Months in pairs share a path, since their paths differ by at most
- * 0.6 degrees. */
+/* Sun paths to be drawn. Pairs of months share a path, since the paths of a pair differ
+ * by at most 0.6 degrees. */
 static const struct {
     int month;
     const char *words;
@@ -173,7 +173,8 @@ static const struct {
              {4, "Apr, Aug"}, {5, "May, Jul"}, {6, "Jun"}};
 enum { PATHS = sizeof paths / sizeof paths[0], DAY = 21, STEPS = 120 };
 
-/* Position of the sun; false if it is below the horizon. */
+/* Finds the position of the sun on paper. Returns false if the sun is below the
+ * horizon. */
 static bool place_sun(const struct overlay_plot *plot, double declination, double hour,
                       double xy[2])
 {
@@ -197,8 +198,8 @@ static void draw_path(const struct overlay_plot *plot, double declination)
     stroke_edged(plot, plot->style.medium);
 }
 
-/* Draws an hour line from the December to the June sun path, where the sun is
- * up. */
+/* Draws an hour line from the December path to the June path, where the sun is above
+ * the horizon. */
 static void draw_hour(const struct overlay_plot *plot, int hour)
 {
     double low = pp_sun_path_declination(12, DAY),
@@ -214,7 +215,7 @@ static void draw_hour(const struct overlay_plot *plot, int hour)
     stroke_edged(plot, plot->style.thin);
 }
 
-/* Writes the words on white, if the place is still free. */
+/* Writes text on white if the place is free. */
 static void put_words(const struct overlay_plot *plot, const double xy[2],
                       const char *words)
 {
@@ -232,8 +233,8 @@ static void put_words(const struct overlay_plot *plot, const double xy[2],
         pp_labels_note(plot->labels, 1, x, box.y, x, box.y + box.height);
 }
 
-/* Writes months on their paths, in the afternoon and between two hours; hours outside
- * the longest day's path. */
+/* Writes the months on their paths, in the afternoon between two hour lines, and the
+ * hours outside the path of the longest day. */
 static void name_lines(const struct overlay_plot *plot)
 {
     double latitude = plot->overlay->latitude_rad;
@@ -264,8 +265,8 @@ static void name_lines(const struct overlay_plot *plot)
         }
 }
 
-/* Draws paths of the 21st of each month and lines of whole hours of solar time, with
- * their names if there is space. */
+/* Draws the paths of the 21st of each month, and the lines of whole hours of solar
+ * time, with their names if there is space. */
 static void draw_sun_paths(const struct overlay_plot *plot)
 {
     for (int hour = 0; hour < 24; hour++)
@@ -275,7 +276,8 @@ static void draw_sun_paths(const struct overlay_plot *plot)
     name_lines(plot);
 }
 
-/* Draws a dot for each hour with sunshine: black if the sun is visible, else a ring. */
+/* Draws a mark for each hour with sunshine: a black dot if the sun is visible, else a
+ * ring. */
 static void draw_suns(const struct overlay_plot *plot)
 {
     double radius = 0.45 * plot->style.scale;
@@ -341,7 +343,7 @@ static void overlay_titles(const struct pp_overlay *overlay, char *title,
     subtitle[0] = (char)(subtitle[0] == 'u' ? 'U' : subtitle[0]);
 }
 
-/* Writes the radius in the lower left corner, which the circle leaves free. */
+/* Writes the radius in the lower left corner, which is outside the circle. */
 static void state_radius(const struct overlay_plot *plot, struct pp_box body)
 {
     const struct pp_lettering set = {.size = PP_TEXT_SMALL, .down = 1.0};
@@ -351,7 +353,7 @@ static void state_radius(const struct overlay_plot *plot, struct pp_box body)
                       words);
 }
 
-/* Sets centre and radius of the circle in the free space of the page. */
+/* Sets centre and radius of the circle within the free space of the page. */
 static enum pp_status lay_circle(struct overlay_plot *plot, struct pp_box body,
                                  struct pp_error *err)
 {
@@ -390,9 +392,9 @@ static void trace_mask(const struct overlay_plot *plot, const struct pp_sky_mask
     }
 }
 
-/* Draws the present obstruction in light grey. If there is a former state, hatches the
- * present obstruction and draws the former one over it in grey, so that only new parts
- * remain hatched. */
+/* Draws the present obstruction in light grey. If there is a former state, the present
+ * obstruction is hatched, and the former one is painted over it in grey. Only the new
+ * parts then remain hatched. */
 static void draw_masks(const struct overlay_plot *plot)
 {
     const struct pp_overlay *overlay = plot->overlay;

@@ -3,8 +3,8 @@
 
 #include <stdio.h>
 
-/* Lightness rises evenly; blue and yellow can be distinguished with any kind of colour
- * vision. */
+/* Colours whose lightness increases evenly. Blue and yellow can be distinguished with
+ * any type of colour vision. */
 static const double colours[PP_COLOUR_CLASSES][3] = {
     {0.00, 0.13, 0.30}, {0.19, 0.26, 0.42}, {0.34, 0.36, 0.43}, {0.49, 0.48, 0.47},
     {0.65, 0.61, 0.46}, {0.82, 0.75, 0.39}, {1.00, 0.92, 0.40}};

@@ -12,7 +12,7 @@ static double area_of(const struct pp_opening *opening)
         pp_polygon_area_vector(opening->inner.vertices, opening->inner.count));
 }
 
-/* The wall (face) with the most area of vertical openings; -1: none. */
+/* Index of the wall with the largest area of vertical openings; -1: none. */
 static int main_wall(const struct pp_world *world)
 {
     int best = -1;
@@ -37,7 +37,7 @@ static int by_depth(const void *left, const void *right)
     return (a->depth_m > b->depth_m) - (a->depth_m < b->depth_m);
 }
 
-/* Merges neighbouring steps of about the same depth into their means. */
+/* Merges neighbouring entries of about the same depth, averaging their values. */
 static void merge_steps(struct pp_depth_profile *profile)
 {
     int kept = 0;

@@ -10,11 +10,11 @@
 #include "charts/year/colour_scale.h"
 #include "model/results/lattice.h"
 
-/* Classes between the illuminances of the standard's targets. */
+/* Classes of illuminance, separated at the targets of the standard. */
 static const struct pp_colour_scale target_scale = {
     {0.0, 100.0, 200.0, 300.0, 500.0, 750.0, 1500.0}, " lx"};
 
-/* Overlap of neighbouring cells, so that rounding leaves no line between them. */
+/* Overlap of neighbouring cells, so that rounding does not leave gaps between them. */
 static const double CELL_OVERLAP_MM = 0.03;
 
 struct page_plot {
@@ -25,7 +25,7 @@ struct page_plot {
 
 /* ---- levels ---- */
 
-/* Draws three steps, of which those that are reached are filled. */
+/* Draws three steps, one for each level. The levels that are reached are filled. */
 static void draw_steps(const struct page_plot *plot, int reached, double x, double y,
                        double width, double height)
 {
@@ -39,7 +39,7 @@ static void draw_steps(const struct page_plot *plot, int reached, double x, doub
     }
 }
 
-/* Draws the level of every part side by side. Returns the height. */
+/* Draws the levels of all parts side by side. Returns the height. */
 static double draw_levels(const struct page_plot *plot, struct pp_box box)
 {
     const struct pp_en17037_sheet *sheet = plot->sheet;
@@ -94,7 +94,7 @@ static void fill_cells(const struct page_plot *plot, const struct pp_room_plan *
     cairo_set_antialias(cr, CAIRO_ANTIALIAS_DEFAULT);
 }
 
-/* Draws an arrow from the eye of each view along its line of sight. */
+/* Draws an arrow for each view, from the eye along the line of sight. */
 static void draw_views(const struct page_plot *plot, const struct pp_room_plan *plan)
 {
     const struct pp_world *world = plot->sheet->world;
@@ -151,8 +151,8 @@ static enum pp_status draw_map_plan(const struct page_plot *plot,
     return PP_OK;
 }
 
-/* Draws both plans, the north arrow, the legend and a scale bar, no higher than the
- * box. *below: the y below them. */
+/* Draws both plans, the north arrow, the legend and a scale bar, at most as high as the
+ * box. *below is set to their lower edge. */
 static enum pp_status draw_map_plans(const struct page_plot *plot, struct pp_box box,
                                      double *below, struct pp_error *err)
 {
@@ -191,7 +191,7 @@ static enum pp_status draw_map_plans(const struct page_plot *plot, struct pp_box
 
 enum { TABLE_COLUMNS = 4 };
 
-/* Right edges of the columns of figures, and the left edge of the verdicts, as parts of
+/* Right edges of the columns of figures, and left edge of the verdicts, as fractions of
  * the width. */
 static const double column_ends[TABLE_COLUMNS] = {0.52, 0.68, 0.81, 0.83};
 
@@ -218,7 +218,8 @@ static void draw_table_row(const struct page_plot *plot, struct pp_box box, doub
     }
 }
 
-/* Draws title, rows and basis of a part from y on. Returns the y below. */
+/* Draws title, rows and basis of a part, with its upper edge at y. Returns the y of its
+ * lower edge. */
 static double draw_part(const struct page_plot *plot,
                         const struct pp_en17037_part *part, struct pp_box box, double y)
 {
@@ -244,7 +245,7 @@ static double draw_part(const struct page_plot *plot,
     return y + 0.8 * scale;
 }
 
-/* Height of all parts, as draw_part draws them. */
+/* Total height of all parts drawn by draw_part. */
 static double table_height(const struct page_plot *plot, double width)
 {
     double scale = plot->style.scale, sum = 0.0;

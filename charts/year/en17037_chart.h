@@ -1,6 +1,6 @@
-/* en17037_chart.h - the four parts of EN 17037 on one sheet: the level that the room
- * reaches in each, plans of the illuminances in half of the daylight hours by both
- * methods, a table of figures and targets, and the assumptions. */
+/* en17037_chart.h - the four parts of EN 17037 on one sheet. The sheet shows the level
+ * that the room reaches in each part, plans of the illuminance by both methods for
+ * daylight provision, a table of figures and targets, and the assumptions. */
 #ifndef PP_CHARTS_YEAR_EN17037_CHART_H
 #define PP_CHARTS_YEAR_EN17037_CHART_H
 

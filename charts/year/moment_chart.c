@@ -15,10 +15,10 @@
 static const struct pp_colour_scale lux_classes = {
     {0.0, 100.0, 300.0, 500.0, 1000.0, 3000.0, 10000.0}, " lx"};
 
-/* Overlap of neighbouring rows, so that rounding leaves no line between them. */
+/* Overlap of neighbouring rows, so that rounding does not leave gaps between them. */
 static const double OVERLAP_MM = 0.03;
 
-/* Distance between the lines that mark direct sunlight, mm on A4. */
+/* Distance between the hatching lines for direct sunlight, mm on A4. */
 static const double SUN_HATCH_MM = 1.6;
 
 struct moment_drawing {
@@ -26,14 +26,14 @@ struct moment_drawing {
     struct pp_style style;
     const struct pp_moment_plan *plan;
     struct pp_room_plan frame;
-    struct pp_box field; /* the plane on paper */
+    struct pp_box field; /* position of the plane on paper */
     struct pp_labels *labels;
 };
 
 /* ---- parts of cells ---- */
 
-/* Finds the class of a part; adjoining parts of one class are drawn together. -1:
- * outside the plane. */
+/* Function that returns the class of a part of a cell; -1: the part is not drawn.
+ * Adjoining parts of the same class are drawn together. */
 typedef int class_of_part(const struct pp_moment_plan *plan, size_t part);
 
 static int colour_of_part(const struct pp_moment_plan *plan, size_t part)
@@ -47,7 +47,7 @@ static int sun_of_part(const struct pp_moment_plan *plan, size_t part)
     return plan->sun[part] > 0.0f ? 1 : -1;
 }
 
-/* Adds a run of parts [first, end) of a row to the path. */
+/* Adds a rectangle to the path for the parts [first, end) of a row. */
 static void add_run(const struct moment_drawing *drawing, int row, int first, int end)
 {
     const struct pp_moment_plan *plan = drawing->plan;
@@ -80,8 +80,8 @@ static void draw_parts(const struct moment_drawing *drawing)
 {
     cairo_t *cr = drawing->cr;
     cairo_save(cr);
-    /* Before the clip: cairo 1.16 aborts if it fills such a path within several
-     * rectangles that do not end at pixels. */
+    /* Set before the clip, because cairo 1.16 aborts if it fills such a path within
+     * several rectangles that do not end at pixel boundaries. */
     cairo_set_antialias(cr, CAIRO_ANTIALIAS_NONE);
     pp_room_plan_path(cr, &drawing->frame);
     cairo_clip(cr);
@@ -100,7 +100,7 @@ static void draw_parts(const struct moment_drawing *drawing)
 
 /* ---- points ---- */
 
-/* True if the receiver faces up on the working plane. */
+/* True if the receiver lies on the working plane and faces up. */
 static bool is_on_plane(const struct pp_annual_sheet *sheet, int x)
 {
     const struct pp_receiver *receiver = &sheet->receivers[x];
@@ -108,7 +108,7 @@ static bool is_on_plane(const struct pp_annual_sheet *sheet, int x)
            && fabs(receiver->position.z - sheet->world->working_plane_m) < 0.01;
 }
 
-/* Writes a point's value on its right or left, above or below, if there is space. */
+/* Writes a point's value right or left of it, or above or below, if there is space. */
 static void draw_value(const struct moment_drawing *drawing, double x, double y,
                        double lx)
 {
@@ -158,7 +158,7 @@ static void draw_points(const struct moment_drawing *drawing)
 /* ---- words ---- */
 
 /* Appends the mean illuminance over the plane with its components, the extremes, and
- * the share of the plane in direct sunlight. */
+ * the fraction of the plane in direct sunlight. */
 static void say_summary(char *text, size_t room, const struct pp_moment_plan *plan)
 {
     const struct pp_annual_figures *mean = &plan->cells.mean;

@@ -1,6 +1,6 @@
-/* moment_chart.h - a room's plan with the illuminances on its working plane at one
- * moment, to a true scale: classes of colour, direct sunlight hatched, and values at
- * the points. */
+/* moment_chart.h - plan of a room, to scale, with the illuminances on its working plane
+ * at one moment: colours for classes of illuminance, hatching for direct sunlight, and
+ * values at the points. */
 #ifndef PP_CHARTS_YEAR_MOMENT_CHART_H
 #define PP_CHARTS_YEAR_MOMENT_CHART_H
 

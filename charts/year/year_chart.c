@@ -1,4 +1,4 @@
-/* year_chart.c - the parts of the sheet: map, plans, curve. */
+/* year_chart.c - draws the parts of the sheet: map, plans and curves. */
 #include "charts/year/year_chart.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ static const struct pp_colour_scale share_scale = {
 static const struct pp_colour_scale sun_scale = {
     {0.0, 1.0, 50.0, 100.0, 250.0, 500.0, 1000.0}, " h"};
 
-/* Overlap of neighbouring cells, so that rounding leaves no line between them. */
+/* Overlap of neighbouring cells, so that rounding does not leave gaps between them. */
 static const double OVERLAP_MM = 0.03;
 
 struct year_plot {
@@ -35,7 +35,7 @@ static void put_panel_title(const struct year_plot *plot, double x, double y,
     pp_lettering_draw(plot->cr, &plot->style, &title, x, y, words);
 }
 
-/* Draws the axes of a panel and their grid. */
+/* Draws the axes of a panel and their grid lines. */
 static void draw_panel_axes(const struct year_plot *plot, const struct pp_axis *across,
                             const struct pp_axis *up)
 {
@@ -105,10 +105,10 @@ static void draw_map(const struct year_plot *plot, struct pp_box box)
 
 /* ---- plans ---- */
 
-/* A figure of the points, and how it is drawn. */
+/* A result at the points, and its appearance on a plan. */
 struct plan_figure {
     const char *title;
-    int index; /* index of the member in struct pp_annual_figures */
+    int index; /* position in struct pp_annual_figures */
     double unit;
     const struct pp_colour_scale *scale;
 };
@@ -184,8 +184,8 @@ static void draw_plans(const struct year_plot *plot, struct pp_box box)
 
 /* ---- the curve ---- */
 
-/* Share of the occupied hours, in per cent, in which a point reaches an illuminance;
- * point -1: in which the mean of the points does. */
+/* Percentage of the occupied hours in which the illuminance at a point is at least lx.
+ * point -1: the mean over the points. */
 static double share_with(const struct pp_annual_sheet *sheet, int point, double lx)
 {
     double hours = 0.0;
@@ -201,7 +201,7 @@ static double share_with(const struct pp_annual_sheet *sheet, int point, double 
     return 100.0 * hours / sheet->occupied_h;
 }
 
-/* Writes the key of a curve: a piece of its line, and words beside it. */
+/* Draws the key of a curve: a sample of its line with words beside it. */
 static void draw_curve_key(const struct year_plot *plot, int style, const char *words,
                            double x, double y)
 {
@@ -274,7 +274,7 @@ static void draw_depth_curve(const struct year_plot *plot, const struct pp_axis 
     cairo_stroke(plot->cr);
 }
 
-/* Draws autonomies against the distance from the main window wall. */
+/* Draws daylight autonomy against distance from the main window wall. */
 static void draw_depth(const struct year_plot *plot,
                        const struct pp_depth_profile *profile, struct pp_box box)
 {
@@ -328,8 +328,8 @@ static void say_year(char *foot, size_t room, const struct pp_annual_sheet *shee
         pp_page_say(foot, room, "Warning: %s.", sheet->warnings[i]);
 }
 
-/* Draws plans, if the points are a grid, and curves: of illuminance and, if the room has a
- * vertical window, by depth. */
+/* Draws plans, if the points are a grid; a curve over illuminance; and, if the room has
+ * a vertical window, a curve over depth. */
 static void draw_lower_panels(const struct year_plot *plot,
                               const struct pp_depth_profile *profile, struct pp_box box)
 {

@@ -1,9 +1,9 @@
-/* year_chart.h - a room's daylight through a year on one sheet: a map of days and
- * hours, plans of autonomies and sun hours if the points are a grid, the share of the
- * occupied hours that reach an illuminance, and autonomies against the distance from the
- * main window wall.
+/* year_chart.h - daylight in a room through a year on one sheet: a map of days and
+ * hours, plans of daylight autonomy and sun hours if the points are a grid, and two
+ * curves. One is the fraction of occupied hours in which each illuminance is reached.
+ * The other is daylight autonomy against distance from the main window wall.
  *
- * Colours run from dark to light, so that they keep their order in black and white.
+ * Colours range from dark to light, so that their order is also visible in grey.
  */
 #ifndef PP_CHARTS_YEAR_YEAR_CHART_H
 #define PP_CHARTS_YEAR_YEAR_CHART_H

@@ -1,5 +1,5 @@
-/* annual_methods.h - the options of annual for hand methods: --methods, --df, --explain,
- * --when. */
+/* annual_methods.h - options of `annual` for hand methods: --methods, --df, --explain
+ * and --when. */
 #ifndef PP_CLI_ANNUAL_ANNUAL_METHODS_H
 #define PP_CLI_ANNUAL_ANNUAL_METHODS_H
 
@@ -8,26 +8,28 @@
 #include "studies/year/hand/hand_year.h"
 
 struct pp_annual_methods {
-    const char *methods; /* as typed; NULL: none */
-    const char *df;      /* NULL or "simulated": simulated */
+    const char *methods; /* names of the methods as typed; NULL: none */
+    const char *df;      /* method of the daylight factor; NULL or "simulated":
+                          * simulation */
     bool explain;
-    struct pp_moment_choice moment; /* --when alone */
+    struct pp_moment_choice moment; /* moment given by --when */
     struct pp_hand_year_options options;
 };
 
 /* Options stored in a struct pp_annual_methods. */
 extern const struct pp_option pp_annual_methods_options[];
 
-/* Reads the names. PP_BAD_INPUT if options need others that are missing. */
+/* Finds the methods by name. PP_BAD_INPUT if an option lacks another option that it
+ * requires. */
 enum pp_status pp_annual_methods_settle(struct pp_annual_methods *methods, bool csv,
                                         struct pp_error *err);
 
-/* PP_BAD_INPUT if an explanation is for more than one point. */
+/* Checks the rooms: PP_BAD_INPUT if an explanation would be for more than one point. */
 enum pp_status pp_annual_methods_check_rooms(const struct pp_annual_methods *methods,
                                              const struct pp_rooms *rooms,
                                              struct pp_error *err);
 
-/* Prints the list of methods, for the end of the help. */
+/* Prints the list of methods, which is the last part of the help text. */
 void pp_annual_methods_help(FILE *out);
 
 #endif

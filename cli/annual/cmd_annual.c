@@ -47,13 +47,13 @@ struct annual_options {
     struct pp_annual_stores stores;
     struct pp_lighting_choice lighting;
     struct part_of_rooms {
-        int number, count; /* part `number`, from 1, of `count` parts; count 0: all
-                            * rooms */
+        int number, count; /* calculate part `number` (from 1) of `count` parts of the
+                            * rooms; count 0: all rooms */
     } part;
     enum pp_format format;
 };
 
-/* State of a run. */
+/* State of one run of the command. */
 struct annual_run {
     struct annual_options *options;
     const struct pp_rooms *rooms;
@@ -119,7 +119,7 @@ static enum pp_status compute_room(struct annual_run *run,
     return status;
 }
 
-/* True if the room belongs to part K of N: rooms K, K + N, K + 2 N, ... */
+/* True if the room belongs to the part. Part K of N has rooms K, K + N, K + 2 N, ... */
 static bool is_in_part(const struct part_of_rooms *part, int room)
 {
     return part->count == 0 || room % part->count == part->number - 1;
@@ -177,8 +177,9 @@ static bool annual_is_finished(const void *data)
     return true;
 }
 
-/* Writes a further output file for the first room, if the user named one and the run
- * was not interrupted. Options allow such files for one room only. */
+/* Writes an additional output file (`name`) for the first room. Does nothing if `name`
+ * is NULL or the run was interrupted. The options allow such files for one room
+ * only. */
 static enum pp_exit write_further(const struct annual_run *run, const char *name,
                                   void (*put)(const struct pp_annual_sheet *sheet,
                                               const char *name, FILE *out))
@@ -245,7 +246,7 @@ static enum pp_exit run_annual_of_rooms(struct annual_options *options,
     return exit_status;
 }
 
-/* An option whose file is for one room only; NULL: there is none. */
+/* First option given whose file is for one room only; NULL: none. */
 static const char *of_one_room(const struct annual_options *options)
 {
     return options->hourly              ? "--hourly"

@@ -8,7 +8,7 @@
 #include "model/base/text.h"
 #include "studies/lighting/lighting_control.h"
 
-/* A key of the option; kinds: bits of the kinds of control that have it. */
+/* A key of --lighting. kinds: bit mask of the kinds of control that accept the key. */
 struct lighting_key {
     const char *name;
     unsigned kinds;
@@ -24,7 +24,7 @@ enum {
     AUTOMATIC = ON_OFF | STEPPED | DIMMED,
 };
 
-/* Reads a number from `low` to `high`, with or without the unit behind it. */
+/* Reads a number from `low` to `high`, with or without a unit after it. */
 static bool read_lighting_number(const char *text, const char *unit, double low,
                                  double high, double *number)
 {
@@ -144,7 +144,7 @@ static const struct lighting_key keys[] = {
 
 enum { KEYS = sizeof keys / sizeof *keys };
 
-/* Fails with the keys that this kind of control has. */
+/* Returns an error that lists the keys accepted by this kind of control. */
 static enum pp_status fail_key(enum pp_lighting_kind kind, struct pp_error *err)
 {
     const char *names[KEYS];
@@ -158,7 +158,7 @@ static enum pp_status fail_key(enum pp_lighting_kind kind, struct pp_error *err)
                    pp_lighting_control_name(kind), list);
 }
 
-/* Reads one word, KEY=VALUE; the word is changed. */
+/* Reads one item, KEY=VALUE. The text is modified. */
 static enum pp_status read_lighting_word(struct pp_lighting_control *control,
                                          char *word, struct pp_error *err)
 {

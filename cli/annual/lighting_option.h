@@ -6,22 +6,26 @@
 #include "cli/options.h"
 #include "studies/year/annual.h"
 
-/* The controls in the order of their options. */
+/* Lighting controls, in the order of their options. */
 struct pp_lighting_choice {
     int count;
-    struct pp_lighting_control list[PP_LIGHTING_CONTROLS_MOST]; /* target 0: default */
-    const char *schedule; /* file to write; NULL: none */
+    struct pp_lighting_control list[PP_LIGHTING_CONTROLS_MOST]; /* controls; target
+                                                                 * illuminance 0: the
+                                                                 * default */
+    const char *schedule; /* file for the lighting schedule; NULL: none */
 };
 
-/* The options, for struct pp_option_group; they store a struct pp_lighting_choice. */
+/* Options for struct pp_option_group; the values are stored in a struct
+ * pp_lighting_choice. */
 extern const struct pp_option pp_lighting_options[];
 
-/* Checks the options together. no_blinds: the option because of which there are no
+/* Checks that the options are consistent. no_blinds: name of the option that excludes
  * blinds; NULL: there are blinds. */
 enum pp_status pp_lighting_option_check(const struct pp_lighting_choice *choice,
                                         const char *no_blinds, struct pp_error *err);
 
-/* Copies the controls; the default target is the first illuminance of *annual. */
+/* Copies the controls to *annual. A control without a target gets the first illuminance
+ * of *annual. */
 void pp_lighting_option_settle(struct pp_annual_options *annual,
                                const struct pp_lighting_choice *choice);
 

@@ -20,8 +20,8 @@ static struct pp_room_figures assessed_room_figures(void *data, int room)
     return (struct pp_room_figures){&one->report, &one->by_clock};
 }
 
-/* Simulates a room. Part of its time limit is reserved for its variant with a larger
- * facade (facade_sensitivity.h). */
+/* Simulates a room. Part of the time limit is reserved for simulating the room with a
+ * larger facade (facade_sensitivity.h). */
 static enum pp_status simulate_room(const void *data, int room,
                                     struct pp_report *report, bool *by_clock,
                                     struct pp_error *err)

@@ -1,4 +1,4 @@
-/* assess_run.h - reads, simulates and assesses rooms, for the commands that print the
+/* assess_run.h - reads, simulates and assesses rooms, for commands that print the
  * results. */
 #ifndef PP_CLI_ASSESS_ASSESS_RUN_H
 #define PP_CLI_ASSESS_ASSESS_RUN_H
@@ -10,11 +10,12 @@
 
 struct pp_assess_run {
     const struct pp_assess_words *words;
-    const struct pp_rooms *rooms, *before; /* before: in their former state; may be
+    const struct pp_rooms *rooms, *before; /* before: rooms in their former state; may
+                                            * be empty */
+    const struct pp_rooms *cumulative;     /* rooms in the cumulative state; may be
                                             * empty */
-    const struct pp_rooms *cumulative;     /* in the cumulative state; may be empty */
-    const struct pp_rooms *mirrored; /* with the mirror image of the building outside;
-                                      * may be empty */
+    const struct pp_rooms *mirrored; /* rooms with the mirror image of the building
+                                      * outside; may be empty */
     struct pp_assessments all;
 };
 
@@ -24,27 +25,27 @@ struct pp_assess_rooms {
     struct pp_rooms rooms, before, cumulative, mirrored;
 };
 
-/* Loads the rooms with the changes of words->room.sweep. The caller unloads them in any
- * case. */
+/* Loads the rooms, with the changes listed in words->room.sweep. The caller unloads
+ * them, also after a failure. */
 enum pp_exit pp_assess_run_load(struct pp_assess_rooms *rooms,
                                 struct pp_assess_words *words, const char *command,
                                 char **files, int file_count);
 void pp_assess_run_unload(struct pp_assess_rooms *rooms);
 
-/* Reads the median illuminance and the probability of sunshine from the file of
- * --weather, if given. */
+/* Reads the median illuminance and the probability of sunshine from the weather file,
+ * if --weather is given. */
 enum pp_exit pp_assess_run_weather(struct pp_assess_words *words);
 
-/* Makes an empty run. The functions below have the types required by struct pp_job;
- * `data` points to a run. */
+/* Makes an empty run. The functions below are the callbacks of a struct pp_job whose
+ * `data` points to the run. */
 struct pp_assess_run pp_assess_run_of(const struct pp_assess_words *words,
                                       const struct pp_assess_rooms *rooms);
 enum pp_status pp_assess_run_compute(void *data, struct pp_error *err);
 bool pp_assess_run_is_finished(const void *data);
 void pp_assess_run_clear(struct pp_assess_run *run);
 
-/* Assesses all rooms of the files and calls `print` for the results; its `data` is a
- * struct pp_assess_run. command: name of the command, for messages. */
+/* Assesses all rooms of the files and calls `print` with the results; the `data` of
+ * `print` is a struct pp_assess_run. command: name of the command, for messages. */
 enum pp_exit pp_assess_run(struct pp_assess_words *words, const char *command,
                            char **files, int file_count,
                            enum pp_status (*print)(const void *data, FILE *out,

@@ -15,8 +15,8 @@ struct assess_sweep {
     int file_count;
 };
 
-/* One run of the sweep. A pointer to it is also a pointer to its first member, so
- * functions that take a struct pp_assess_run accept it. */
+/* One run of the sweep. The first member is a struct pp_assess_run, so a pointer to
+ * this struct can be passed to functions that expect one. */
 struct assess_sweep_run {
     struct pp_assess_run assess;
     struct pp_assess_rooms rooms;

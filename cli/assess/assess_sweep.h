@@ -6,7 +6,7 @@
 #include "cli/exit_status.h"
 
 /* Assesses the rooms once for each combination of swept values. `print` prints one run
- * as CSV or JSON; its `data` is a struct pp_assess_run. */
+ * as CSV or JSON; the `data` of `print` is a struct pp_assess_run. */
 enum pp_exit pp_assess_sweep_run(struct pp_assess_words *words, char **files,
                                  int file_count,
                                  enum pp_status (*print)(const void *data, FILE *out,

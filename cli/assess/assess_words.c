@@ -14,7 +14,7 @@
 
 #define PLACE(member) offsetof(struct pp_assess_words, member)
 
-/* Least distance between the two ends of a boundary line (m). */
+/* Least length of a boundary line (m). */
 #define BOUNDARY_LEAST_M 0.01
 
 static enum pp_status read_boundary(const char *text, void *place, struct pp_error *err)
@@ -184,8 +184,8 @@ bool pp_assess_words_use_year(const struct pp_assess_words *words)
            || pp_assessment_needs_year(words->criteria, words->profile, true);
 }
 
-/* Checks that there are a weather file and a simulation, as a simulated year needs
- * both. */
+/* Checks that there are both a weather file and a simulation, which a simulated year
+ * requires. */
 static enum pp_status check_year(const struct pp_assess_words *options,
                                  struct pp_error *err)
 {
@@ -239,8 +239,8 @@ static enum pp_status refuse_profile(const char *typed, struct pp_error *err)
                            "there is no profile and no rule \"%.60s\"", typed);
 }
 
-/* Finds the profile or the rules of --for. Rules replace the room's sky and working
- * plane. */
+/* Finds the profile or the rules named by --for. Rules replace the room's sky and
+ * working plane. */
 static enum pp_status find_profile(struct pp_assess_words *options,
                                    struct pp_error *err)
 {

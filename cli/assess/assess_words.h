@@ -1,5 +1,5 @@
 /* assess_words.h - options of commands that assess rooms: criteria, methods, and the
- * state to compare with. */
+ * state used for comparison. */
 #ifndef PP_CLI_ASSESS_ASSESS_WORDS_H
 #define PP_CLI_ASSESS_ASSESS_WORDS_H
 
@@ -17,7 +17,7 @@
 #include "studies/criteria/rules/rule_set.h"
 #include "studies/year/weather_year.h"
 
-/* Line at which the building is mirrored, if given. */
+/* Line about which the building is mirrored, if given. */
 struct pp_boundary_words {
     bool given;
     struct pp_mirror_line line;
@@ -25,58 +25,63 @@ struct pp_boundary_words {
 
 struct pp_assess_words {
     struct pp_room_options room;
-    const char *criteria;     /* as typed; NULL: all */
-    const char *profile_name; /* as typed; NULL: none */
+    const char *criteria;     /* criteria as typed; NULL: all */
+    const char *profile_name; /* name of the profile or rules, as typed; NULL: none */
     const struct pp_profile *profile;
-    struct pp_rule_set rules; /* of that name, if it is not a profile */
+    struct pp_rule_set rules; /* rules of that name, if it is not the name of a
+                               * profile */
     bool has_rules;
-    bool list_rules;      /* print the table of rules, and nothing else */
+    bool list_rules;      /* only print the table of rules */
     bool withdrawn;       /* --withdrawn: include withdrawn standards */
     bool table;           /* one table of all rooms instead of one sheet for each
                            * room */
     const char *schedule; /* file for the schedule of windows; NULL: none */
-    const char *before;   /* the file with the room in its former state; NULL: none */
+    const char *before;   /* file with the rooms in their former state; NULL: none */
     struct pp_boundary_words mirror_image;
-    const char *place; /* a capital from the table of the standard; NULL: the room's
-                        * site */
-    double median_lux; /* median illuminance given by the user, which replaces that of
-                        * the place; 0: not given */
-    struct pp_grid_choice grid;  /* of --spacing */
+    const char *place; /* a capital from the table in the standard; NULL: the location
+                        * of the room */
+    double median_lux; /* median illuminance given by the user, used instead of the
+                        * median of the place; 0: not given */
+    struct pp_grid_choice grid;  /* grid of assessment points, from --spacing */
     double least_altitude_rad;   /* from --least-altitude; 0: not given */
-    struct pp_section_place cut; /* of the report's sections */
-    double french_m;     /* height of the point on French windows, m; 0: the middle */
+    struct pp_section_place cut; /* position of the sections in a report */
+    double french_m;     /* height of the reference point on French windows, m; 0:
+                          * middle of the window */
     const char *weather; /* weather file for the median; NULL: none */
-    struct pp_sunshine sunshine;  /* from that file */
-    struct pp_year_options light; /* that file, once loaded */
-    struct pp_weather_year year;  /* its hours, if a criterion needs a simulated year */
+    struct pp_sunshine sunshine;  /* probability of sunshine from the weather file */
+    struct pp_year_options light; /* contents of the weather file, once loaded */
+    struct pp_weather_year year;  /* hours of the weather file, if a criterion needs a
+                                   * simulated year */
     enum pp_format format;
-    const char *report_format; /* report: as typed; NULL: by the file's name */
-    struct pp_project project; /* report: project facts that replace those in the
+    const char *report_format; /* report: format as typed; NULL: by the extension of the
                                 * file */
-    bool with_year;            /* report: a section on the simulated year */
-    bool full;                 /* report: all sections for every room */
-    bool of_averages;          /* report: averages are printed, so the simulation must
-                                * reach its standard error for them too */
+    struct pp_project project; /* report: facts of the project, which replace those in
+                                * the room file */
+    bool with_year;            /* report: include a section on the simulated year */
+    bool full;                 /* report: print all sections for every room */
+    bool of_averages;          /* report: averages are printed, so the target error of
+                                * the simulation applies to averages too */
 };
 
 /* Lists for struct pp_option_group; the values are stored in a struct
  * pp_assess_words. */
-extern const struct pp_option pp_assess_words_choice[]; /* choice of criteria */
-extern const struct pp_option pp_assess_words_table[];  /* table */
+extern const struct pp_option pp_assess_words_choice[]; /* options for the choice of
+                                                         * criteria */
+extern const struct pp_option pp_assess_words_table[];  /* the option --table */
 
-/* Initialises the options, for struct pp_command. */
+/* Callbacks for struct pp_command. */
 void pp_assess_words_init(void *words);
 void pp_assess_words_clear(void *words);
 enum pp_status pp_assess_words_check(void *words, char **files, int file_count,
                                      struct pp_error *err);
 
-/* True if the year of the weather file is to be simulated. */
+/* True if the report or a selected criterion requires a simulated year. */
 bool pp_assess_words_need_year(const struct pp_assess_words *words);
 
-/* True if the year of the weather file, if any, is used. */
+/* True if a simulated year is required, or is used if there is a weather file. */
 bool pp_assess_words_use_year(const struct pp_assess_words *words);
 
-/* Prints the end of the help: criteria and profiles. */
+/* Prints the end of the help text: criteria and profiles. */
 void pp_assess_words_help(FILE *out);
 
 #endif

@@ -59,7 +59,7 @@ static enum pp_status print_rules(const void *data, FILE *out, struct pp_error *
     return PP_OK;
 }
 
-/* The table of rules needs no computation. */
+/* Does nothing: the table of rules needs no computation. */
 static enum pp_status list_nothing_else(void *data, struct pp_error *err)
 {
     (void)data, (void)err;

@@ -12,7 +12,7 @@
 #include "reports/page/document_html.h"
 #include "reports/page/schedule_document.h"
 
-/* Maximum number of columns of figures on an HTML page, and on landscape A4. */
+/* Maximum number of columns of values on an HTML page and on a landscape A4 sheet. */
 enum { HTML_FIGURES = 9, PDF_FIGURES = 12 };
 
 enum schedule_format {
@@ -20,7 +20,7 @@ enum schedule_format {
     SCHEDULE_XLSX,
     SCHEDULE_HTML,
     SCHEDULE_PDF,
-    SCHEDULE_FORMATS /* number of formats; also means an unknown ending */
+    SCHEDULE_FORMATS /* number of formats; also the value for an unknown extension */
 };
 
 static enum schedule_format format_of(const char *path)

@@ -1,5 +1,5 @@
-/* atlas_file.c - finds the last complete room, cuts off the bytes after it, and appends
- * rooms. */
+/* atlas_file.c - finds the end of the last complete room, truncates the file there, and
+ * appends rooms. */
 #include "cli/atlas/atlas_file.h"
 
 #include <errno.h>
@@ -17,9 +17,9 @@ static enum pp_status fail(const struct pp_atlas_file *file, struct pp_error *er
                    strerror(errno));
 }
 
-/* Number of the first line in which the file's head differs from `head`; 0 if they are
- * equal. *empty: the file is empty or ends within the head, which must then be written
- * again. */
+/* Number of the first line of the file that differs from `head`; 0 if there is none.
+ * *empty is set to true if the file is empty or ends within the head, which must then
+ * be written again. */
 static int compare_head(FILE *stream, const char *head, bool *empty)
 {
     char *line = NULL;
@@ -42,7 +42,7 @@ static int compare_head(FILE *stream, const char *head, bool *empty)
 }
 
 /* Reads the rest of the file after the head and counts the complete rooms. Returns the
- * position after the last one. */
+ * position after the last complete room. */
 static long find_end(struct pp_atlas_file *file)
 {
     char *line = NULL;

@@ -1,9 +1,9 @@
-/* atlas_file.h - the file of an atlas while it grows: rows are appended, a room at a
- * time.
+/* atlas_file.h - appends rows to the file of an atlas, one room at a time.
  *
- * Unlike other files it is not written in one step. If a run was stopped in the middle
- * of a room, the next run cuts that room off, so the bytes are those of an
- * uninterrupted run; readers (studies/research/atlas/atlas_table.h) skip such a room.
+ * Unlike other output files, an atlas is not written in one step. If a run stops in the
+ * middle of a room, the next run removes the incomplete room. The finished file is then
+ * the same as after an uninterrupted run. Readers
+ * (studies/research/atlas/atlas_table.h) skip an incomplete room.
  */
 #ifndef PP_CLI_ATLAS_ATLAS_FILE_H
 #define PP_CLI_ATLAS_ATLAS_FILE_H
@@ -21,12 +21,12 @@ struct pp_atlas_file {
 };
 
 /* Creates the file, or continues it if it begins with the same head (comments and the
- * line of column names); PP_BAD_INPUT if its head differs. Only one run can have it
- * open. On success the caller closes it. */
+ * line of column names). PP_BAD_INPUT if the head differs. Only one run can have the
+ * file open. On success the caller closes it. */
 enum pp_status pp_atlas_file_open(struct pp_atlas_file *file, const char *path,
                                   const char *head, struct pp_error *err);
 
-/* Appends the rows of the next room, and flushes them. */
+/* Appends the rows of the next room, and flushes the file. */
 enum pp_status pp_atlas_file_add(struct pp_atlas_file *file, const char *rows,
                                  size_t length, struct pp_error *err);
 

@@ -1,4 +1,4 @@
-/* atlas_sweep.c - computes the rooms and appends them to the file. */
+/* atlas_sweep.c - computes the rooms of an atlas and appends them to the file. */
 #include "cli/atlas/atlas_sweep.h"
 
 #include <errno.h>
@@ -14,14 +14,14 @@
 #include "studies/research/atlas/atlas_renewal.h"
 #include "studies/research/atlas/atlas_room.h"
 
-/* ---- head of an atlas: version line, settings of rooms and tracing, names of columns
+/* ---- head of an atlas: version line, settings of rooms and simulation, column names
  * ---- */
 
 static const char atlas_form[] =
     "# pepperpot-atlas-1: daylight factors, per cent of the open "
     "sky's horizontal illuminance\n";
 
-/* Makes the text of the head, freed by the caller; NULL: out of memory. */
+/* Makes the text of the head, which the caller frees; NULL: out of memory. */
 static char *atlas_head_text(const struct pp_atlas_making *making,
                              const struct pp_atlas_columns *columns)
 {
@@ -40,7 +40,8 @@ static char *atlas_head_text(const struct pp_atlas_making *making,
     return NULL;
 }
 
-/* Reads the settings from the second line of the head; false if they are invalid. */
+/* Reads the settings from the second line of the head. Returns false if they are
+ * invalid. */
 static bool read_making(struct pp_atlas_making *making, const char *line)
 {
     char sky[16];
@@ -55,8 +56,8 @@ static bool read_making(struct pp_atlas_making *making, const char *line)
     return strcmp(sky, "iso") == 0 || strcmp(sky, "overcast") == 0;
 }
 
-/* Reads the settings of an atlas from the head of its file; PP_BAD_INPUT, with the
- * reason, if the head is invalid. */
+/* Reads the settings of an atlas from the head of its file. PP_BAD_INPUT if the head is
+ * invalid; the message gives the reason. */
 static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char *path,
                                       struct pp_error *err)
 {
@@ -77,20 +78,20 @@ static enum pp_status read_atlas_head(struct pp_atlas_making *making, const char
 
 /* ---- rows ---- */
 
-/* The data from which rows are made. */
+/* Data from which rows are made. */
 struct row_source {
     const struct pp_atlas_making *making;
-    const struct pp_atlas_table *table; /* source of the simulated values, which are
-                                         * kept; NULL: they are simulated */
+    const struct pp_atlas_table *table; /* existing atlas whose simulated values are
+                                         * kept; NULL: simulate */
     struct pp_atlas_design design;
     struct pp_atlas_columns columns;
 };
 
-/* A range of rooms, and the destination of their rows. */
+/* A range of rooms, and where their rows are written. */
 struct sweep {
     const struct row_source *source;
     const struct pp_watch *watch;
-    struct pp_atlas_file *file; /* NULL: out */
+    struct pp_atlas_file *file; /* NULL: write to `out` */
     FILE *out;
 };
 
@@ -105,7 +106,7 @@ static enum pp_status open_source(struct row_source *source,
     return pp_atlas_room_columns(&source->columns, &source->design, err);
 }
 
-/* Makes the rows of a room, in the form of a result of the work queue. */
+/* Makes the rows of a room, as a result for the work queue. */
 static enum pp_status rows_of(void *data, int worker, int room, char **rows,
                               size_t *length, struct pp_error *err)
 {
@@ -136,8 +137,8 @@ static bool sweep_goes_on(void *data, double done)
     return !watch->look || watch->look(watch->data, done, NAN);
 }
 
-/* Computes the rooms [first, end). *next: index after that of the last room
- * collected. */
+/* Computes the rooms [first, end). *next is set to the index after the last room that
+ * was collected. */
 static enum pp_status run_queue(struct sweep *sweep, int first, int end,
                                 const struct pp_room_options *options, int *next,
                                 struct pp_error *err)
@@ -160,8 +161,8 @@ static enum pp_status run_queue(struct sweep *sweep, int first, int end,
     return status;
 }
 
-/* Computes rooms for rank 0, the only rank that reads and writes files; returns
- * PP_INTERRUPTED. */
+/* Computes rooms for rank 0, which is the only rank that reads and writes files.
+ * Returns PP_INTERRUPTED on success. */
 static enum pp_status follow_sweep(const struct row_source *source,
                                    const struct pp_room_options *options,
                                    struct pp_error *err)
@@ -220,8 +221,8 @@ enum pp_exit pp_atlas_sweep_on(const struct pp_atlas_making *making, int rooms,
 
 /* ---- renewing an atlas ---- */
 
-/* Writes the head and the first `rooms` rooms. *next: index after that of the last room
- * written. */
+/* Writes the head and the first `rooms` rooms. *next is set to the index after the last
+ * room that was written. */
 static enum pp_status print_anew(FILE *out, const struct row_source *source, int rooms,
                                  const struct pp_room_options *options, int *next,
                                  struct pp_error *err)

@@ -1,4 +1,4 @@
-/* cmd_atlas.c - the command atlas: errors of every method against simulation, over
+/* cmd_atlas.c - the command atlas: errors of all methods relative to simulation, over
  * thousands of designed rooms. */
 #include <math.h>
 #include <stdlib.h>
@@ -27,7 +27,7 @@ static const char about[] =
     "add rooms later. The same rooms give an identical file for any number of runs "
     "and threads.";
 
-/* A map of an atlas on a sheet of paper. */
+/* A map of an atlas for a sheet of paper. */
 struct map_sheet {
     enum pp_atlas_mapping_kind kind;
     const char *method; /* not owned */
@@ -35,13 +35,13 @@ struct map_sheet {
 };
 
 struct atlas_options {
-    struct pp_room_options room; /* error, seed, threads, output, quiet */
+    struct pp_room_options room; /* options used: error, seed, threads, output, quiet */
     long rooms;                  /* 0: not given */
-    const char *number;          /* number of the room whose file is requested; NULL:
-                                  * none */
+    const char *number;          /* number of the room whose room file is requested;
+                                  * NULL: none */
     enum pp_atlas_sky sky;
     bool by_hand, bands, try_bands, accuracy;
-    bool map; /* by sheet.kind */
+    bool map; /* draw the map selected by sheet.kind */
     struct map_sheet sheet;
 };
 
@@ -88,7 +88,8 @@ static enum pp_status draw_atlas_map(const struct pp_atlas_map *map,
     return status;
 }
 
-/* Draws a map of the atlas as PDF, SVG or PNG, depending on the ending of `output`. */
+/* Draws a map of the atlas as PDF, SVG or PNG, depending on the extension of
+ * `output`. */
 static enum pp_exit write_map(const struct map_sheet *sheet, const char *path,
                               const char *output)
 {
@@ -114,8 +115,8 @@ static enum pp_exit write_map(const struct map_sheet *sheet, const char *path,
 
 /* ---- bands ---- */
 
-/* Bands fitted to the atlas at `path`. table: they are printed as a table; false: the
- * test of bands on rooms held out is printed. */
+/* Bands fitted to the atlas at `path`. table: print the bands as a table; false: print
+ * the results of their test on held-out rooms. */
 struct bands_run {
     const char *path;
     bool table;
@@ -149,7 +150,7 @@ static enum pp_status print_bands(const void *data, FILE *out, struct pp_error *
     return PP_OK;
 }
 
-/* Writes the bands of an atlas in the form of tables/atlas_bands.csv; output NULL:
+/* Writes the bands of an atlas in the format of tables/atlas_bands.csv. output NULL:
  * standard output. */
 static enum pp_exit write_bands(const char *path, const char *output)
 {
@@ -160,9 +161,9 @@ static enum pp_exit write_bands(const char *path, const char *output)
     return result;
 }
 
-/* Tests bands derived from half of an atlas's rooms on the other half, and prints the
- * result. PP_EXIT_INPUT if the share of rooms inside the band differs from 95 % in any
- * regime by more than chance explains. */
+/* Tests bands derived from half of the rooms of an atlas on the other half, and prints
+ * the result. PP_EXIT_INPUT if in any regime the fraction of rooms inside the band
+ * differs from 95 % by more than chance explains. */
 static enum pp_exit try_bands(const char *path, const char *output)
 {
     struct bands_run run = {.path = path};
@@ -192,7 +193,7 @@ static enum pp_status print_pages(const void *data, FILE *out, struct pp_error *
     return PP_OK;
 }
 
-/* Prints the bands that are compiled in, as Markdown. */
+/* Prints the compiled-in bands as Markdown. */
 static enum pp_exit write_accuracy_pages(const char *output)
 {
     return pp_job_run(
@@ -303,8 +304,8 @@ static void init_atlas_options(void *values)
         .room = pp_room_options_none, .sheet.method = "exact+bre"};
 }
 
-/* Checks that exactly one use of the command is requested, with the arguments that it
- * needs. */
+/* Checks that exactly one use of the command is requested, and that its arguments are
+ * complete. */
 static enum pp_status check_use(const struct atlas_options *options, int files,
                                 struct pp_error *err)
 {

@@ -16,8 +16,8 @@
 
 /* ---- parsing ---- */
 
-/* Reads a time such as "8" or "17:30" at *text, in hours, and moves *text past it.
- * False if it is invalid. */
+/* Reads a time such as "8" or "17:30" at *text, in hours, and advances *text past the
+ * time. Returns false if the time is invalid. */
 static bool read_clock(const char **text, double *hour)
 {
     int hours = 0, minutes = 0, used = 0;
@@ -119,7 +119,7 @@ static enum pp_status read_summer(const char *text, void *place, struct pp_error
     return PP_OK;
 }
 
-/* Reads "300", "300lx" or "300 lx", `length` bytes long. */
+/* Reads an illuminance of `length` bytes: "300", "300lx" or "300 lx". */
 static bool read_lux(const char *text, size_t length, double *lx)
 {
     char copy[32];
@@ -260,8 +260,8 @@ const char *pp_availability_options_typed(const struct pp_year_options *options)
 
 /* ---- the light ---- */
 
-/* Warns if solar time at the longitude differs from the time zone by more than 3 h: one
- * of them probably has the wrong sign. The difference is taken modulo a day. */
+/* Warns if solar time at the longitude differs from the time zone by more than 3 h,
+ * modulo a day. Longitude or time zone then probably has the wrong sign. */
 static enum pp_exit check_zone(const struct pp_year_options *options, bool strict)
 {
     const struct pp_epw *epw = options->epw;

@@ -1,5 +1,5 @@
-/* availability_options.h - options for the light outside, the working hours and the
- * target illuminances. */
+/* availability_options.h - options for daylight outside, working hours and target
+ * illuminances. */
 #ifndef PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 #define PP_CLI_AVAILABILITY_AVAILABILITY_OPTIONS_H
 
@@ -9,24 +9,24 @@
 #include "studies/climate/year_light.h"
 #include "model/room/world.h"
 
-/* Options for the light outside, the working hours and the target illuminances, for
- * struct pp_option_group; the values are stored in a struct pp_year_options. */
+/* Option lists for struct pp_option_group; the values are stored in a struct
+ * pp_year_options. */
 extern const struct pp_option pp_light_options[];
 extern const struct pp_option pp_working_time_options[];
 extern const struct pp_option pp_illuminance_options[];
 
-/* Checks that the options are consistent with each other and with the room files. */
+/* Checks that the options are consistent. */
 enum pp_status pp_availability_options_check(const struct pp_year_options *options,
                                              struct pp_error *err);
 
-/* First option among --hours, --days, --summer-time and --illuminance whose value
- * is not the default; NULL: none. Static. */
+/* First of the options --hours, --days, --summer-time and --illuminance whose value is
+ * not the default; NULL: none. Static string. */
 const char *pp_availability_options_typed(const struct pp_year_options *options);
 
 /* Reads the weather file, if there is one, and reports its errors on standard error. */
 enum pp_exit pp_availability_options_load(struct pp_year_options *options, bool strict);
-/* Finds the median of the diffuse illuminance over the brightest 4380 hours and the
- * probability of sunshine in a loaded weather file; if it has no median, reports the
+/* Finds, in a loaded weather file, the median diffuse illuminance over the brightest
+ * 4380 hours, and the probability of sunshine. If there is no median, reports the
  * reason on standard error. */
 enum pp_exit pp_availability_options_median(const struct pp_year_options *options,
                                             double *median_lx,

@@ -1,4 +1,4 @@
-/* cmd_availability.c - the command availability: share of the working hours in which
+/* cmd_availability.c - the command availability: fraction of the working hours in which
  * daylight reaches given illuminances. */
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ struct availability_options {
     enum pp_format format;
 };
 
-/* State of a run. `outside`: the light outside each room. */
+/* State of a run. outside: daylight outside each room. */
 struct availability_run {
     struct availability_options *options;
     const struct pp_rooms *rooms;

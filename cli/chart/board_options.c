@@ -1,5 +1,5 @@
 /* board_options.c - reads and checks the options of drawing-board charts: glazing,
- * slope, sky, receiver. */
+ * slope, sky and receiver. */
 #include "cli/chart/board_options.h"
 
 #include <math.h>
@@ -52,7 +52,8 @@ enum pp_status pp_board_options_read_protractor(const char *text, void *place,
     return PP_OK;
 }
 
-/* Reads numbers separated by commas; returns their count, or -1. */
+/* Reads numbers separated by commas. Returns how many there are, or -1 if the text is
+ * invalid. */
 static int read_list(const char *text, double *numbers, int most)
 {
     char copy[160];
@@ -154,8 +155,8 @@ static enum pp_status set_sky(struct pp_board_options *board, const char *words,
     return pp_sky_words_sky(&board->sky, &part, 0.0, err);
 }
 
-/* Sets slope and glass, and selects a protractor by glazing, slope and sky if one of
- * them was given. */
+/* Sets slope and glass. If glazing, slope or sky is given, also selects a protractor
+ * for them. */
 static enum pp_status set_protractor(struct pp_board_options *board,
                                      const char *sky_words, struct pp_error *err)
 {

@@ -13,7 +13,7 @@
 #include "cli/rooms.h"
 #include "studies/criteria/room_before.h"
 
-/* Chooses the format by --format, or else by the ending of the file's name. */
+/* Determines the format from --format, or else from the extension of the file. */
 static enum pp_status choose_format(enum pp_chart_format *format,
                                     const struct pp_room_options *room_options,
                                     const struct pp_chart_words *options,
@@ -33,13 +33,13 @@ static enum pp_status choose_format(enum pp_chart_format *format,
 
 /* ---- the task ---- */
 
-/* The chart to draw, its rooms, and the result. */
+/* The chart to be drawn, its rooms, and the result. */
 struct chart_task {
     const struct pp_chart_kind *kind;
     enum pp_chart_format format;
     const struct pp_room_options *room_options;
     const struct pp_chart_words *options;
-    struct pp_rooms rooms, former;       /* former: in their former state */
+    struct pp_rooms rooms, former;       /* former: rooms in their former state */
     const struct pp_study_room **before; /* former state of each room, as in struct
                                           * pp_chart_site */
     bool finished;                       /* false: a simulation was interrupted */
@@ -52,8 +52,8 @@ static void clear_chart_task(struct chart_task *task)
     pp_rooms_clear(&task->rooms);
 }
 
-/* Number of rooms on the sheet that begins with room `first`: 1 or, for a chart of a
- * site, all rooms of its file. */
+/* Number of rooms on the sheet that begins with room `first`: all rooms of its file for
+ * a chart of a site, else 1. */
 static int rooms_on_sheet(const struct chart_task *task, int first)
 {
     const struct pp_rooms *rooms = &task->rooms;
@@ -72,7 +72,7 @@ static int count_sheets(const struct chart_task *task)
     return sheets;
 }
 
-/* Finds the former state of each room. */
+/* Finds the former state of each room by name. */
 static enum pp_status pair_rooms(struct chart_task *task, struct pp_error *err)
 {
     const struct pp_rooms_before before = {task->former.list, task->former.count,
@@ -91,8 +91,9 @@ static enum pp_status pair_rooms(struct chart_task *task, struct pp_error *err)
     return status;
 }
 
-/* Loads the rooms in their former state: from --before or, for a whole site, from the
- * file itself. */
+/* Loads the rooms in their former state. The former rooms come from the file of
+ * --before. For --before existing, or a chart of a site, they come from the room file
+ * itself. */
 static enum pp_exit load_former(struct chart_task *task)
 {
     const struct pp_chart_words *options = task->options;
@@ -130,7 +131,7 @@ static enum pp_exit load(struct chart_task *task, char **files, int file_count)
 
 /* ---- Sheets and files ---- */
 
-/* Draws the sheet that begins with that room. */
+/* Draws the sheet that begins with room `first`. */
 static enum pp_status draw_chart_sheet(struct chart_task *task,
                                        struct pp_canvas *canvas, int first,
                                        struct pp_error *err)
@@ -162,7 +163,8 @@ static enum pp_status draw_sheets(struct chart_task *task, struct pp_canvas *can
     return status;
 }
 
-/* Facts for the title block: those typed, else those in the room's file. */
+/* Facts for the title block: those on the command line replace those in the room's
+ * file. */
 static struct pp_project project_of(const struct chart_task *task,
                                     const struct pp_study_room *room)
 {
@@ -235,8 +237,8 @@ static enum pp_status draw_to_file(struct chart_task *task, struct pp_error *err
     return pp_output_close(&output, status, err);
 }
 
-/* Name with a number before its ending: "plan-3.png"; freed by the caller. NULL: out of
- * memory. */
+/* File name with a number before its extension, such as "plan-3.png", which the caller
+ * frees. NULL: out of memory. */
 static char *numbered(const char *path, int number)
 {
     const char *name = strrchr(path, '/');
@@ -248,8 +250,8 @@ static char *numbered(const char *path, int number)
     return length < 0 ? NULL : made;
 }
 
-/* Draws each sheet to its own numbered file, for a format without pages. The files are
- * written after all sheets are drawn, so a chart that fails leaves no file. */
+/* Draws each sheet to a separate numbered file, for a format without pages. The files
+ * are written after all sheets are drawn, so no file is left if a chart fails. */
 static enum pp_status draw_numbered(struct chart_task *task, int sheets,
                                     struct pp_error *err)
 {
@@ -300,7 +302,7 @@ static enum pp_exit draw_all(struct chart_task *task, bool to_standard_output)
     return PP_EXIT_INTERRUPTED;
 }
 
-/* Checks the number of points: most drawing-board diagrams are for one point. */
+/* Checks the number of points. Most drawing-board diagrams are for a single point. */
 static enum pp_exit check_points(const struct pp_chart_kind *kind,
                                  const struct pp_rooms *rooms)
 {

@@ -53,7 +53,7 @@ static enum pp_status read_mirror_line(const char *text, void *place,
     return PP_OK;
 }
 
-/* Value of the option if no paper is given; the kind of chart then chooses it. */
+/* Value if no paper size is given. The kind of chart then determines the size. */
 #define PAPER_UNSAID ((enum pp_paper) - 1)
 
 #define PLACE(member) offsetof(struct pp_chart_words, member)
@@ -274,7 +274,7 @@ static void help_on_kinds(FILE *out)
     print_kinds(out);
 }
 
-/* Kind of chart with the typed name; NULL, with err set, if there is none. */
+/* Finds the kind of chart with the typed name. NULL, with err set, if there is none. */
 static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error *err)
 {
     const struct pp_chart_kind *kind = pp_chart_kind_find(typed);
@@ -289,8 +289,8 @@ static const struct pp_chart_kind *find_kind(const char *typed, struct pp_error 
     return NULL;
 }
 
-/* Checks that options for the light outside are given only for charts that use it, and
- * are complete if there is no room. */
+/* Checks that options for daylight outside are given only for charts that use them, and
+ * that they are complete if there is no room. */
 static enum pp_status check_light(const struct pp_year_options *light,
                                   struct pp_room_options *options,
                                   const struct pp_chart_kind *kind, int file_count,
@@ -336,7 +336,8 @@ struct chart_command {
     struct pp_chart_words chart;
     struct pp_moment_choice moment;
     struct pp_moment_source source;
-    const struct pp_chart_kind *kind; /* the kind named by the first word; NULL: none */
+    const struct pp_chart_kind *kind; /* kind of chart named by the first operand; NULL:
+                                       * none */
 };
 
 #undef PLACE

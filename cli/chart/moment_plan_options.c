@@ -1,7 +1,7 @@
 /* moment_plan_options.c - see moment_plan_options.h. */
 #include "cli/chart/moment_plan_options.h"
 
-/* First option given that applies to daylight factors only; NULL: none. */
+/* First option given that applies only to daylight factors; NULL: none. */
 static const char *option_of_factors(const struct pp_chart_words *chart,
                                      const struct pp_study_options *study)
 {

@@ -1,4 +1,4 @@
-/* sheet_options.h - options for the sheet of paper, common to several commands. */
+/* sheet_options.h - options for the sheet of paper, shared by several commands. */
 #ifndef PP_CLI_CHART_SHEET_OPTIONS_H
 #define PP_CLI_CHART_SHEET_OPTIONS_H
 

@@ -1,5 +1,5 @@
-/* cmd_compare.c - the command compare: compares the values of another program with ours
- * and states the causes of the differences. */
+/* cmd_compare.c - the command compare: compares values of another program with values
+ * of this one, and states causes of the differences. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -132,7 +132,7 @@ static void init_compare_options(void *values)
         (struct compare_options){.room = pp_room_options_none};
 }
 
-/* Rejects options for rooms only. */
+/* Reports an error if an option is given that applies only to rooms. */
 static enum pp_status check_scene(const struct compare_options *options, int file_count,
                                   struct pp_error *err)
 {
@@ -185,8 +185,8 @@ static enum pp_status check_compare_options(void *values, char **files, int file
 
 /* ---- values ---- */
 
-/* Converts the other program's values to fractions, in the order of the indices in
- * `chosen`. lux: horizontal illuminance under the open sky; 0: unknown. */
+/* Converts the values selected by `chosen` (indices) to fractions. lux: horizontal
+ * illuminance under the open sky; 0: unknown. */
 static enum pp_status to_fractions(double *theirs, const struct pp_other_values *values,
                                    const int *chosen, int count,
                                    const struct compare_options *options, double lux,
@@ -227,7 +227,7 @@ static enum pp_status to_fractions(double *theirs, const struct pp_other_values 
 
 struct compare_run {
     const struct compare_options *options;
-    struct pp_study_room *room; /* NULL: a scene */
+    struct pp_study_room *room; /* NULL: a scene is compared instead of a room */
     struct pp_compare_scene scene;
     struct pp_compare_subject subject;
     const char *other;
@@ -262,7 +262,7 @@ static enum pp_status ours(struct pp_compare **compare, struct compare_run *run,
                            : status;
 }
 
-/* External illuminance (lx) set by the user, or else by the sky of the scene. */
+/* External illuminance (lx) given by the user, or else that of the sky in the scene. */
 static double external_lux(const struct compare_run *run)
 {
     double asked = run->options->room.study.external_lux;
@@ -322,9 +322,9 @@ static enum pp_status print_compare(const void *data, FILE *out, struct pp_error
     return PP_OK;
 }
 
-/* Replaces the points of the room or scene by those of the other program. Values
- * without coordinates belong to the room's own points; if there are too many, an evenly
- * spread subset is used. */
+/* Replaces the points of the room or scene by the points of the other program. Values
+ * without coordinates belong to the room's own points. If there are too many points, an
+ * evenly spread subset is used. */
 static enum pp_status take_points(struct compare_run *run, struct pp_error *err)
 {
     struct pp_other_values own = {0};
@@ -374,7 +374,8 @@ static enum pp_exit run_comparison(struct compare_run *run)
     return exit_status;
 }
 
-/* Runs the command for scene files; the last file has the other program's values. */
+/* Runs the command for scene files. The last file contains the values of the other
+ * program. */
 static enum pp_exit run_in_scene(struct compare_options *options, char **files,
                                  int file_count)
 {

@@ -1,5 +1,5 @@
-/* other_values.c - reads the header, then one value per line; errors name file and
- * line. */
+/* other_values.c - reads the header, then one value per line. Error messages name file
+ * and line. */
 #include "cli/compare/other_values.h"
 
 #include <ctype.h>
@@ -60,19 +60,19 @@ static const struct csv_column_name names[] = {
 };
 enum { NAME_COUNT = sizeof names / sizeof names[0] };
 
-/* State kept from line to line. */
+/* State of the reader between lines. */
 struct csv_reading {
     const char *file;
     int line;
     enum csv_column columns[COLUMNS_MOST];
     int column_count; /* 0: the header has not been read */
     bool has[COLUMN_KINDS];
-    const char *separators; /* field separators found in the header */
+    const char *separators; /* characters that separate fields, found in the header */
     struct pp_other_values *values;
     int space;
 };
 
-/* Removes blanks and quotes around the word, in place. */
+/* Removes blanks and quotes at both ends of a word, in place. */
 static char *trim(char *word)
 {
     word += strspn(word, " \t\r\"");
@@ -83,7 +83,7 @@ static char *trim(char *word)
     return word;
 }
 
-/* Removes the unit after the name of a coordinate: "x [m]", "y (m)", "z_m". */
+/* Removes the unit after the name of a coordinate, as in "x [m]", "y (m)" or "z_m". */
 static void drop_metres(char *word)
 {
     static const char *const units[] = {"[m]", "(m)", "_m"};
@@ -163,7 +163,7 @@ static enum pp_status take_header(struct csv_reading *reading, char *text,
     return status == PP_OK ? check_header(reading, err) : status;
 }
 
-/* Converts a decimal comma to a point, if columns are not separated by commas. */
+/* Replaces a decimal comma by a point, unless commas separate the columns. */
 static void point_commas(const struct csv_reading *reading, char *word)
 {
     char *comma = reading->separators[0] == ',' ? NULL : strchr(word, ',');
@@ -234,7 +234,7 @@ static enum pp_status take_row(struct csv_reading *reading, char *text,
     return status == PP_OK ? add_other_value(reading, of, err) : status;
 }
 
-/* True if the first line is a single number, as in the output of rtrace: there is then
+/* True if the first line is a single number, as in the output of rtrace. There is then
  * no header. */
 static bool is_bare(const char *text)
 {

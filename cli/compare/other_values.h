@@ -10,9 +10,9 @@
  *     lux, lx, illuminance, illuminance_lx, e_lx, e [lx]
  *     df, daylight_factor, value          the unit is given by the user
  *
- * A file that begins with a number has no header, and one value per line. If the names
- * are separated by semicolons or tabs, a comma is a decimal point. A name may be
- * followed by a unit in brackets: "x [m]".
+ * A file that begins with a number has no header, and one value per line. If semicolons
+ * or tabs separate the columns, a comma is a decimal comma. A name may be followed by a
+ * unit in brackets: "x [m]".
  *
  * The columns label, name, point and id are ignored. Without x and y the values belong
  * to the room's own points, in their order. Empty lines and lines that begin with "#"
@@ -31,9 +31,9 @@ enum pp_other_unit {
 };
 
 struct pp_other_value {
-    struct pp_vec3 place; /* z NAN: the working plane */
+    struct pp_vec3 place; /* z NAN: on the working plane */
     struct pp_vec3 normal;
-    double value; /* as written, 0 or more */
+    double value; /* value in the unit of the file, 0 or more */
     int line;
 };
 
@@ -41,23 +41,25 @@ struct pp_other_values {
     struct pp_other_value *list;
     int count;
     bool has_places;
-    enum pp_other_unit unit; /* from the header's name; unknown if it has none */
+    enum pp_other_unit unit; /* unit given by the header; unknown if the header does not
+                              * name one */
 };
 
-/* Reads the file. PP_BAD_INPUT, with file, line and reason, if it is invalid. */
+/* Reads the file. PP_BAD_INPUT if it is invalid; the message states file, line and
+ * reason. */
 enum pp_status pp_other_values_read(struct pp_other_values *values, const char *path,
                                     struct pp_error *err);
 void pp_other_values_clear(struct pp_other_values *values);
 
-/* Replaces the room's points by the points of the values; if there are more than
- * `most`, by a subset evenly spread over the list. *chosen, freed by the caller: index
- * of the value for each of the room->receiver_count points. */
+/* Replaces the room's points by the points of the values, or by an evenly spread subset
+ * if there are more than `most`. *chosen, freed by the caller, gets the index of the
+ * value for each of the room->receiver_count points. */
 enum pp_status pp_other_values_place(int **chosen, struct pp_study_room *room,
                                      const struct pp_other_values *values,
                                      const char *path, int most, struct pp_error *err);
 
-/* Index of point number `point` of an evenly spread subset of `kept` among `count`
- * values. The subset contains the first value. */
+/* Index of the value that belongs to point number `point` of an evenly spread subset:
+ * `kept` of `count` values. The subset contains the first value. */
 int pp_other_values_spread(int point, int count, int kept);
 
 #endif

@@ -92,8 +92,8 @@ static void help_on_methods(FILE *out)
                          out);
 }
 
-/* Checks that explanations are for one point of each room, and a cache file for one
- * room. */
+/* Checks that explanations are for one point of each room, and that a cache file is for
+ * one room. */
 static enum pp_exit check_rooms(const struct pp_df_options *options,
                                 const struct pp_rooms *rooms)
 {
@@ -140,8 +140,8 @@ static enum pp_status print_formulae(const void *data, FILE *out, struct pp_erro
     return PP_OK;
 }
 
-/* Lists the formulae, or runs the command with the user's own tables for the lumen
- * method, if given. */
+/* Lists the formulae, or runs the command, with the user's own tables for the lumen
+ * method if they are given. */
 static enum pp_exit run_df(void *values, char **files, int file_count)
 {
     struct pp_df_options *options = values;

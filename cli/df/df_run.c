@@ -17,7 +17,7 @@
 #include "studies/plane_margin.h"
 #include "studies/study_report.h"
 
-/* Runs the selected engines; saves the cache file. */
+/* Runs the selected engines, and saves the cache file. */
 static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
                                        const struct pp_study_options *study,
                                        const struct pp_engine_choice *choice,
@@ -41,7 +41,7 @@ static enum pp_status simulate_df_room(struct pp_report *report, bool *by_clock,
     return status;
 }
 
-/* Adds averages over the part of the plane inside its margin, from the same methods and
+/* Adds averages over the plane without its margin, by the same methods and
  * simulation. */
 static enum pp_status add_margin(struct pp_result *result,
                                  const struct pp_study_room *room,
@@ -70,7 +70,7 @@ static enum pp_status add_margin(struct pp_result *result,
     return status;
 }
 
-/* Adds advice from the results of all methods. */
+/* Adds a recommendation of methods, based on the results of all methods. */
 static enum pp_status add_advice(struct pp_result *result,
                                  const struct pp_study_room *room,
                                  const struct pp_df_options *options,
@@ -104,7 +104,7 @@ static enum pp_status simulate_room(const void *data, int room,
                             &run->options->engine, err);
 }
 
-/* Hand methods run before the simulation. They take milliseconds, and their results are
+/* Hand methods run before the simulation: they take milliseconds, and their results are
  * kept if the simulation fails. */
 enum pp_status pp_df_run_compute(void *data, struct pp_error *err)
 {
@@ -195,8 +195,8 @@ struct df_sweep {
     int file_count;
 };
 
-/* One run of the sweep. A pointer to it is also a pointer to its first member, so
- * functions that take a struct pp_df_run accept it. */
+/* One run of the sweep. The first member is a struct pp_df_run, so a pointer to this
+ * struct can be passed to functions that expect one. */
 struct df_sweep_run {
     struct pp_df_run df;
     struct pp_rooms rooms;

@@ -19,19 +19,19 @@ struct pp_df_options {
     enum pp_format format;
     bool array;
     bool bands, no_bands;
-    bool advise; /* recommend methods */
-    bool margin; /* also average inside the plane's margin */
+    bool advise; /* recommend methods (--advise) */
+    bool margin; /* also average over the plane without its margin */
 };
 
-/* Reports of all rooms. */
+/* Results of the command for all rooms. */
 struct pp_df_run {
     const struct pp_df_options *options;
     const struct pp_rooms *rooms;
     struct pp_results results;
 };
 
-/* Makes an empty run. The functions below have the types required by struct pp_job;
- * `data` points to a run. */
+/* Makes an empty run. The functions below are the callbacks of a struct pp_job whose
+ * `data` points to the run. */
 struct pp_df_run pp_df_run_of(const struct pp_df_options *options,
                               const struct pp_rooms *rooms);
 enum pp_status pp_df_run_compute(void *data, struct pp_error *err);
@@ -39,7 +39,7 @@ enum pp_status pp_df_run_print(const void *data, FILE *out, struct pp_error *err
 bool pp_df_run_is_finished(const void *data);
 void pp_df_run_clear(struct pp_df_run *run);
 
-/* Runs the command with --sweep, once for each combination of values. */
+/* Runs the command with --sweep: once for each combination of swept values. */
 enum pp_exit pp_df_run_sweep(struct pp_df_options *options, char **files,
                              int file_count);
 

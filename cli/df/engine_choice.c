@@ -1,5 +1,5 @@
-/* engine_choice.c - reads the list of engines and checks the options that apply to only
- * one of them. */
+/* engine_choice.c - reads the list of engines and checks the options that apply to one
+ * engine only. */
 #include "cli/df/engine_choice.h"
 
 #include <string.h>
@@ -21,7 +21,7 @@ static enum pp_status refuse_engine_choice(struct pp_error *err)
                    names);
 }
 
-/* Index in the list of engines; -1: no engine has that name. */
+/* Index in the list of engines; -1: there is no engine of that name. */
 static int find_engine(const char *name, size_t length)
 {
     const struct pp_engine *engine;

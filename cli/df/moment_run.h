@@ -7,7 +7,7 @@
 #include "cli/rooms.h"
 #include "reports/parts/format.h"
 
-/* Computes and prints the rooms at that moment. */
+/* Computes and prints the illuminances in the rooms at the chosen moment. */
 enum pp_exit pp_moment_run(struct pp_moment_choice *choice,
                            const struct pp_room_options *room, enum pp_format format,
                            bool array, const struct pp_rooms *rooms);

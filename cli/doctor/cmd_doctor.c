@@ -64,7 +64,7 @@ static enum pp_status write_test_page(const struct doctor_options *options,
     return status;
 }
 
-/* Prints the checks. Returns the number of those that failed. */
+/* Prints the checks. Returns the number of failed checks. */
 static int print_checks(void)
 {
     struct pp_doctor_check list[PP_DOCTOR_CHECK_COUNT];

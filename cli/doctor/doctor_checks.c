@@ -18,8 +18,8 @@
 
 /* ---- a known daylight factor ---- */
 
-/* An unglazed window 1 m wide and high, 1 m from the point, one lower corner opposite it.
- * Closed form for the overcast sky, w = h = 1:
+/* Sky component of an unglazed window 1 m wide and high, 1 m from the point, with one
+ * lower corner opposite the point. Closed form for the overcast sky, w = h = 1:
  *
  *   3/(14 pi) (atan w - atan(w/r)/r)
  *     + 2/(7 pi) (asin(w h / sqrt((1 + w^2)(1 + h^2))) - w h / (r^2 sqrt(r^2 + w^2))),
@@ -47,7 +47,8 @@ static void check_by_hand(struct pp_doctor_check *check)
              100.0 * known_factor);
 }
 
-/* Within four standard errors: 1 seed in 16,000 fails by chance, and the seed is fixed. */
+/* Checks that the simulated value is within four standard errors. By chance, 1 seed in
+ * 16,000 would fail; the seed is fixed. */
 static void check_simulated(struct pp_doctor_check *check)
 {
     const struct pp_known_trace how = {.seed = 1, .samples = 512};
@@ -165,7 +166,7 @@ static bool reads_back(const char *path, const char *text)
     return good;
 }
 
-/* Writes a file in TMPDIR like any output, reads it and removes it. */
+/* Writes a file in TMPDIR like an output file, reads it and removes it. */
 static void check_writing(struct pp_doctor_check *check)
 {
     static const char text[] = "pepperpot doctor\n";

@@ -1,6 +1,6 @@
-/* doctor_places.c - finds the folders of this installation. Searches relative to the
- * program first, then in the folder set by configure. This works for staged and moved
- * trees, and for a build in the source tree. */
+/* doctor_places.c - finds the folders of this installation. Folders relative to the
+ * program are searched first, then the folder set by configure. This order also works
+ * for staged and moved trees, and for a build in the source tree. */
 #include "cli/doctor/doctor_places.h"
 
 #include <limits.h>
@@ -20,13 +20,13 @@ void pp_doctor_places_line(const char *label, const char *text, FILE *out)
     pp_print_wrapped(text, 2 + LABEL_WIDTH, 2 + LABEL_WIDTH, TEXT_WIDTH, out);
 }
 
-/* Paths are not wrapped, so that they can be copied. */
+/* Prints a path without wrapping it, so that it can be copied. */
 static void print_path(const char *label, const char *path, FILE *out)
 {
     fprintf(out, "  %-*s%s\n", LABEL_WIDTH, label, path);
 }
 
-/* Finds folder/file, and writes the folder without "..". */
+/* Finds folder/file. Writes the path of the folder without "..". */
 static bool find_file(const char *folder, const char *file, char *found)
 {
     char path[2 * PATH_MAX];
@@ -38,8 +38,9 @@ static bool find_file(const char *folder, const char *file, char *found)
     return true;
 }
 
-/* Searches for a file in folders relative to the program's, then in `configured`;
- * prints the folder that has it, or `instead` if none has. */
+/* Searches for a file in folders relative to the program's folder, then in
+ * `configured`. Prints the folder that contains the file; if there is none, prints
+ * `instead`. */
 static void print_folder(const char *label, const char *file, const char *configured,
                          const char *instead, FILE *out)
 {

@@ -32,10 +32,11 @@ static const char about[] =
     "file; "
     "- is standard input.";
 
-/* Target error of a moment without --error or --samples. */
+/* Target error of the simulation of a moment if neither --error nor --samples is
+ * given. */
 static const double moment_error = 0.005;
 
-/* A view as typed. */
+/* A view given by --view. */
 struct typed_view {
     struct pp_vec3 eye;
     double bearing_rad;
@@ -44,7 +45,7 @@ struct typed_view {
 struct glare_options {
     struct pp_room_options room;
     struct pp_moment_choice moment;
-    struct pp_year_options light; /* of a year */
+    struct pp_year_options light; /* weather file, for glare over a year */
     struct typed_views {
         struct typed_view *list;
         int count;
@@ -56,15 +57,15 @@ struct glare_options {
 struct glare_run {
     struct glare_options *options;
     const struct pp_rooms *rooms;
-    struct pp_weather_year year; /* empty for a moment */
+    struct pp_weather_year year; /* empty for a single moment */
     bool is_year;
-    struct pp_world_view **views; /* by room: those of --view, or NULL */
+    struct pp_world_view **views; /* for each room: the views of --view; NULL: none */
     struct pp_glare_results results;
 };
 
 /* ---- the work ---- */
 
-/* The views of --view in a room; the caller frees them. */
+/* Makes the views of --view for a room; the caller frees them. */
 static enum pp_status place_views(struct pp_world_view **views,
                                   const struct typed_views *typed,
                                   const struct pp_study_room *room,

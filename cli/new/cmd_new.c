@@ -1,4 +1,4 @@
-/* cmd_new.c - the command new: a commented room file to start from. */
+/* cmd_new.c - the command new: writes a commented room file as a starting point. */
 #include <ctype.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ struct room_template {
     const char *name, *summary, *text;
 };
 
-/* In the texts, FILE.xml is a placeholder for the name of the file. */
+/* FILE.xml in the texts is a placeholder for the name of the file. */
 static const struct room_template templates[] = {
     {
         "office",
@@ -64,7 +64,7 @@ static void print_templates(FILE *out)
         pp_options_help_word(templates[i].name, templates[i].summary, out);
 }
 
-/* Template of that name; NULL: there is none. */
+/* Finds a template by name; NULL: there is none. */
 static const struct room_template *find_template(const char *name)
 {
     for (int i = 0; i < TEMPLATES; i++)
@@ -78,8 +78,8 @@ static void init_new(void *values)
     *(struct new_options *)values = (struct new_options){0};
 }
 
-/* Checks that the file may be written: an existing regular file only with --force;
- * devices and pipes always. */
+/* Checks that the file may be written. An existing regular file requires --force;
+ * devices and pipes do not. */
 static enum pp_status check_new_file(const struct new_options *options,
                                      struct pp_error *err)
 {
@@ -114,7 +114,7 @@ static enum pp_status check_new(void *values, char **words, int count,
     return check_new_file(options, err);
 }
 
-/* Prints the text with FILE.xml replaced by the file's name. */
+/* Prints the text with the file's name in place of FILE.xml. */
 static void print_text(const char *text, const char *file, FILE *out)
 {
     static const char placeholder[] = "FILE.xml";
@@ -126,8 +126,8 @@ static void print_text(const char *text, const char *file, FILE *out)
     fputs(text, out);
 }
 
-/* True if an XML comment may contain the name: it is UTF-8 without control characters
- * or "--". */
+/* True if an XML comment may contain the name, that is, if the name is UTF-8 without
+ * control characters and without "--". */
 static bool fits_comment(const char *name)
 {
     char *repaired = pp_format_utf8_repair(name);
@@ -138,7 +138,7 @@ static bool fits_comment(const char *name)
     return fits;
 }
 
-/* Name of the file in the comments: that of the output, or FILE.xml. */
+/* Name of the file for the comments: name of the output, or FILE.xml. */
 static const char *file_name(const struct new_options *options)
 {
     const char *path = options->output;

@@ -63,7 +63,7 @@ static enum pp_exit fail_unknown_command(const char *word)
     return PP_EXIT_USAGE;
 }
 
-/* The command of that name; NULL: there is none. */
+/* Finds a command by name; NULL: there is none. */
 static const struct pp_command *find_command(const char *name)
 {
     for (int i = 0; i < COMMAND_COUNT; i++)
@@ -72,7 +72,7 @@ static const struct pp_command *find_command(const char *name)
     return NULL;
 }
 
-/* Prints the program's help, or that of the given command. */
+/* Prints the help of the program or of the given command. */
 static enum pp_exit run_help(int argc, char **argv)
 {
     const struct pp_command *command = argc > 0 ? find_command(argv[0]) : NULL;
@@ -121,14 +121,14 @@ static enum pp_exit run_program(int argc, char **argv, const struct pp_ranks *ra
     const struct pp_command *command = find_command(word);
     if (command)
         return pp_command_run(command, argc - 1, argv + 1, ranks);
-    if (names_room_file(word)) /* argv[0] serves as the command's name */
+    if (names_room_file(word)) /* argv[0] stands for the name of the command */
         return pp_command_run(&pp_command_df, argc, argv, ranks);
     return fail_unknown_command(word);
 }
 
-/* Opens standard streams that were closed. Otherwise the next file opened would get the
- * number of a closed stream, and receive our messages. The replacements cannot be read
- * or written. */
+/* Opens standard streams that were closed. Otherwise the next file to be opened would
+ * become a standard stream and receive messages. The replacements cannot be used: the
+ * input is not readable, and the outputs are not writable. */
 static void occupy_standard_streams(void)
 {
     for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++)

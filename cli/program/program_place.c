@@ -1,4 +1,4 @@
-/* program_place.c - finds programs in /proc and PATH. */
+/* program_place.c - finds programs by means of /proc and PATH. */
 #include "cli/program/program_place.h"
 
 #include <stdio.h>

@@ -5,14 +5,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The folder of the running program, ending in '/'; empty if unknown. */
+/* Writes the folder of the running program, ending in '/'; "" if it is unknown. */
 void pp_program_place_own(char *folder, size_t room);
 
-/* Finds a program that is in PATH and executable by this user. False: there is none,
- * and path is "". */
+/* Finds a program in PATH that this user can execute. Returns false and sets `path` to
+ * "" if there is none. */
 bool pp_program_place_on_path(const char *program, char *path, size_t room);
 
-/* Folder for temporary files: TMPDIR, else /tmp. */
+/* Folder for temporary files: TMPDIR if set, else /tmp. */
 const char *pp_program_place_temporary(void);
 
 #endif

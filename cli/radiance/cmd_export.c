@@ -1,4 +1,4 @@
-/* cmd_export.c - the command export: writes rooms in another program's format. */
+/* cmd_export.c - the command export: writes rooms in the format of another program. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +13,7 @@
 #include "model/light/rough/rough_finishes.h"
 #include "formats/radiance/write/rad_room.h"
 
-/* Default illuminance on the open horizontal ground. */
+/* Default horizontal illuminance under the open sky (lx). */
 static const double DEFAULT_LUX = 10000.0;
 
 static const char about[] =
@@ -64,7 +64,7 @@ static const struct pp_option output_options[] = {
 
 /* ---- folders of several rooms ---- */
 
-enum { FOLDER_MOST = 60 }; /* bytes, without the number appended */
+enum { FOLDER_MOST = 60 }; /* bytes, without the number that may be appended */
 
 static bool is_taken(const char *folder, char *const *before, int count)
 {
@@ -74,18 +74,19 @@ static bool is_taken(const char *folder, char *const *before, int count)
     return false;
 }
 
-/* True if the first character of text, `length` bytes long, is allowed in the name of a
- * folder. */
+/* True if the first character of `text`, which has `length` bytes, is allowed in the
+ * name of a folder. */
 static bool is_fit(const char *text, int length)
 {
     unsigned char c = (unsigned char)text[0];
     if (length > 1)
-        return c != 0xc2 || (unsigned char)text[1] >= 0xa0; /* no control character */
+        return c != 0xc2 || (unsigned char)text[1] >= 0xa0; /* C1 control characters are
+                                                             * not allowed */
     return c > ' ' && c < 127 && !strchr("/\\:*?\"<>|'`$&;#", c);
 }
 
-/* Folder name for a room, different from those in `before`; freed by the caller. NULL:
- * out of memory. */
+/* Makes a folder name for a room that differs from the names in `before`. The caller
+ * frees the name. NULL: out of memory. */
 static char *folder_of(const struct pp_rooms *rooms, int which, char *const *before)
 {
     const char *name = rooms->list[which].world->name;
@@ -113,8 +114,8 @@ static char *folder_of(const struct pp_rooms *rooms, int which, char *const *bef
 }
 
 /* Replaces a room's sky by the sky and sun of the moment. *external_lux: horizontal
- * illuminance from that sky. note: a comment with the Radiance command for a similar
- * sky; empty for standard skies. */
+ * illuminance from that sky; note: comment with the Radiance command for a similar sky;
+ * empty for standard skies. */
 static enum pp_status take_moment(struct pp_study_room *room,
                                   const struct pp_moment_choice *choice,
                                   double *external_lux, char *note, size_t size,
@@ -178,7 +179,7 @@ static enum pp_status add_rooms(struct pp_output_directory *directory,
     return status;
 }
 
-/* ---- parts left out of the scene ---- */
+/* ---- parts omitted from the scene ---- */
 
 static void say_left_out(const struct pp_rooms *rooms, bool gloss)
 {

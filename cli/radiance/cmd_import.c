@@ -1,5 +1,5 @@
-/* cmd_import.c - the command import: reads another program's scene, and simulates
- * sensors in it. */
+/* cmd_import.c - the command import: reads the scene of another program, and simulates
+ * sensors in the scene. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,15 +34,15 @@ static const char about[] =
 /* Maximum number of paths per point in each randomisation. */
 static const long MOST_SAMPLES = 1 << 26;
 
-/* Time (s) between checks of clock, interrupt and progress bar. */
+/* Time (s) between checks of time limit, interrupt and progress bar. */
 static const double slice_s = 0.1;
 
 struct import_options {
     struct pp_room_options room;
     const char *points_file; /* NULL: none */
     bool summary;
-    bool by_chance; /* concentrated sources are found only by rays that hit them,
-                     * without next-event estimation */
+    bool by_chance; /* no next-event estimation: concentrated sources are found only by
+                     * rays that happen to hit them */
     enum pp_format format;
 };
 
@@ -68,13 +68,13 @@ static const struct pp_option import_options[] = {
     {0},
 };
 
-/* ---- sensor points: lines of "x y z dx dy dz", as rtrace reads them ---- */
+/* ---- sensor points: lines "x y z dx dy dz", in the format of rtrace ---- */
 
 static const size_t FILE_MOST = (size_t)64 << 20;
 enum { POINTS_MOST = 100000 };
 
-/* Reads six numbers from a line, which is changed; returns the number of words, or -1
- * if one is not a number or there are more than six. */
+/* Reads up to six numbers from a line, which is modified. Returns their number, or -1
+ * if a word is not a number or there are more than six words. */
 static int read_sensor_numbers(char *line, double numbers[6])
 {
     int count = 0;
@@ -118,9 +118,9 @@ static enum pp_status take_sensor_line(struct pp_sensor **list, int *count, int 
     return PP_OK;
 }
 
-/* Reads the file ("-": standard input); the caller frees *list. Empty lines and those
- * that begin with "#" are skipped; directions are normalised. PP_BAD_INPUT, with the
- * line number, for any other line, and for a file without points. */
+/* Reads the file ("-": standard input). The caller frees *list. Empty lines and lines
+ * that begin with "#" are skipped; directions are normalised. PP_BAD_INPUT for any
+ * other line, with the line number, and for a file without points. */
 static enum pp_status read_sensor_points(struct pp_sensor **list, int *count,
                                          const char *path, struct pp_error *err)
 {
@@ -159,7 +159,8 @@ static enum pp_status read_sensor_points(struct pp_sensor **list, int *count,
 
 /* ---- simulation ---- */
 
-/* Runs until the sensors are done, the time is over, or the user interrupts. */
+/* Runs until all sensors are finished, the time limit is reached, or the user
+ * interrupts. */
 static enum pp_status trace_import_sensors(struct pp_sensors *sensors,
                                            struct pp_imported *imported,
                                            const struct pp_room_options *options,
@@ -283,7 +284,7 @@ static bool import_is_finished(const void *data)
     return !run->imported.readings || run->imported.finished;
 }
 
-/* True if one of the files is XML: a building, not a scene. */
+/* True if one of the files is XML, that is, a building instead of a scene. */
 static bool is_building(char **files, int file_count)
 {
     for (int i = 0; i < file_count; i++)

@@ -1,4 +1,4 @@
-/* import_building.c - reads the file, imports it, and prints the room file and the
+/* import_building.c - reads and imports the file, and prints the room file and
  * notes. */
 #include "cli/radiance/import_building.h"
 

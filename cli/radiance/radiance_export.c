@@ -47,7 +47,7 @@ const char *const pp_radiance_files[] = {"materials.rad",
                                          "pane_4.xml",
                                          NULL};
 
-/* Adds a file of the room to the directory. */
+/* Adds a file to the room's folder in the directory. */
 static enum pp_status add_file(struct pp_output_directory *directory,
                                const char *folder, const char *name, bool runs,
                                FILE **out, struct pp_error *err)
@@ -60,7 +60,7 @@ static enum pp_status add_file(struct pp_output_directory *directory,
     return status;
 }
 
-/* Prints a comment line, without characters that would end it. */
+/* Prints a comment line; characters that would end the line are replaced. */
 static void print_comment(const char *text, FILE *out)
 {
     for (; *text; text++)
@@ -131,9 +131,9 @@ static const char script[] =
     "        printf \"%%s %%s %%s %%.5g\\n\", $1, $2, $3, %s * grey / horizontal\n"
     "    }'\n";
 
-/* Writes the option that limits the smallest cells of oconv to a centimetre, although
- * the ground is kilometres wide. By default they are a 16384th of the scene's size, and
- * oconv fails if a cell contains too many surfaces. */
+/* Writes the option of oconv that sets the size of the smallest cells to 1 cm. By
+ * default this is 1/16384 of the size of the scene. Here the ground is kilometres wide,
+ * and oconv fails if a cell contains too many surfaces. */
 static void resolution_of(const struct pp_rad_room *rad, char *option, size_t size)
 {
     static const double CELL_M = 0.01;
@@ -168,7 +168,8 @@ static enum pp_status add_script(struct pp_output_directory *directory,
             "follow each path to its end without a cache.\n",
             moment ? "Illuminances (lx)" : "Daylight factors (%)",
             moment ? "lux" : "factor");
-    char files[200] = ""; /* only files with content: oconv warns about empty ones */
+    char files[200] = ""; /* only files with content, since oconv warns about empty
+                           * files */
     for (int i = 0; i < PP_RAD_GROUPS; i++)
         if (rad->first[i + 1] > rad->first[i])
             snprintf(files + strlen(files), sizeof files - strlen(files), " %s",
@@ -203,7 +204,7 @@ static enum pp_status add_scene(struct pp_output_directory *directory,
     return status;
 }
 
-/* Writes the data of scattering panes, with the losses of frame and dirt. */
+/* Writes the data of scattering panes, including the losses due to frame and dirt. */
 static enum pp_status add_pane_files(struct pp_output_directory *directory,
                                      const char *folder, const struct pp_rad_room *rad,
                                      struct pp_error *err)
@@ -227,7 +228,7 @@ static enum pp_status add_pane_files(struct pp_output_directory *directory,
     return PP_OK;
 }
 
-/* True for a Perez sky, with or without its sun; the results are then in lux. */
+/* True for a Perez sky, with or without sun. The results are then in lux. */
 static bool is_of_moment(const struct pp_outside_light *light)
 {
     return light->sky.kind == PP_SKY_ISO && light->sky.iso == 0;

@@ -32,8 +32,9 @@ static bool is_rank(bool *first)
     return ranked && (!count || atoi(count) > 1);
 }
 
-/* Searches relative to the running program, in the build tree and in an installed tree,
- * which may be staged or moved; then in the folder set by configure. */
+/* Searches folders relative to the running program, in the build tree and in an
+ * installed tree, which may be staged or moved. Then searches the folder set by
+ * configure. */
 bool pp_mpirun_module_path(char *path, size_t room)
 {
     static const char *const relative[] = {".libs", "../lib/pepperpot"};
@@ -48,8 +49,8 @@ bool pp_mpirun_module_path(char *path, size_t room)
     return access(path, R_OK) == 0;
 }
 
-/* Loads the module, a separate file, so that the program also runs without MPI. NULL:
- * see dlerror(). */
+/* Loads the module. The module is a separate file, so that the program also runs
+ * without MPI. NULL: see dlerror(). */
 static void *load_module(void)
 {
     char path[PATH_MAX + 64];

@@ -1,9 +1,9 @@
-/* mpirun_module.c - messages between ranks by MPI; no other file uses MPI. Called by
- * one thread of each rank.
+/* mpirun_module.c - messages between ranks by MPI; no other file uses MPI. One thread
+ * of each rank calls these functions.
  *
- * If mpirun permits it (--enable-recovery), Open MPI 4 continues without a rank that
- * was killed: messages to it are lost, and MPI_Finalize does not wait for it. Hence
- * nothing here waits for another rank.
+ * Started with --enable-recovery, Open MPI 4 continues without a rank that was killed.
+ * Messages to that rank are lost, and MPI_Finalize does not wait for it. Therefore no
+ * function in this file waits for another rank.
  */
 #include "cli/ranks/mpirun.h"
 
@@ -14,7 +14,7 @@
 
 enum { TAG = 1 };
 
-/* A message being sent, in a list. */
+/* A message that is being sent; element of a list. */
 struct sending {
     struct sending *next;
     MPI_Request request;
@@ -25,7 +25,7 @@ struct post {
     struct sending *sendings;
 };
 
-/* Frees the messages that have been sent. */
+/* Frees messages that have been sent. */
 static void sweep(struct post *post)
 {
     struct sending **place = &post->sendings;
@@ -89,7 +89,8 @@ static enum pp_status post_receive(void *data, int *from, char **bytes, size_t *
     return PP_OK;
 }
 
-/* Ends MPI. Messages still being sent are to ranks that have ended, and are dropped. */
+/* Ends MPI. Messages not yet sent are addressed to ranks that have ended, and are
+ * discarded. */
 static void end(void *data)
 {
     struct post *post = data;

@@ -1,5 +1,4 @@
-/* report_bytes.c - copies numbers as they are in memory, and texts with a final
- * zero. */
+/* report_bytes.c - copies numbers as stored in memory, and null-terminated texts. */
 #include "cli/ranks/report_bytes.h"
 
 #include <stdio.h>
@@ -52,7 +51,7 @@ enum pp_status pp_report_bytes_write(const struct pp_report *report, char **byte
     return pp_fail_memory(err);
 }
 
-/* Unread bytes. */
+/* Bytes that are not yet read. */
 struct rest {
     const char *at;
     size_t length;

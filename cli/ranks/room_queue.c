@@ -1,5 +1,5 @@
-/* room_queue.c - gives each room an index in the work queue; the result of a room is
- * its simulated columns as bytes. */
+/* room_queue.c - each room is one item of the work queue. The result of an item is the
+ * simulated columns, as bytes. */
 #include "cli/ranks/room_queue.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "model/base/work_queue.h"
 #include "cli/ranks/report_bytes.h"
 
-/* Packs the columns; the first byte states whether the time limit stopped the
+/* Packs the columns. The first byte states whether the time limit ended the
  * simulation. */
 static enum pp_status pack(const struct pp_report *report, bool by_clock, char **bytes,
                            size_t *length, struct pp_error *err)
@@ -28,8 +28,8 @@ static enum pp_status pack(const struct pp_report *report, bool by_clock, char *
     return *bytes ? PP_OK : pp_fail_memory(err);
 }
 
-/* Simulates one room in a separate report, since another rank's results for the room
- * may arrive meanwhile. */
+/* Simulates one room into a separate report, since results for that room may arrive
+ * from another rank in the meantime. */
 static enum pp_status simulate_queued_room(void *data, int worker, int room,
                                            char **bytes, size_t *length,
                                            struct pp_error *err)
@@ -67,7 +67,7 @@ static bool no_interrupt_came(void *data, double done)
     return !pp_interrupt_came();
 }
 
-/* Simulates the rooms from `first` on in this process alone. */
+/* Simulates all rooms from index `first` in this process alone. */
 static enum pp_status alone(const struct pp_room_queue *queue, int first,
                             struct pp_error *err)
 {
@@ -79,8 +79,8 @@ static enum pp_status alone(const struct pp_room_queue *queue, int first,
     return status;
 }
 
-/* After an interrupt, a room not yet started gets the same result as in a single
- * process, because the watch ends its simulation at once. */
+/* After an interrupt, a room that was not started gets the same result as in a single
+ * process, because its simulation stops at once. */
 enum pp_status pp_room_queue_run(const struct pp_room_queue *queue,
                                  struct pp_error *err)
 {

@@ -1,4 +1,4 @@
-/* cmd_render.c - the command render: a picture of the light in a room. */
+/* cmd_render.c - the command render: makes a picture of the light in a room. */
 #include "cli/command.h"
 #include "cli/render/make_picture.h"
 #include "cli/message.h"
@@ -56,7 +56,7 @@ static enum pp_exit write_errors(const struct pp_made_picture *made, const char 
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
-/* Warns if the picture is black, that is, if no light reaches the surfaces in view. */
+/* Warns if the picture is black because no light reaches the visible surfaces. */
 static void say_if_black(const struct pp_picture *picture)
 {
     size_t count = 3 * (size_t)picture->width * (size_t)picture->height;
@@ -113,8 +113,8 @@ static enum pp_exit show_file(const struct pp_render_choice *choice,
     return result;
 }
 
-/* Replaces the room file's sky by the sky and sun of the moment, and the illuminance
- * outside by that of this sky. */
+/* Replaces the sky of the room file by the sky and sun of the moment, and the external
+ * illuminance by that of this sky. */
 static enum pp_exit take_moment(struct pp_study_room *room,
                                 struct pp_moment_choice *choice,
                                 struct pp_room_options *options)
@@ -197,8 +197,8 @@ static void init_render_options(void *values)
         .room = pp_room_options_none, .choice = pp_render_choice_default()};
 }
 
-/* Checks the options for a moment: sunlight needs next-event estimation, and a picture
- * for one moment cannot show daylight factors or come from a file. */
+/* Checks the options for a moment. Sunlight requires next-event estimation. A picture
+ * of a moment cannot show daylight factors and cannot be read from a file. */
 static enum pp_status check_moment(const struct render_options *options,
                                    struct pp_error *err)
 {

@@ -1,5 +1,5 @@
-/* make_picture.c - renders in time slices, writes checkpoints, and stops at an
- * interrupt. */
+/* make_picture.c - renders in time slices, writes checkpoints, and stops when
+ * interrupted. */
 #include "cli/render/make_picture.h"
 
 #include <errno.h>
@@ -21,21 +21,22 @@
 #include "simulate/scene/light_scene_of_world.h"
 #include "simulate/transport/opening_store.h"
 
-/* Duration of a time slice, and time between two checkpoints. */
+/* Duration of a time slice, and time between checkpoints (s). */
 static const double slice_s = 0.1, checkpoint_s = 30.0;
 
-/* Maximum number of directions from a pixel to one window; also limited by the number
- * of the pixel's paths. */
+/* Maximum number of directions from a pixel to one window. The number of paths per
+ * pixel is a further limit. */
 enum { DIRECTIONS = 16 };
 
-/* Number of independent groups of a pixel's paths, from which its standard error is
- * estimated. */
+/* Number of independent groups of a pixel's paths, used to estimate the standard error
+ * of the pixel. */
 enum { RANDOMISATIONS = 32 };
 
-/* Largest checkpoint: 4 GiB. */
+/* Maximum size of a checkpoint: 4 GiB. */
 #define CHECKPOINT_MOST ((size_t)1 << 32)
 
-/* Adds records to the cache until it covers all requests of the picture. */
+/* Adds records to the cache until it contains those needed by all pixels of the
+ * picture. */
 static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool quiet,
                                          struct pp_error *err)
 {
@@ -45,7 +46,8 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
     while (status == PP_OK && !pp_cache_warm_up_done(warm_up)) {
         status = pp_cache_warm_up_advance(warm_up, slice_s, err);
         pp_progress_show(&progress, pp_cache_warm_up_progress(warm_up), NAN);
-        /* A run continued from an incomplete cache would give different results. */
+        /* An incomplete cache is not saved, because a run that continues from it would
+         * give different results. */
         if (status == PP_OK && pp_interrupt_came() && !pp_cache_warm_up_done(warm_up))
             status = pp_fail(err, PP_INTERRUPTED,
                              "interrupted during the calculation of the irradiance "
@@ -55,7 +57,7 @@ static enum pp_status grow_picture_cache(struct pp_cache_warm_up *warm_up, bool 
     return status;
 }
 
-/* Reads the whole file; the caller frees *bytes, which is NULL if the file does not
+/* Reads the whole file. The caller frees *bytes, which is NULL if the file does not
  * exist. */
 static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *length,
                                       struct pp_error *err)
@@ -66,7 +68,7 @@ static enum pp_status read_checkpoint(const char *path, char **bytes, size_t *le
     return pp_read_file(bytes, length, path, CHECKPOINT_MOST, err);
 }
 
-/* Adds the records of the checkpoint, if the file exists, to the cache. */
+/* Adds the records of the checkpoint to the cache, if the file exists. */
 static enum pp_status take_records(struct pp_irradiance_cache *cache, const char *path,
                                    struct pp_error *err)
 {
@@ -91,7 +93,7 @@ static enum pp_status take_records(struct pp_irradiance_cache *cache, const char
     return status;
 }
 
-/* Fills the cache from which the picture is made. */
+/* Fills the irradiance cache used for the picture. */
 static enum pp_status fill_cache(struct pp_made_picture *made,
                                  struct pp_render_options *render,
                                  const struct pp_render_choice *choice,
@@ -120,8 +122,8 @@ static enum pp_status fill_cache(struct pp_made_picture *made,
     return PP_OK;
 }
 
-/* Number of randomisations: RANDOMISATIONS, at most the number of paths; 0: no standard
- * error requested. */
+/* Number of randomisations: at most RANDOMISATIONS and at most the number of paths; 0
+ * if no standard errors are requested. */
 static int randomisations(const struct pp_render_choice *choice)
 {
     if (!choice->errors)
@@ -180,7 +182,7 @@ static enum pp_status create_render(struct pp_made_picture *made,
 
 /* ---- checkpoints ---- */
 
-/* Continues from the file, if there is one. */
+/* Continues from the checkpoint file, if it exists. */
 static enum pp_status resume(struct pp_made_picture *made, const char *path,
                              struct pp_error *err)
 {
@@ -206,8 +208,8 @@ static enum pp_status save(const struct pp_made_picture *made, const char *path,
     return pp_output_close(&output, status, err);
 }
 
-/* Handles Ctrl-C: saves the finished part if a checkpoint file is named. Always returns
- * an error, PP_INTERRUPTED unless saving fails. */
+/* Handles an interrupt. Saves the finished part if a checkpoint file is named. Returns
+ * PP_INTERRUPTED, or another error if saving fails. */
 static enum pp_status interrupted(const struct pp_made_picture *made, const char *path,
                                   struct pp_error *err)
 {
@@ -262,8 +264,8 @@ static void scale_picture(struct pp_picture *picture, double scale)
         picture->rgb[i] = (float)(scale * picture->rgb[i]);
 }
 
-/* Horizontal illuminance outside (lx): the given value, or that of the photographed
- * sky, or 10,000 lx. */
+/* Horizontal illuminance outside (lx): the value given by the user, or that of the
+ * photographed sky, or 10,000 lx. */
 static double external_of(const struct pp_room_options *options,
                           const struct pp_sky *sky)
 {
@@ -272,8 +274,8 @@ static double external_of(const struct pp_room_options *options,
     return sky->kind == PP_SKY_PICTURE ? sky->picture->horizontal_lx : 1e4;
 }
 
-/* Converts the picture and its errors from shares of Eh to the units of their
- * quantity. */
+/* Converts the picture and its errors from fractions of the external illuminance to the
+ * units of their quantity. */
 static enum pp_status take_picture(struct pp_made_picture *made,
                                    const struct pp_world *world,
                                    const struct pp_outside_light *light,

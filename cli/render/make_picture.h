@@ -1,5 +1,5 @@
-/* make_picture.h - renders a picture of a room; shows a progress bar, writes
- * checkpoints and handles Ctrl-C. */
+/* make_picture.h - renders a picture of a room, shows a progress bar, writes
+ * checkpoints, and handles interrupts. */
 #ifndef PP_CLI_RENDER_MAKE_PICTURE_H
 #define PP_CLI_RENDER_MAKE_PICTURE_H
 
@@ -9,18 +9,20 @@
 
 struct pp_made_picture {
     struct pp_shown_picture shown;
-    struct pp_picture errors; /* standard errors of the picture's pixels; empty: not
+    struct pp_picture errors; /* standard errors of the pixels; empty if not
                                * requested */
     struct pp_light_scene *scene;
     struct pp_environment *environment;
     struct pp_opening_store *store;
-    struct pp_irradiance_cache *cache; /* NULL: light paths without a cache */
+    struct pp_irradiance_cache *cache; /* NULL: light paths are traced without a
+                                        * cache */
     struct pp_render *render;
     double (*marks)[2];
 };
 
-/* PP_INTERRUPTED on Ctrl-C: there is then no picture, and the message lists the saved
- * files. The caller clears *made, whatever the status. */
+/* Makes a picture. PP_INTERRUPTED: the user interrupted and there is no picture; the
+ * message lists the files that were saved. The caller clears *made, whatever the
+ * status. */
 enum pp_status pp_make_picture(struct pp_made_picture *made,
                                const struct pp_world *world,
                                const struct pp_outside_light *light,

@@ -1,4 +1,4 @@
-/* picture_format.c - the numeric formats, followed by those of charts. */
+/* picture_format.c - list of the numeric formats, followed by the formats of charts. */
 #include "cli/render/picture_format.h"
 
 #include <string.h>

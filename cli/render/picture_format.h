@@ -1,5 +1,6 @@
-/* picture_format.h - file formats of a picture: numeric formats, which keep its values
- * (formats/pictures/number_format.h), and formats of charts, which display it. */
+/* picture_format.h - file formats of pictures: numeric formats
+ * (formats/pictures/number_format.h), which store the values, and chart formats, which
+ * display them. */
 #ifndef PP_CLI_RENDER_PICTURE_FORMAT_H
 #define PP_CLI_RENDER_PICTURE_FORMAT_H
 
@@ -11,18 +12,21 @@
 
 struct pp_picture_format {
     const struct pp_number_format *numbers; /* numeric format; NULL: the picture is
+                                             * displayed in a chart format */
+    enum pp_chart_format shown;             /* chart format, if the picture is
                                              * displayed */
-    enum pp_chart_format shown;             /* format of the displayed picture */
 };
 
-/* Format by its typed name ("hdr"); false: there is none. */
+/* Finds a format by its name, such as "hdr". Returns false if there is none. */
 bool pp_picture_format_named(struct pp_picture_format *format, const char *name);
 
-/* Format by the ending of a file's name, in either case; false: none. */
+/* Finds a format by the extension of a file name, in upper or lower case. Returns false
+ * if there is none. */
 bool pp_picture_format_of(struct pp_picture_format *format, const char *path);
 
-/* Writes "FILE.hdr, FILE.pfm, FILE.png, FILE.pdf or FILE.svg", or the numeric formats
- * only, to text, cut to its size. `before` is "FILE.". Returns text. */
+/* Writes a list of the formats to `text`, such as "FILE.hdr, FILE.pfm, FILE.png,
+ * FILE.pdf or FILE.svg" if `before` is "FILE.". numbers_only: only numeric formats. The
+ * text is cut to `size` bytes. Returns `text`. */
 const char *pp_picture_format_list(char *text, size_t size, const char *before,
                                    bool numbers_only);
 

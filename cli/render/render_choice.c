@@ -1,5 +1,5 @@
-/* render_choice.c - reads the options of the command render and checks them against
- * one another. */
+/* render_choice.c - reads the options of the command render and checks that they are
+ * consistent. */
 #include "cli/render/render_choice.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "model/base/text.h"
 #include "model/pictures/raster.h"
 
-/* Size of a sentence that lists the formats. */
+/* Size of a text that lists the formats (bytes). */
 enum { ENDINGS_SIZE = 128 };
 
 struct pp_render_choice pp_render_choice_default(void)
@@ -80,8 +80,8 @@ static const char *making_said(const struct pp_render_choice *choice,
     return NULL;
 }
 
-/* Checks the options of the sheet: they need a picture that is drawn on a sheet, and
- * --dpi a PNG. */
+/* Checks the options of the sheet. All of them require a picture that is drawn on a
+ * sheet; --dpi requires a PNG. */
 static enum pp_status check_sheet(const struct pp_render_choice *choice,
                                   const struct pp_picture_format *format,
                                   struct pp_error *err)
@@ -102,8 +102,8 @@ static enum pp_status check_sheet(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-/* Checks the size: the limit for a picture that is displayed is lower than for one
- * stored as numbers. */
+/* Checks the size of the picture. The limit is lower for a displayed picture than for a
+ * picture stored as numbers. */
 static enum pp_status check_size(const struct pp_render_choice *choice, bool shown,
                                  struct pp_error *err)
 {
@@ -149,8 +149,8 @@ static enum pp_status check_view(const struct pp_render_choice *choice,
     return PP_OK;
 }
 
-/* Checks the options for standard errors: they need a numeric format and several
- * paths. */
+/* Checks the options for standard errors, which require a numeric format and several
+ * paths per pixel. */
 static enum pp_status check_errors(const struct pp_render_choice *choice,
                                    struct pp_error *err)
 {

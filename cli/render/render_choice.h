@@ -22,9 +22,9 @@ enum pp_view_choice {
     PP_CHOOSE_ANGULAR,
 };
 
-/* "X,Y" or "X,Y,Z" as typed. */
+/* Coordinates as typed: "X,Y" or "X,Y,Z". */
 struct pp_coordinates {
-    int count; /* 0: not typed, 2 or 3 */
+    int count; /* number of coordinates, 2 or 3; 0: not given */
     struct pp_vec3 is;
 };
 
@@ -32,17 +32,18 @@ enum { PP_LEVELS_MOST = 32 };
 
 struct pp_levels {
     int count;
-    double list[PP_LEVELS_MOST]; /* ascending, above 0, in the quantity's unit */
+    double list[PP_LEVELS_MOST]; /* ascending, above 0, in the unit of the quantity */
 };
 
 struct pp_exposure {
     enum pp_tone_way way;
-    double white; /* value shown as white, set by the user, in the quantity's unit */
+    double white; /* value displayed as white, given by the user, in the unit of the
+                   * quantity */
     bool said;
 };
 
 struct pp_picture_size {
-    int width, height; /* 0: not given */
+    int width, height; /* pixels; 0: not given */
 };
 
 struct pp_quantity_choice {
@@ -57,59 +58,61 @@ struct pp_paper_choice {
 
 /* Sampling of light through windows. */
 enum pp_window_light {
-    PP_WINDOWS_STORED, /* next-event estimation; light from outside surfaces is
+    PP_WINDOWS_STORED, /* next-event estimation; light from outdoor surfaces is
                         * calculated once and stored */
     PP_WINDOWS_AIMED,  /* next-event estimation along each path */
-    PP_WINDOWS_CHANCE, /* BRDF sampling alone */
+    PP_WINDOWS_CHANCE, /* BRDF sampling only */
 };
 
 struct pp_render_choice {
     enum pp_view_choice view;
     struct pp_coordinates from, towards, direction, up;
-    double angle_deg; /* 0: not given */
-    double across_m;  /* 0: not given */
+    double angle_deg; /* angle of view; 0: not given */
+    double across_m;  /* width of a parallel view; 0: not given */
     struct pp_picture_size size;
 
     struct pp_quantity_choice quantity;
     enum pp_pixel_filter filter;
-    int samples; /* before the check 0: not given */
-    bool paths;  /* light paths only, without a cache */
+    int samples; /* paths per pixel; 0: not given, until the options are checked */
+    bool paths;  /* use light paths only, without a cache */
     enum pp_window_light windows;
     struct pp_cache_choice cache;
     const char *checkpoint;
-    const char *errors; /* file for the pixels' standard errors; NULL: none */
+    const char *errors; /* file for the standard errors of the pixels; NULL: none */
 
     struct pp_exposure exposure;
     bool false_colour;
-    struct pp_levels range, levels; /* range: empty or two values */
+    struct pp_levels range, levels; /* range: limits of the scale; empty or two
+                                     * values */
     bool linear, no_contours;
-    bool records; /* mark the cache's records on a sheet */
-    bool grid;    /* draw altitudes and bearings over a fisheye */
+    bool records; /* mark the records of the cache on a sheet */
+    bool grid;    /* draw lines of altitude and bearing over a fisheye picture */
 
-    const char *format; /* as typed; NULL: by the file's name */
+    const char *format; /* as typed; NULL: by the extension of the file */
     struct pp_paper_choice paper;
     enum pp_orientation orientation;
-    double dpi; /* 0: not given */
+    double dpi; /* resolution of PNG; 0: not given */
     const char *from_picture;
 };
 
-/* Default options; pp_render_choice_clear frees them. */
+/* Default options. pp_render_choice_clear frees them. */
 struct pp_render_choice pp_render_choice_default(void);
 void pp_render_choice_clear(struct pp_render_choice *choice);
 
-/* Checks that the options are consistent for `file_count` room files. Sets the samples
- * and the options of the cache. */
+/* Checks that the options are consistent, with `file_count` room files. Sets the number
+ * of samples and the options of the cache. */
 enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err);
 
-/* Chooses the format by --format, or else by the ending of the output's name (NULL:
- * standard output). */
+/* Determines the format from --format, or else from the extension of the output's name
+ * (NULL: standard output). */
 enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err);
 
-/* True if the picture is placed on a sheet, false if it is written pixel for pixel. */
+/* True if the picture is placed on a sheet. False if its pixels are written directly to
+ * a file. */
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
                                const struct pp_picture_format *format);
 

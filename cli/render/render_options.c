@@ -1,5 +1,5 @@
-/* render_options.c - the tables of the options of the command render, and their
- * readers. */
+/* render_options.c - option tables of the command render, and the readers of their
+ * values. */
 #include "cli/render/render_options.h"
 
 #include <math.h>
@@ -47,7 +47,7 @@ static enum pp_status read_direction(const char *text, void *place,
     return PP_OK;
 }
 
-/* Index of the word in a list that ends with NULL; -1: none. */
+/* Index of a word in a list that ends with NULL; -1: none. */
 static int which_word(const char *text, const char *const words[])
 {
     for (int i = 0; words[i]; i++)

@@ -1,4 +1,4 @@
-/* render_options.h - the command-line options of the command render. */
+/* render_options.h - option tables of the command render. */
 #ifndef PP_CLI_RENDER_RENDER_OPTIONS_H
 #define PP_CLI_RENDER_RENDER_OPTIONS_H
 

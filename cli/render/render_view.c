@@ -1,4 +1,4 @@
-/* render_view.c - places the camera: the default view of the room, changed by the
+/* render_view.c - places the camera: the default view of the room, modified by the
  * options. */
 #include "cli/render/render_view.h"
 
@@ -51,8 +51,8 @@ static enum pp_view_kind view_kind(enum pp_view_choice view)
     return PP_VIEW_PARALLEL;
 }
 
-/* Replaces the room's default view by the given values; a height that is not given
- * stays. */
+/* Replaces parts of the room's default view by the values given. A height that is not
+ * given remains unchanged. */
 static enum pp_status take_typed(struct pp_view_place *place,
                                  const struct pp_render_choice *choice,
                                  struct pp_error *err)
@@ -85,7 +85,7 @@ static enum pp_status take_typed(struct pp_view_place *place,
     return PP_OK;
 }
 
-/* Refuses an eye inside a surface, since nothing is visible from there. */
+/* Rejects an eye inside a solid, from which nothing is visible. */
 static enum pp_status check_eye(struct pp_vec3 eye, const struct pp_world *world,
                                 struct pp_error *err)
 {
@@ -103,8 +103,8 @@ static int side(double pixels)
     return (int)fmin(fmax(lrint(pixels), 1.0), PP_PICTURE_SIDE_MOST);
 }
 
-/* Computes the width and height of a parallel view (m) and the picture's size, so that
- * pixels are square. */
+/* Computes width and height of a parallel view (m), and the size of the picture such
+ * that pixels are square. */
 static void size_parallel(struct pp_picture_size *size, double *across, double *down,
                           const struct pp_render_choice *choice,
                           const struct pp_view_place *place)
@@ -120,15 +120,16 @@ static void size_parallel(struct pp_picture_size *size, double *across, double *
         *size = (struct pp_picture_size){LONG_SIDE, side(LONG_SIDE * shape)};
     else
         *size = (struct pp_picture_size){side(LONG_SIDE / shape), LONG_SIDE};
-    /* The view contains the whole room, whatever the picture's aspect ratio. */
+    /* If the width is not given, the view contains the whole room at any aspect ratio
+     * of the picture. */
     double asked = (double)size->height / size->width;
     if (choice->across_m == 0.0 && asked < shape)
         *across *= shape / asked;
     *down = *across * asked;
 }
 
-/* Computes the horizontal and vertical angle of view (radians) and the picture's size,
- * so that pixels are square. */
+/* Computes the horizontal and vertical angles of view (rad), and the size of the
+ * picture such that pixels are square. */
 static void size_angles(struct pp_picture_size *size, double *across, double *down,
                         const struct pp_render_choice *choice)
 {
@@ -171,7 +172,7 @@ enum pp_status pp_render_view(struct pp_camera *camera, struct pp_picture_size *
                          err);
 }
 
-/* Rounds to centimetres, like a tape measure; never -0. */
+/* Rounds to centimetres. Adding 0.0 avoids -0. */
 static double to_centimetres(double m)
 {
     return round(100.0 * m) / 100.0 + 0.0;

@@ -1,5 +1,4 @@
-/* show_picture.c - writes a picture in a numeric format, as PNG, or drawn on a
- * sheet. */
+/* show_picture.c - writes a picture in a numeric format, as a PNG, or on a sheet. */
 #include "cli/render/show_picture.h"
 
 #include <math.h>
@@ -18,10 +17,10 @@
 #include "model/results/sheets/picture_sheet.h"
 #include "studies/pictures/view_grid.h"
 
-/* Largest picture file: 1 GiB. */
+/* Maximum size of a picture file: 1 GiB. */
 #define BYTES_MOST ((size_t)1 << 30)
 
-/* ---- from a file ---- */
+/* ---- reading a picture file ---- */
 
 static enum pp_status take_notes(struct pp_shown_picture *shown,
                                  const struct pp_hdr_notes *notes,
@@ -70,7 +69,7 @@ enum pp_status pp_show_picture_read(struct pp_shown_picture *shown,
     return status;
 }
 
-/* ---- to a file ---- */
+/* ---- writing a picture file ---- */
 
 enum pp_status pp_show_picture_numbers(const struct pp_shown_picture *shown,
                                        const struct pp_number_format *format, FILE *out,
@@ -96,7 +95,7 @@ static enum pp_status tone_raster(struct pp_raster *raster,
         .way = choice->exposure.said ? choice->exposure.way : PP_TONE_AUTOMATIC,
         .white = choice->exposure.white,
         .unit = pp_quantity_words(shown->quantity).scale,
-        /* A picture without angles is assumed to be 50 degrees wide. */
+        /* A picture without a known angle of view is assumed to be 50 degrees wide. */
         .degree_pixels = fmax(shown->picture.width / (angle ? across_deg : 50.0), 1.0)};
     struct pp_tone tone;
     enum pp_status status = pp_tone_prepare(&tone, &shown->picture, &options, err);
@@ -122,13 +121,13 @@ static enum pp_status write_png(FILE *out, const struct pp_shown_picture *shown,
     return status;
 }
 
-/* ---- words and false colours of a sheet ---- */
+/* ---- text and false colours of a sheet ---- */
 
-/* Contour lines: width of smoothing and shortest line, as shares of the picture's
- * longer side. */
+/* Contour lines: width of smoothing, and length of the shortest line, as fractions of
+ * the longer side of the picture. */
 static const double smooth_share = 1.0 / 250.0, shortest_share = 1.0 / 25.0;
 
-/* Sets the scale of lengths and the north arrow, for a parallel view. */
+/* Sets the scale bar and the north arrow of a parallel view. */
 static void lay_lengths(struct pp_picture_sheet *sheet,
                         const struct pp_shown_picture *shown)
 {
@@ -143,7 +142,8 @@ static void lay_lengths(struct pp_picture_sheet *sheet,
         -atan2(pp_vec_dot(north, camera->right), pp_vec_dot(north, camera->up));
 }
 
-/* Daylight factors and illuminances account for decorations, luminances do not. */
+/* Adds a note on the factor for decorations, which applies to daylight factors and
+ * illuminances, but not to luminances. */
 static void note_decorations(struct pp_picture_sheet *sheet,
                              const struct pp_shown_picture *shown)
 {
@@ -162,7 +162,7 @@ static void note_decorations(struct pp_picture_sheet *sheet,
             shown->world->decorations);
 }
 
-/* Sets title, subtitle and notes, and the scale of lengths. */
+/* Sets title, subtitle, notes and scale bar. */
 static void write_picture_words(struct pp_picture_sheet *sheet,
                                 const struct pp_shown_picture *shown,
                                 const struct pp_render_choice *choice)
@@ -198,7 +198,7 @@ static void write_picture_words(struct pp_picture_sheet *sheet,
     note_decorations(sheet, shown);
 }
 
-/* Sets `off_scale` if pixels are below or above the scale. */
+/* Sets `off_scale` if any pixel is below or above the scale. */
 static void look_beyond(struct pp_picture_sheet *sheet,
                         const struct pp_picture *picture, double unit)
 {
@@ -220,7 +220,7 @@ static void choose_levels(struct pp_picture_sheet *sheet,
         memcpy(sheet->levels, choice->levels.list, sizeof choice->levels.list);
         return;
     }
-    /* Levels within the scale. */
+    /* Keeps the levels that are within the scale. */
     double all[PP_FALSE_COLOUR_LEVELS_MOST];
     int count = pp_false_colour_scale_levels(&sheet->scale, all);
     for (int i = 0; i < count; i++)
@@ -228,7 +228,7 @@ static void choose_levels(struct pp_picture_sheet *sheet,
             sheet->levels[sheet->level_count++] = all[i];
 }
 
-/* Adds the false-colour raster, its scale and contour lines. */
+/* Adds the false-colour raster, its colour scale and contour lines. */
 static enum pp_status lay_false_colours(struct pp_picture_sheet *sheet,
                                         const struct pp_shown_picture *shown,
                                         const struct pp_render_choice *choice,

@@ -1,5 +1,5 @@
-/* cmd_report.c - the command report: drawings, figures and verdicts of rooms, as one
- * HTML page or as sheets of a PDF. */
+/* cmd_report.c - the command report: drawings, results and verdicts of rooms, as one
+ * HTML page or as a PDF. */
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -66,7 +66,7 @@ static const struct pp_option full_option[] = {
     {0},
 };
 
-/* Ending of the file name, from its last dot; NULL: none. */
+/* Extension of the file name, from its last dot; NULL: none. */
 static const char *ending_of(const char *path)
 {
     const char *slash = path ? strrchr(path, '/') : NULL;
@@ -74,8 +74,8 @@ static const char *ending_of(const char *path)
     return name ? strrchr(name, '.') : NULL;
 }
 
-/* True if the report is a PDF, according to --format or else to the ending of its
- * name. */
+/* True if the report is a PDF, according to --format or, without --format, to the
+ * extension of its name. */
 static bool is_pdf(const struct pp_assess_words *words)
 {
     const char *ending = ending_of(words->room.output);
@@ -93,7 +93,7 @@ static bool is_safe(const char *word)
                   == '\0';
 }
 
-/* Prints a space and the word, quoted if a shell needs it. */
+/* Prints a space and the word, in quotes if the shell requires them. */
 static void put_word(const char *word, FILE *out)
 {
     fputc(' ', out);
@@ -107,7 +107,7 @@ static void put_word(const char *word, FILE *out)
     fputc('\'', out);
 }
 
-/* Prints an option and its value `word`; nothing if it is NULL. */
+/* Prints an option and its value `word`; prints nothing if `word` is NULL. */
 static void put_option(const char *option, const char *word, FILE *out)
 {
     if (!word)
@@ -177,8 +177,8 @@ static void put_simulation(const struct pp_study_options *study, FILE *out)
     fprintf(out, " --seed %llu", (unsigned long long)study->seed);
 }
 
-/* The command line with all options that affect the figures (criteria, files, rooms,
- * simulation), quoted for a shell. The caller frees it; NULL: out of memory. */
+/* Makes the command line with all options that affect results (criteria, files, rooms,
+ * simulation), quoted for a shell. The caller frees the text. NULL: out of memory. */
 static char *made_words(const struct pp_assess_run *run)
 {
     char *text = NULL;
@@ -284,8 +284,8 @@ static enum pp_status print_site_report(const void *data, FILE *out,
     return status;
 }
 
-/* PP_BAD_INPUT if the ending of the name is that of an unknown format, unless --format
- * is given. */
+/* Checks the options. PP_BAD_INPUT if the extension of the name does not stand for a
+ * known format, unless --format is given. */
 static enum pp_status check_report_options(void *values, char **files, int file_count,
                                            struct pp_error *err)
 {

@@ -15,7 +15,8 @@ struct drawing_task {
     struct pp_report_pictures *pictures;
     const struct pp_assess_run *run;
     bool to_place;
-    const struct pp_study_room **before; /* former state of each room; NULL: none */
+    const struct pp_study_room **before; /* former state of each room; NULL entry:
+                                          * none */
 };
 
 /* ---- one picture ---- */
@@ -31,8 +32,8 @@ static struct pp_sheet picture_sheet(const struct pp_study_room *room,
     return sheet;
 }
 
-/* Draws a chart of a room, or of a site that begins with it; *canvas is NULL if there
- * is nothing to draw. */
+/* Draws a chart of a room, or of a site whose first room is this one. *canvas is set to
+ * NULL if there is nothing to draw. */
 static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
                                  const struct pp_study_room *room,
                                  const struct pp_study_options *options,
@@ -46,7 +47,7 @@ static enum pp_status draw_chart(struct pp_canvas **canvas, const char *name,
     enum pp_status status = pp_canvas_create(canvas, &sheet, err);
     if (status != PP_OK)
         return status;
-    /* A section may replace the room's points by its own. */
+    /* Copies the points, because a section may replace the points of the room. */
     drawn.receivers =
         malloc(((size_t)room->receiver_count + 1) * sizeof *room->receivers);
     if (drawn.receivers) {
@@ -74,9 +75,9 @@ static enum pp_status grow_pictures(struct pp_report_pictures *pictures,
                            : status;
 }
 
-/* Options for the drawings of a room. Drawings are simulated if the room's figures are,
- * with twice the standard error and a tenth of the time limit; those of a whole site
- * are not. */
+/* Options for the drawings of a room. Drawings are simulated if the results of the room
+ * are simulated, with twice the standard error and a tenth of the time limit. Drawings
+ * of a whole site are not simulated. */
 static struct pp_study_options drawing_options(const struct drawing_task *task,
                                                int room)
 {
@@ -91,8 +92,8 @@ static struct pp_study_options drawing_options(const struct drawing_task *task,
     return options;
 }
 
-/* Adds the chart of `choice`, beginning with room `first`. room: index of the room that
- * the picture shows; PP_SITE_WHOLE: the whole site. */
+/* Adds a chart of the given kind. first: first room of the chart; room: index of the
+ * room for which the picture is listed; PP_SITE_WHOLE: the whole site. */
 static enum pp_status add_drawing(struct drawing_task *task, int room, int first,
                                   const char *kind, const char *title,
                                   struct pp_chart_choice choice, struct pp_error *err)
@@ -115,7 +116,7 @@ static enum pp_status add_drawing(struct drawing_task *task, int room, int first
 
 /* ---- drawings of a site ---- */
 
-/* Number of rooms of the same file as that room. */
+/* Number of rooms that belong to the same file as room `first`. */
 static int rooms_of_site(const struct pp_rooms *rooms, int first)
 {
     int count = 1;
@@ -125,7 +126,7 @@ static int rooms_of_site(const struct pp_rooms *rooms, int first)
     return count;
 }
 
-/* True if the site has more to show than a single room. */
+/* True if the site has several rooms, a former state, or blocks. */
 static bool is_site(const struct drawing_task *task, int first, int count)
 {
     bool outside = count > 1;
@@ -152,9 +153,9 @@ static enum pp_status draw_site(struct drawing_task *task, int first, int count,
 
 /* ---- drawings of a room ---- */
 
-/* Line in the file of the window with the least sun relative to a criterion's
- * requirement, or the least sun if nothing is required; 0: the criterion applies to the
- * room; -1: sunlight is not assessed. */
+/* Line in the room file of the window with the least sun, relative to the requirement
+ * of a criterion if there is one. 0: the criterion applies to the whole room; -1:
+ * sunlight is not assessed. */
 static int least_sunny(const struct pp_assessment *room)
 {
     int line = -1;
@@ -191,7 +192,7 @@ static enum pp_status draw_sun(struct drawing_task *task, int room,
                        choice, err);
 }
 
-/* Draws the simulated year of a room, if there is one. */
+/* Draws the chart of the simulated year of a room, if there is one. */
 static enum pp_status draw_room_year(struct drawing_task *task, int room,
                                      struct pp_error *err)
 {
@@ -212,7 +213,7 @@ static enum pp_status draw_room_year(struct drawing_task *task, int room,
     return pp_year_chart_draw(pictures->canvases[pictures->count++], &one->year, err);
 }
 
-/* PP_BAD_INPUT if the section cannot be cut at the place that was typed. */
+/* Checks the position of the section: PP_BAD_INPUT if the room cannot be cut there. */
 static enum pp_status check_cut(const struct drawing_task *task, int room,
                                 struct pp_error *err)
 {

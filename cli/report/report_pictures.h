@@ -1,5 +1,5 @@
-/* report_pictures.h - the drawings of a report: their list, and each drawing on its own
- * canvas. */
+/* report_pictures.h - the drawings of a report: a list of them, and a canvas for each
+ * drawing. */
 #ifndef PP_CLI_REPORT_REPORT_PICTURES_H
 #define PP_CLI_REPORT_REPORT_PICTURES_H
 
@@ -11,16 +11,17 @@
 
 struct pp_report_pictures {
     struct pp_site_picture *list;
-    struct pp_canvas **canvases; /* as many */
+    struct pp_canvas **canvases; /* one canvas for each element of `list` */
     int count;
 };
 
-/* Draws the pictures as SVG, for a page or (to_place) to be placed on sheets. For a
- * site (several rooms, objects with a state, or blocks): plan and elevations. For every
- * room: plan and section; if there is a former state, also the area lit now and before;
- * with a profile that includes sunlight, the sun's paths at the window with the least
- * sun. Drawings that are not possible, such as the plan of a room that no hand method
- * covers, are left out. The caller clears the pictures even after a failure. */
+/* Draws the pictures as SVG for a page, or, if to_place is set, for sheets. A site
+ * (several rooms, objects with a state, or blocks) has a plan and elevations. Each room
+ * has a plan and a section. A room with a former state also has a plan of the present
+ * and former lit area. If the profile includes sunlight, sun paths are drawn for the
+ * window with the least sun. Drawings that are not possible are omitted, such as the
+ * plan of a room to which no hand method applies. The caller clears the pictures even
+ * after a failure. */
 enum pp_status pp_report_pictures_draw(struct pp_report_pictures *pictures,
                                        const struct pp_assess_run *run, bool full,
                                        bool to_place, struct pp_error *err);

@@ -1,5 +1,5 @@
-/* cmd_serve.c - the command serve: the drawing board in a browser, with a JSON
- * interface. */
+/* cmd_serve.c - the command serve: the drawing board in a browser, and an interface in
+ * JSON. */
 #include "config.h"
 
 #include <spawn.h>
@@ -35,7 +35,7 @@ struct serve_choice {
     bool open;
     const char *listen, *jobs;
     struct token_place token;
-    struct pp_serve_options serve; /* hosts only, from the options */
+    struct pp_serve_options serve; /* the options set only the allowed hosts */
 };
 
 static enum pp_status read_port(const char *text, void *place, struct pp_error *err)
@@ -114,7 +114,7 @@ static enum pp_status check_serve(void *values, char **words, int count,
     return PP_OK;
 }
 
-/* Reads the first line of the token's file; the caller frees it. */
+/* Reads the first line of the file with the token; the caller frees it. */
 static enum pp_status read_token(char **token, const char *file, struct pp_error *err)
 {
     enum { TOKEN_BYTES = 4096 };
@@ -125,8 +125,8 @@ static enum pp_status read_token(char **token, const char *file, struct pp_error
     return status;
 }
 
-/* Makes a key of 128 random bits. The page needs it to fetch the room with which the
- * server was started. */
+/* Makes a key of 128 random bits, in hexadecimal. The page needs the key to load the
+ * room with which the server was started. */
 static bool make_key(char key[33])
 {
     unsigned char bytes[16];

@@ -33,8 +33,8 @@ static const char about[] =
     "rooms keep their share of the sky. --envelope finds the largest building on its "
     "plot. FILE is a room file; - is standard input.";
 
-/* Adapts the text of a room file for a copy at `path`: changes the relative names of
- * other files. Replaces and frees *text, which is NULL after a failure. */
+/* Adapts the text of a room file for a copy at `path`: relative names of other files
+ * are changed. Replaces and frees *text, which is NULL after a failure. */
 static enum pp_status move_text(char **text, size_t *length, const char *file,
                                 const char *path, struct pp_error *err)
 {
@@ -48,8 +48,8 @@ static enum pp_status move_text(char **text, size_t *length, const char *file,
     return status;
 }
 
-/* Writes the room file with all openings that reach the target. PP_BAD_INPUT if none
- * does. */
+/* Writes the room file with the new sizes of all openings that reach the target.
+ * PP_BAD_INPUT if no opening does. */
 static enum pp_status write_sized_file(const struct pp_size_results *results,
                                        const char *file, const char *path,
                                        struct pp_error *err)
@@ -99,9 +99,9 @@ struct size_run {
     struct pp_size_results results;
 };
 
-/* Sizes all rooms. If there are several, a room that cannot be sized gets a reason in
- * place of a size, or is left out if --window or --wall selects the window. It is an
- * error if no room can be sized. */
+/* Sizes all rooms. If there are several rooms, a room that cannot be sized gets a
+ * reason instead of a size. If --window or --wall selects the window, such a room is
+ * omitted. Fails if no room can be sized. */
 static enum pp_status compute_sizes(void *data, struct pp_error *err)
 {
     struct size_run *run = data;
@@ -183,8 +183,8 @@ struct size_sweep {
     int file_count;
 };
 
-/* One run of the sweep. A pointer to it is also a pointer to its first member, so
- * functions that take a struct size_run accept it. */
+/* One run of the sweep. The first member is a struct size_run, so a pointer to this
+ * struct can be passed to functions that expect one. */
 struct size_sweep_run {
     struct size_run size;
     struct pp_rooms rooms;
@@ -250,7 +250,7 @@ struct block_run {
     struct pp_plot_envelope envelope;
 };
 
-/* PP_BAD_INPUT unless the file has exactly one block of that name. */
+/* Checks that the file has exactly one block of that name; otherwise PP_BAD_INPUT. */
 static enum pp_status check_block_name(const char *file,
                                        const struct pp_building *building,
                                        const char *name, struct pp_error *err)

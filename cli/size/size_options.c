@@ -112,7 +112,8 @@ static enum pp_status check_method(const char *by, struct pp_error *err)
     return status == PP_OK ? status : pp_fail(err, status, "--by: %s", fault.message);
 }
 
-/* PP_BAD_INPUT if options for windows are combined with --obstruction or --envelope. */
+/* Checks the options for --obstruction or --envelope. PP_BAD_INPUT if they are combined
+ * with options for windows. */
 static enum pp_status settle_block(struct pp_size_options *options,
                                    struct pp_error *err)
 {
@@ -174,7 +175,8 @@ const char *pp_size_options_block(const struct pp_size_options *options)
     return options->envelope ? options->envelope : options->obstruction;
 }
 
-/* Name of the first option given that needs --obstruction or --envelope; NULL: none. */
+/* Name of the first option given that requires --obstruction or --envelope; NULL:
+ * none. */
 static const char *stray_rule(const struct pp_size_options *options)
 {
     const struct pp_retained_sky_rule *rule = &options->rule;
@@ -188,7 +190,7 @@ static const char *stray_rule(const struct pp_size_options *options)
                                                   : NULL;
 }
 
-/* Checks the options for a criterion, which has its own target and points. */
+/* Checks the options for a criterion, which determines target and points. */
 static enum pp_status settle_criterion(struct pp_size_options *options,
                                        struct pp_error *err)
 {

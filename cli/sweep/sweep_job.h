@@ -1,4 +1,4 @@
-/* sweep_job.h - runs a command with --sweep: loads all runs, then computes all, then
+/* sweep_job.h - runs a command with --sweep: loads all runs, computes all runs, then
  * prints them together. */
 #ifndef PP_CLI_SWEEP_SWEEP_JOB_H
 #define PP_CLI_SWEEP_SWEEP_JOB_H
@@ -8,24 +8,26 @@
 #include "pepperpot.h"
 
 struct pp_sweep_job {
-    struct pp_room_options *room; /* room options, whose sweep defines the runs */
+    struct pp_room_options *room; /* options of the room; their sweep defines the
+                                   * runs */
     enum pp_format format;
-    size_t run_bytes; /* size of a run, which starts zeroed */
-    /* Loads the rooms of a run, with the current values of room->sweep. */
+    size_t run_bytes; /* size of the struct for a run; its bytes are 0 initially */
+    /* Loads the rooms of a run with the current values of room->sweep. */
     enum pp_exit (*load)(void *run, const void *data);
     enum pp_status (*compute)(void *run, struct pp_error *err);
     bool (*is_finished)(const void *run); /* false if the simulation was interrupted;
-                                           * NULL: there is no simulation */
-    /* Prints a run alone, as CSV or JSON. */
+                                           * function NULL: there is no simulation */
+    /* Prints a single run as CSV or JSON. */
     enum pp_status (*print)(const void *run, FILE *out, struct pp_error *err);
-    /* Prints the array of runs as text. */
+    /* Prints all runs, which are an array, as text. */
     enum pp_status (*print_text)(const void *runs, const void *data, FILE *out,
                                  struct pp_error *err);
-    void (*clear)(void *run); /* called for every run, loaded or not */
-    const void *data;         /* passed to load and print_text */
+    void (*clear)(void *run); /* called for every run, even if it was not loaded */
+    const void *data;         /* passed to `load` and `print_text` */
 };
 
-/* Runs the sweep. A wrong value in any run is reported before anything is computed. */
+/* Runs the sweep. An invalid value in any run is reported before the first run is
+ * computed. */
 enum pp_exit pp_sweep_job_run(const struct pp_sweep_job *job);
 
 #endif

@@ -9,7 +9,7 @@
 #include "model/base/array.h"
 #include "model/base/text.h"
 
-/* Position of the "=" after an address, which contains a dot; NULL: there is none. */
+/* Finds the "=" after an address, which contains a dot. NULL: there is none. */
 static const char *behind_address(const char *text)
 {
     const char *equals = strchr(text, '=');
@@ -50,8 +50,8 @@ static enum pp_status refuse_values(struct pp_error *err)
         PP_SWEEP_RUNS_MOST);
 }
 
-/* Adds the values of a range FROM:TO:STEP. TO is included if it is a whole number of
- * steps from FROM, to a millionth of a step. */
+/* Adds the values of a range FROM:TO:STEP. TO is included if its distance from FROM is
+ * a multiple of STEP, with a tolerance of a millionth of STEP. */
 static enum pp_status add_range(struct pp_sweep_axis *axis, const char *text,
                                 struct pp_error *err)
 {

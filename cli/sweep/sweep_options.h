@@ -5,10 +5,10 @@
 #include "cli/options.h"
 #include "studies/sweep.h"
 
-/* --set and --sweep; the values are stored in a struct pp_sweep. */
+/* Options --set and --sweep. The values are stored in a struct pp_sweep. */
 extern const struct pp_option pp_sweep_options[];
 
-/* PP_BAD_INPUT if there are more runs than PP_SWEEP_RUNS_MOST. */
+/* Checks the number of runs: PP_BAD_INPUT if it exceeds PP_SWEEP_RUNS_MOST. */
 enum pp_status pp_sweep_options_check(const struct pp_sweep *sweep,
                                       struct pp_error *err);
 

@@ -1,5 +1,5 @@
 /* against_radiance.c - makes a report for each room, with columns of the simulation and
- * of rtrace, and prints both. */
+ * of rtrace, and prints the comparison. */
 #include "cli/validate/against_radiance.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ struct against_run {
 
 /* ---- one room ---- */
 
-/* Values of both programs at one point, fractions. */
+/* Daylight factors of both programs at one point, as fractions. */
 struct beside {
     struct pp_vec3 at;
     struct pp_reading traced, radiance;
@@ -53,7 +53,7 @@ static struct pp_room_figures against_room_figures(void *data, int index)
     return (struct pp_room_figures){&result->report, &result->by_clock};
 }
 
-/* Simulates a room; a stopped simulation is not compared. */
+/* Simulates a room. An interrupted simulation is not compared. */
 static enum pp_status simulate_against_room(const void *data, int index,
                                             struct pp_report *report, bool *by_clock,
                                             struct pp_error *err)

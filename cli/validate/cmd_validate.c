@@ -1,5 +1,5 @@
-/* cmd_validate.c - the command validate: compares formulae with simulation, and the
- * program's results with known ones. */
+/* cmd_validate.c - the command validate: compares formulae with simulation, and results
+ * of the program with known results. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -49,10 +49,11 @@ static enum pp_status read_program(const char *text, void *place, struct pp_erro
 struct validate_options {
     struct pp_room_options room;
     struct pp_formula_words formulae;
-    const char *against; /* the other program; NULL: none */
+    const char *against; /* name of the other program; NULL: none */
     enum pp_format format;
-    const char *page;             /* file for a suite's results; NULL: none */
-    const struct pp_suite *suite; /* NULL: compares rooms */
+    const char *page;             /* file for the page of a suite's results; NULL:
+                                   * none */
+    const struct pp_suite *suite; /* NULL: compare the rooms of files */
     int words;                    /* number of operands before the files */
 };
 
@@ -73,7 +74,7 @@ static const struct pp_option page_option[] = {
     {0},
 };
 
-/* ---- the suite engines: one report per room, to which each engine adds its columns
+/* ---- the suite "engines": one report per room, to which each engine adds columns
  * ---- */
 
 struct engines_run {
@@ -89,7 +90,7 @@ static struct pp_room_figures engine_room_figures(void *data, int index)
     return (struct pp_room_figures){&result->report, &result->by_clock};
 }
 
-/* Divides the room's time among the engines. */
+/* Runs all engines in one room, with equal parts of the room's time limit. */
 static enum pp_status simulate_by_engines(const void *data, int index,
                                           struct pp_report *report, bool *by_clock,
                                           struct pp_error *err)
@@ -147,9 +148,9 @@ static bool engines_are_finished(const void *data)
     return true;
 }
 
-/* Runs every engine in every room, over ranks if there are any, and compares their
- * results. page: file for the page, or NULL. PP_EXIT_INPUT if more results than allowed
- * are outside their limits. */
+/* Runs every engine in every room, over ranks if there are any, and compares the
+ * results. page: file for the page of results; NULL: none. PP_EXIT_INPUT if more
+ * results than permitted are outside their limits. */
 static enum pp_exit validate_engines(const struct pp_rooms *rooms,
                                      const struct pp_room_options *options,
                                      enum pp_format format, const char *page)
@@ -215,7 +216,7 @@ static void init_validate_options(void *values)
         (struct validate_options){.room = pp_room_options_none};
 }
 
-/* First option given that applies to rooms only; NULL: none. */
+/* First option given that applies only to rooms; NULL: none. */
 static const char *said_of_rooms(const struct validate_options *options)
 {
     const struct pp_study_options *study = &options->room.study;
@@ -231,7 +232,7 @@ static const char *said_of_rooms(const struct validate_options *options)
                                          : NULL;
 }
 
-/* Reads the first operand, if it is not a file. */
+/* Reads the first operand if it is a word and not a file. */
 static void take_word(struct validate_options *options, char **operands, int count)
 {
     options->suite = count == 0 ? &pp_suite_quick : pp_suite_find(operands[0]);
@@ -252,7 +253,8 @@ static int list_suites(const char *names[SUITES_MOST])
     return count;
 }
 
-/* PP_BAD_INPUT for a word that is not a file and resembles the name of a suite. */
+/* Checks a word that is not a file: PP_BAD_INPUT if it resembles the name of a
+ * suite. */
 static enum pp_status check_word(const char *word, struct pp_error *err)
 {
     const char *names[SUITES_MOST];

@@ -1,5 +1,5 @@
-/* rtrace_factors.c - exports the room, runs the export's script for Radiance, and reads
- * its output. */
+/* rtrace_factors.c - exports the room, runs the Radiance script of the export, and
+ * reads the output of the script. */
 #include "cli/validate/rtrace_factors.h"
 
 #include <errno.h>
@@ -23,8 +23,8 @@ bool pp_rtrace_is_there(void)
            && pp_program_place_on_path("oconv", path, sizeof path);
 }
 
-/* Runs the script and returns its output in *text, freed by the caller; its messages go
- * to standard error. */
+/* Runs the script. The output of the script is returned in *text, which the caller
+ * frees. Messages go to standard error. */
 static enum pp_status run_script(const char *directory, char **text,
                                  struct pp_error *err)
 {
@@ -61,8 +61,8 @@ static enum pp_status run_script(const char *directory, char **text,
                                : pp_fail(err, PP_SYSTEM, "rtrace failed");
 }
 
-/* Reads the last word of each line, a daylight factor in per cent; there are
- * PP_RTRACE_REPEATS lines per point. PP_SYSTEM if there are too few. */
+/* Reads the last word of each line, a daylight factor in per cent. There are
+ * PP_RTRACE_REPEATS lines per point. PP_SYSTEM if there are too few lines. */
 static enum pp_status read_factors(struct pp_reading *readings, int count, char *text,
                                    struct pp_error *err)
 {

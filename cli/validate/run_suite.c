@@ -53,7 +53,7 @@ static enum pp_exit write_page(const struct pp_known_result *result, const char 
     return status == PP_OK ? PP_EXIT_DONE : pp_message_error(&err);
 }
 
-/* Reports the number of cases outside their limits, if it exceeds the allowed
+/* Reports the number of cases outside their limits, if it exceeds the permitted
  * number. */
 static enum pp_exit judge_suite(const struct pp_known_result *result)
 {
@@ -87,7 +87,7 @@ enum pp_exit pp_run_suite(const struct pp_suite_source *source,
     return result;
 }
 
-/* ---- suites that have their own rooms ---- */
+/* ---- suites with their own rooms ---- */
 
 struct known_suite {
     const struct pp_suite *suite;

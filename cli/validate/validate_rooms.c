@@ -1,5 +1,6 @@
-/* validate_rooms.c - lists the reports of all rooms and of their methods' worlds, and
- * simulates them, shared among ranks. Rank 0 compares the results. */
+/* validate_rooms.c - lists reports for all rooms and for their simplified versions,
+ * which satisfy the assumptions of a method. The reports are simulated, distributed
+ * over ranks. Rank 0 compares the results. */
 #include "cli/validate/validate_rooms.h"
 
 #include <stdlib.h>
@@ -16,11 +17,12 @@
 #include "studies/research/validation/own_world.h"
 #include "studies/research/validation/room_cases.h"
 
-/* One report to simulate: that of a room, or of a world that its methods assume. */
+/* A report to be simulated: for a room, or for a simplified version of the room that
+ * satisfies the assumptions of a method. */
 struct traced_report {
     struct pp_report *report;
     int room;
-    int own; /* index of the world; -1: the room itself */
+    int own; /* index of the simplified version; -1: the room itself */
 };
 
 struct rooms_run {
@@ -29,8 +31,8 @@ struct rooms_run {
     const struct pp_rooms *rooms;
     struct pp_results results;
     struct pp_validation validation;
-    struct pp_own_worlds **worlds; /* one list for each room */
-    struct traced_report *traced;  /* each room, followed by its worlds */
+    struct pp_own_worlds **worlds; /* simplified versions of each room */
+    struct traced_report *traced;  /* each room, followed by its simplified versions */
     int traced_count;
 };
 
@@ -47,8 +49,8 @@ static enum pp_status begin_rooms_run(struct rooms_run *run, struct pp_error *er
                : pp_fail_memory(err);
 }
 
-/* Evaluates the hand methods, which take milliseconds, and lists the worlds that they
- * assume. */
+/* Evaluates the hand methods, which take milliseconds, and lists the simplified
+ * versions of the rooms. */
 static enum pp_status work_by_hand(struct rooms_run *run, struct pp_error *err)
 {
     struct pp_results *results = &run->results;
@@ -91,8 +93,8 @@ static struct pp_room_figures validated_room_figures(void *data, int index)
                                     &run->results.list[traced->room].by_clock};
 }
 
-/* Simulates one report. After a stop, a room has the results so far, and the worlds
- * after it have none. */
+/* Simulates one report. After an interrupt, a room has the results so far, and later
+ * simplified versions have none. */
 static enum pp_status simulate_validated_room(const void *data, int index,
                                               struct pp_report *report, bool *by_clock,
                                               struct pp_error *err)

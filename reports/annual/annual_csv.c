@@ -1,4 +1,4 @@
-/* annual_csv.c - one line for each point, and one for the average. */
+/* annual_csv.c - writes one line for each point, and one for the average. */
 #include "reports/annual/annual_csv.h"
 
 #include <math.h>
@@ -65,7 +65,7 @@ static void put_annual_line(const struct pp_annual_result *result, int point, FI
     fputs("\r\n", out);
 }
 
-/* Writes the line of a control of the electric light, without figures of daylight. */
+/* Writes the line of an electric-lighting control; the daylight fields are empty. */
 static void put_lighting_line(const struct pp_annual_result *result, int k, FILE *out)
 {
     const struct pp_annual_sheet *sheet = &result->sheet;

@@ -1,5 +1,5 @@
-/* annual_csv.h - annual results of rooms as CSV: a line for each point and one for the
- * average, with a column for each figure and its standard error. */
+/* annual_csv.h - annual results of rooms as CSV: one line for each point and one for
+ * the average, with two columns for each figure: value and standard error. */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_CSV_H
 #define PP_REPORTS_ANNUAL_ANNUAL_CSV_H
 

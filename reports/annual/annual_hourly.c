@@ -64,7 +64,7 @@ static void put_ill(const struct pp_annual_sheet *sheet, FILE *out)
     }
 }
 
-/* Writes version 1.0 of NumPy's format: a header of 128 bytes, then little-endian
+/* Writes version 1.0 of NumPy's file format: a header of 128 bytes, then little-endian
  * numbers. */
 static void put_npy(const struct pp_annual_sheet *sheet, FILE *out)
 {

@@ -14,17 +14,18 @@
 #include "model/results/sheets/annual_sheet.h"
 
 enum pp_annual_hourly_format {
-    PP_ANNUAL_HOURLY_NONE, /* the name has another ending */
+    PP_ANNUAL_HOURLY_NONE, /* any other file name extension */
     PP_ANNUAL_HOURLY_CSV,
     PP_ANNUAL_HOURLY_ILL,
     PP_ANNUAL_HOURLY_NPY,
 };
 
-/* Format that the ending of the file's name selects. */
+/* Format for the extension of the file name. */
 enum pp_annual_hourly_format pp_annual_hourly_of_name(const char *name);
 
-/* Writes the coefficients as a Radiance matrix: one row per point; a column for the
- * ground, then one per patch in the order of reinhart.cal; lx over cd/m2. */
+/* Writes the daylight coefficients (lx per cd/m2) as a Radiance matrix. There is one
+ * row per point. The first column is for the ground; the others are for the sky patches
+ * in the order of reinhart.cal. */
 void pp_annual_hourly_put_matrix(const struct pp_annual_sheet *sheet, FILE *out);
 
 void pp_annual_hourly_put(const struct pp_annual_sheet *sheet,

@@ -9,7 +9,7 @@
 #include "reports/annual/lighting_report.h"
 #include "reports/parts/json.h"
 
-/* Adds a figure that may be missing because there are no blinds. */
+/* Adds a figure, which may be missing because there are no blinds. */
 static bool add_annual_figure(struct json_object *object, const char *key,
                               const struct pp_annual_value *figure, double unit)
 {

@@ -1,8 +1,8 @@
 /* annual_json.h - annual results of rooms as JSON, "pepperpot-annual-1".
  *
- * Autonomies, shares and useful daylight are in per cent, illuminances in lx. Every
- * figure is an object with its value and standard error "se"; a missing figure has the
- * value null and the reason "why".
+ * Daylight autonomy, useful daylight and other fractions are in per cent, illuminances
+ * in lx. Every figure is an object with "value" and standard error "se". For a missing
+ * figure, "value" is null, and "why" gives the reason.
  */
 #ifndef PP_REPORTS_ANNUAL_ANNUAL_JSON_H
 #define PP_REPORTS_ANNUAL_ANNUAL_JSON_H

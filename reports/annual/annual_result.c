@@ -1,4 +1,4 @@
-/* annual_result.c - the names of the figures. */
+/* annual_result.c - list of the figures and their names. */
 #include "reports/annual/annual_result.h"
 
 #include <stddef.h>

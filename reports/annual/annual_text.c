@@ -1,4 +1,5 @@
-/* annual_text.c - the figures of the plane, a table of the points, and the assumptions. */
+/* annual_text.c - prints the figures of the plane, a table of the points, and the
+ * assumptions. */
 #include "reports/annual/annual_text.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static void print_annual_fact(const struct text_page *page, const char *label,
     pp_print_wrapped(text, LABEL + 2, LABEL + 2, page->width, page->out);
 }
 
-/* "74.5 % ± 0.3". */
+/* Writes a fraction in per cent with its standard error: "74.5 % ± 0.3". */
 static void put_share(char *text, size_t room, const struct pp_annual_value *share,
                       bool utf8)
 {
@@ -47,8 +48,8 @@ static void print_share(const struct text_page *page, const char *label,
     print_annual_fact(page, label, text);
 }
 
-/* Prints the level of EN 17037, method 2: targets on half of the plane, minimum targets
- * on 95 % of it. */
+/* Prints the level reached in EN 17037, method 2. Targets apply to half of the plane,
+ * minimum targets to 95 % of the plane. */
 static void print_levels(const struct text_page *page)
 {
     const struct pp_annual_sheet *sheet = page->sheet;
@@ -188,7 +189,8 @@ static bool print_points(const struct text_page *page)
     return good;
 }
 
-/* Prints the largest standard errors of the points, and that of the mean autonomy. */
+/* Prints the largest standard errors at points, and the standard error of the mean
+ * autonomy. */
 static void print_errors(const struct text_page *page)
 {
     const struct pp_annual_sheet *sheet = page->sheet;
@@ -252,7 +254,7 @@ static void print_groups(const struct text_page *page)
     }
 }
 
-/* Prints the settings of the controls. */
+/* Prints the settings of the electric-lighting controls. */
 static void print_controls(const struct text_page *page)
 {
     for (int k = 0; k < page->sheet->lighting_count; k++) {

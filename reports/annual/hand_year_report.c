@@ -12,7 +12,7 @@
 #include "reports/parts/print.h"
 #include "reports/parts/table.h"
 
-/* Figures after the autonomies, with their names in JSON and CSV. */
+/* Figures that follow the autonomies, with their names in JSON and CSV. */
 static const struct {
     const char *name;
     size_t offset;
@@ -70,7 +70,7 @@ static bool put_places(struct pp_table *table, const struct pp_annual_sheet *she
     return true;
 }
 
-/* Simulated value or its standard error. */
+/* Adds a column of simulated values or, if `error` is set, of their standard errors. */
 static bool put_simulated(struct pp_table *table, const struct pp_annual_sheet *sheet,
                           size_t offset, const char *heading, double unit, int digits,
                           bool error)
@@ -115,7 +115,7 @@ static bool put_all_simulated(struct pp_table *table,
     return good;
 }
 
-/* Adds the likely ranges of one target, if the method has any. */
+/* Adds a column of likely ranges for one target, if the method has any. */
 static bool put_range(struct pp_table *table, const struct pp_annual_sheet *sheet,
                       const struct pp_hand_column *method, int target)
 {
@@ -298,7 +298,7 @@ int pp_hand_year_report_csv_columns(const struct pp_hand_year_sheet *hand,
 {
     if (hand->column_count == 0)
         return 0;
-    /* An autonomy has a value and the ends of its likely range. */
+    /* Each autonomy has three columns: the value and both ends of its likely range. */
     return 1 + hand->column_count * (3 * sheet->illuminance_count + NAMES);
 }
 

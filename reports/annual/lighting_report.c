@@ -38,7 +38,7 @@ const char *pp_lighting_report_standard(char *text, size_t room,
                                         const struct pp_annual_sheet *sheet)
 {
     const struct pp_lighting_standard *zone = &sheet->lighting[0].standard;
-    if (!(zone->depth_m > 0.0)) { /* the reason is that of all controls */
+    if (!(zone->depth_m > 0.0)) { /* the reason is the same for all controls */
         snprintf(text, room, "no figure, because %s", zone->why);
         return text;
     }
@@ -59,7 +59,7 @@ const char *pp_lighting_report_standard(char *text, size_t room,
     return text;
 }
 
-/* Share used, from the share saved. */
+/* Fraction of the energy used, from the fraction saved. */
 static struct pp_annual_value used_share(const struct pp_annual_value *saved)
 {
     return (struct pp_annual_value){1.0 - saved->value, saved->std_error};

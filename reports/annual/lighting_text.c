@@ -5,7 +5,8 @@
 
 #include "reports/annual/lighting_report.h"
 
-/* A column of the table: a number of control k, NAN for a dash. */
+/* A column of the table. number: function that returns the value for control k; NAN is
+ * printed as a dash. */
 struct lighting_column {
     const char *group, *group_short, *heading, *format;
     double (*number)(const struct pp_annual_sheet *sheet, int k);
@@ -92,7 +93,7 @@ static const struct lighting_column columns[] = {
     {means, "hourly means", "standard error", "%.2f", hourly_error},
 };
 
-/* True if a column has a meaning for this sheet. */
+/* True if the sheet has data for the column. */
 static bool has_lighting_column(const struct pp_annual_sheet *sheet,
                                 const struct lighting_column *column)
 {

@@ -11,7 +11,7 @@
 #define FIGURE(name)                                                                   \
     ((int)(offsetof(struct pp_annual_figures, name) / sizeof(struct pp_annual_value)))
 
-/* Components of the illuminance at one moment, which is stored as a year of one
+/* Components of the illuminance at one moment. The moment is stored as a year with one
  * hour. */
 static const struct {
     const char *name;
@@ -103,7 +103,7 @@ static bool add_moment_parts(struct json_object *to,
            && pp_json_text(df, "why", why_no_factor);
 }
 
-/* The rooms, and the time as typed by the user. */
+/* Results of the rooms, and the time as typed by the user. */
 struct moment_rooms {
     const struct pp_annual_results *results;
     const char *when;

@@ -1,9 +1,9 @@
 /* moment_report.h - the illuminances of rooms at one moment, as text, JSON and CSV.
  *
- * when: the time as typed; NULL: the sun was given without a time.
+ * Argument `when`: the time as typed; NULL: the position of the sun was given instead.
  *
- * JSON has the format of df, "pepperpot-df-1", with components in lux. It has no
- * daylight factors, which are defined for standard skies only.
+ * The JSON format is that of df, "pepperpot-df-1", with components in lux. Daylight
+ * factors are omitted, since they are defined only for standard skies.
  */
 #ifndef PP_REPORTS_ANNUAL_MOMENT_REPORT_H
 #define PP_REPORTS_ANNUAL_MOMENT_REPORT_H

@@ -1,5 +1,5 @@
-/* assess_csv.c - writes findings, or rights of light, as lines; factors and shares in
- * per cent. */
+/* assess_csv.c - writes findings, or rights of light, one per line. Daylight factors
+ * and other fractions are in per cent. */
 #include "reports/assess/assess_csv.h"
 
 #include <math.h>
@@ -65,8 +65,8 @@ enum pp_status pp_assess_csv(const struct pp_assessments *all, FILE *out,
 
 /* ---- rights of light ---- */
 
-/* Writes the areas of a room; empty fields if lit is NULL, since the room is not
- * assessed. */
+/* Writes the areas of a room. lit NULL: the room is not assessed, and the fields are
+ * empty. */
 static void put_areas(const struct pp_lit_change *lit, FILE *out)
 {
     const double areas[] = {

@@ -1,4 +1,4 @@
-/* assess_json.c - builds the JSON object of one assessed room, criterion by criterion. */
+/* assess_json.c - makes the JSON object of an assessed room, criterion by criterion. */
 #include "reports/assess/assess_json.h"
 
 #include <math.h>
@@ -11,8 +11,8 @@
 #include "reports/gains_report.h"
 
 /* Makes the object { "of": "W1, south", "line": 9, "label": "W1", "wall": "south",
- * "figure": 30.1, "unit": "%", "wanted": 27, "bound": "least", "verdict": "met" } with
- * any further members. */
+ * "figure": 30.1, "unit": "%", "wanted": 27, "bound": "least", "verdict": "met" }, with
+ * further members if the finding has them. */
 static struct json_object *finding_object(const struct pp_finding *finding,
                                           const struct pp_world *world,
                                           double external_lux)

@@ -6,8 +6,8 @@
 
 #include "reports/assess/assess_text.h"
 
-/* Writes one object per room ("pepperpot-assess-1"), an array of them for several
- * rooms. */
+/* Writes one object ("pepperpot-assess-1"), or for several rooms an array with one
+ * object per room. */
 enum pp_status pp_assess_json(const struct pp_assessments *assessments, FILE *out,
                               struct pp_error *err);
 

@@ -1,4 +1,4 @@
-/* assess_table.c - fills and prints the tables of a site. */
+/* assess_table.c - makes and prints the tables of a site. */
 #include "reports/assess/assess_table.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@
 #include "studies/criteria/br209_count.h"
 #include "studies/criteria/site_table.h"
 
-/* Content of a cell in a table. */
+/* Content of a column. */
 enum shown {
     ROOM,
     REF,
@@ -31,19 +31,19 @@ enum shown {
     BY_CUMULATIVE,
     MIRRORED,
     BY_MIRROR_IMAGE,
-    /* for rights of light */
+    /* columns for rights of light */
     AREA,
     SHARE,
     LOST,
     EQUIVALENT,
-    LOST_IN, /* a zone: LOST_IN + enum pp_lit_zone */
+    LOST_IN, /* area lost in zone z is LOST_IN + z (enum pp_lit_zone) */
 };
 
 struct heading {
-    const char *group; /* title of the group; NULL: a key column */
+    const char *group; /* title of the column group; NULL: a key column */
     const char *words;
     enum shown shown;
-    bool compares; /* left out if nothing is compared */
+    bool compares; /* omitted if there is no comparison */
 };
 
 static const char sky[] = "vertical sky component, %",
@@ -126,7 +126,8 @@ static void put_number(char cell[PP_CELL_BYTES], double value, int decimals)
         snprintf(cell, PP_CELL_BYTES, "%.*f", decimals, value + 0.0);
 }
 
-/* Writes an area or share of one room, or of the sum of all rooms. */
+/* Writes an area, or a fraction of the area, for one room or for the sum of all
+ * rooms. */
 static void put_lit(char cell[PP_CELL_BYTES], const struct pp_lit_change *of,
                     enum shown shown)
 {
@@ -210,7 +211,7 @@ static void put_cell(char cell[PP_CELL_BYTES], const struct pp_site_row *row,
         put_lit(cell, row->lit, shown);
 }
 
-/* Prints a table. sum: areas for the last line; NULL: no such line. */
+/* Prints a table. sum: areas for the last line; NULL: omit that line. */
 static enum pp_status print_table(const char *title, const struct heading *headings,
                                   const struct pp_site_row *rows, int count,
                                   const struct pp_lit_change *sum, int width, FILE *out,
@@ -235,8 +236,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
             || (h->group == cumulative && !has_cumulative)
             || (h->group == mirror_image && !mirrored))
             continue;
-        /* Findings and bounds need the width, so rooms are identified by their
-         * references. */
+        /* Figures and bounds need the width of the table, so rooms are identified by
+         * their references. */
         const bool by_ref = h->shown == ROOM && headings == of_others && all_have;
         const enum shown shown = by_ref ? REF : h->shown;
         struct pp_table_column *column =
@@ -261,8 +262,8 @@ static enum pp_status print_table(const char *title, const struct heading *headi
     return good ? PP_OK : pp_fail_memory(err);
 }
 
-/* Prints the existing rooms and the proposed rooms in separate tables, or one table if
- * all rooms exist already. */
+/* Prints one table if all rooms exist, else separate tables for existing and proposed
+ * rooms. */
 static enum pp_status print_tables(const char *title, const struct heading *headings,
                                    const struct pp_site_row *rows, int count, int width,
                                    FILE *out, struct pp_error *err)
@@ -280,7 +281,8 @@ static enum pp_status print_tables(const char *title, const struct heading *head
                            : status;
 }
 
-/* Prints the criteria of the rows with their sources, and notes on the mirror image. */
+/* Prints the criteria in the table with their sources, and notes on the mirror
+ * image. */
 static void print_foot(const struct pp_site_table *table, int width, FILE *out)
 {
     enum { LISTS = 6 };
@@ -317,7 +319,7 @@ static void print_foot(const struct pp_site_table *table, int width, FILE *out)
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
-/* Prints the numbers of windows and rooms that meet BR 209, and of windows in each band
+/* Prints how many windows and rooms meet BR 209, and how many windows are in each band
  * of loss. */
 static void print_count(const struct pp_assessments *all, int width, FILE *out)
 {
@@ -370,8 +372,8 @@ static void put_group_cell(char cell[PP_CELL_BYTES], const struct pp_br209_count
     }
 }
 
-/* Prints, for each floor and house, the numbers that meet BR 209 and of windows in each
- * band of loss. */
+/* Prints for each floor and house how many windows and rooms meet BR 209, and how many
+ * windows are in each band of loss. */
 static enum pp_status print_groups(const struct pp_assessments *all, int width,
                                    FILE *out, struct pp_error *err)
 {

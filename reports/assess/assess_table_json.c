@@ -102,7 +102,7 @@ static struct json_object *sum_object(const struct pp_lit_change *sum)
     return pp_json_whole(object, good);
 }
 
-/* Makes the object of rights of light: a row for each room, and the sum of the assessed
+/* Makes the object for rights of light: one row per room, and the sum of the assessed
  * rooms. */
 static struct json_object *rights_object(const struct pp_site_table *table)
 {
@@ -131,8 +131,8 @@ static bool add_rows(struct json_object *object, const char *key,
     return pp_json_add(object, key, list) && append_rows(list, rows, count, compares);
 }
 
-/* Adds the figures of the other criteria with their bounds, and those of sunlight,
- * which also has a list of its own. */
+/* Adds the findings of the other criteria with their bounds. Findings on sunlight are
+ * included, although they also have a separate list. */
 static bool add_others(struct json_object *object, const struct pp_site_table *table)
 {
     struct json_object *list = json_object_new_array();
@@ -141,7 +141,8 @@ static bool add_others(struct json_object *object, const struct pp_site_table *t
            && append_rows(list, table->others, table->other_count, false);
 }
 
-/* Counts of windows and rooms that meet BR 209, and of windows by their loss. */
+/* Makes an object with the numbers of windows and rooms that meet BR 209, and of
+ * windows in each band of loss. */
 static struct json_object *br209_object(const struct pp_assessments *all)
 {
     static const char *const bands[PP_LOSS_BANDS] = {

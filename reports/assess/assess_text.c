@@ -1,4 +1,4 @@
-/* assess_text.c - lays out assessments: one row per finding with its verdict at the
+/* assess_text.c - lays out assessments: one row per finding with the verdict at the
  * end, and notes below the row. */
 #include "reports/assess/assess_text.h"
 
@@ -18,15 +18,15 @@ enum { WHAT, FIGURE, LUX, WANTED, OVER, VERDICT };
 
 struct layout {
     int widths[COLUMNS];
-    double external_lux; /* 0: no illuminances */
+    double external_lux; /* external illuminance; 0: no illuminances are printed */
     bool utf8;
     int width;
 };
 
 /* ---- cells ---- */
 
-/* Writes the verdict and its probability, which is rounded down; "certain" from 99.995
- * %. */
+/* Writes the verdict and its probability, rounded down. At 99.995 % or more it is
+ * "certain". */
 static void write_verdict(char cell[CELL], const struct pp_finding *finding)
 {
     const char *word = pp_finding_own_word(finding);
@@ -56,8 +56,9 @@ static void write_cells(char cells[COLUMNS][CELL], const struct pp_finding *find
         snprintf(cells[LUX], CELL, "%.0f lx", layout->external_lux * finding->figure);
 }
 
-/* All columns but the first are as wide as needed, but at least as wide as in most
- * criteria, so that columns of different criteria are aligned. */
+/* Sets the column widths. All columns except the first are as wide as necessary, and at
+ * least as wide as in most criteria, so that columns of different criteria are
+ * aligned. */
 static void lay_out_columns(struct layout *layout,
                             const struct pp_finding_list *findings)
 {
@@ -83,7 +84,7 @@ static void lay_out_columns(struct layout *layout,
 /* ---- rows ---- */
 
 /* Number of bytes of the text that fit on a line of `columns`, without the blank after
- * them; a line is not broken between a number and its %. */
+ * them. A line is not broken between a number and a per cent sign. */
 static int fitting(const char *text, int columns)
 {
     int length = 0, fits = 0, used = 0;
@@ -104,8 +105,8 @@ static void put_note(const char *text, const struct layout *layout, FILE *out)
     pp_print_wrapped(text, NOTE_INDENT, NOTE_INDENT, layout->width, out);
 }
 
-/* Prints all cells but the first, right-aligned except the verdict; no blanks at the
- * end. */
+/* Prints all cells except the first. All are right-aligned except the verdict; there
+ * are no blanks at the end of the line. */
 static void print_cells(char cells[COLUMNS][CELL], const struct layout *layout,
                         int blanks, FILE *out)
 {
@@ -145,7 +146,8 @@ static void print_finding(const struct pp_finding *finding, const char *note,
         put_note(note, layout, out);
 }
 
-/* Writes to how many findings a note applies: "both: ", "all 3: "; nothing for one. */
+/* Writes the number of findings to which a note applies: "both: ", "all 3: "; nothing
+ * for a single finding. */
 static void put_extent(char *words, size_t size, int findings)
 {
     if (findings == 2)
@@ -154,7 +156,7 @@ static void put_extent(char *words, size_t size, int findings)
         pp_text_append(words, size, "all %d: ", findings);
 }
 
-/* Prints a sentence about all findings of a criterion. */
+/* Prints a sentence that applies to all findings of a criterion. */
 static void put_sentence(const char *text, const struct layout *layout, FILE *out)
 {
     fprintf(out, "%*s", INDENT, "");
@@ -173,7 +175,8 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
         put_sentence(answer->criterion->withdrawn, &layout, out);
     if (findings->basis[0])
         put_sentence(findings->basis, &layout, out);
-    /* Notes common to several consecutive findings are printed once, below the last. */
+    /* A note that several consecutive findings have in common is printed once, below
+     * the last of them. */
     int same = 1;
     for (int i = 0; i < findings->count; i++) {
         const struct pp_finding *finding = &findings->list[i];
@@ -191,7 +194,8 @@ static void print_answer(const struct pp_answer *answer, struct layout layout,
 
 /* ---- a room ---- */
 
-/* Number of findings with that verdict; levels above the lowest do not count. */
+/* Number of findings with that verdict. Findings on levels above the lowest are not
+ * counted. */
 static int count_verdicts(const struct pp_assessment *assessment,
                           enum pp_verdict verdict)
 {
@@ -238,7 +242,8 @@ static void print_simulation(const struct pp_assessment *assessment,
     pp_print_wrapped(text, 2, 2, layout->width, out);
 }
 
-/* Explains the bands in brackets after hand figures, or prints why there are none. */
+/* Explains the bands in brackets after values of hand methods, or prints why there are
+ * none. */
 static void print_bands(const struct pp_assessment *assessment,
                         const struct layout *layout, FILE *out)
 {

@@ -32,10 +32,11 @@ static const char *unit_of(enum pp_figure kind, bool utf8)
     return "";
 }
 
-enum { DECIMALS_MORE = 4 }; /* maximum number of decimals added to the usual ones */
+enum { DECIMALS_MORE = 4 }; /* maximum number of extra decimals */
 
-/* Number of additional decimals needed for the printed figure and bound to compare as
- * their exact values do: 0.2963 is less than 0.3, but 0.30 is not. */
+/* Number of additional decimals that are necessary for the printed figure and bound to
+ * compare like their exact values. For example, 0.2963 is less than 0.3, but 0.30 is
+ * not. */
 static int decimals_more(const struct pp_finding *finding, int decimals)
 {
     double scale = pp_figure_scale(finding->kind);
@@ -54,7 +55,8 @@ static int decimals_more(const struct pp_finding *finding, int decimals)
     return DECIMALS_MORE;
 }
 
-/* Decimals of the figure; *significant digits of the bound. */
+/* Number of decimals of the figure. *significant is set to the number of significant
+ * digits of the bound. */
 static int decimals_of(const struct pp_finding *finding, int *significant)
 {
     bool one = finding->kind == PP_FIGURE_ANGLE || finding->kind == PP_FIGURE_SHARE;

@@ -21,7 +21,7 @@ static const char *state_of(const struct pp_rule *rule)
                                                   : "not established";
 }
 
-/* Text of a row that has a value; else NULL. */
+/* Text of a cell in the table of rules; NULL if the cell is empty. */
 static const char *text_of(const char *text)
 {
     return pp_rule_table_has(text) ? text : NULL;

@@ -1,4 +1,4 @@
-/* rules_list.h - the table of rules of countries and schemes, for readers. */
+/* rules_list.h - prints the table of rules of countries and schemes. */
 #ifndef PP_REPORTS_ASSESS_RULES_LIST_H
 #define PP_REPORTS_ASSESS_RULES_LIST_H
 
@@ -6,10 +6,10 @@
 
 #include "model/base/error.h"
 
-/* Prints all rules by name, each with its rows, certainty and source. */
+/* Prints all rules by name. Each rule has its rows, certainty and source. */
 void pp_rules_list_text(int width, FILE *out);
 
-/* Prints a line for each row, or an object. */
+/* Print each row of the table as a line of CSV or as a JSON object. */
 void pp_rules_list_csv(FILE *out);
 enum pp_status pp_rules_list_json(FILE *out, struct pp_error *err);
 

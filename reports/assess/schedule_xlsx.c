@@ -1,5 +1,5 @@
-/* schedule_xlsx.c - see schedule_xlsx.h. The library writes to a file by name: a
- * temporary one, which is copied to the output. */
+/* schedule_xlsx.c - see schedule_xlsx.h. The library writes only to named files, so the
+ * workbook is a temporary file that is copied to the output. */
 #include "reports/assess/schedule_xlsx.h"
 
 #include "config.h"
@@ -29,7 +29,7 @@ enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
 
 enum { KEYS = 6, PARTS = 5, HEAD_ROWS = 2 };
 
-/* Cell formats for heads, figures, ratios, and losses in each band. */
+/* Cell formats for heads, figures, ratios, and losses by band. */
 struct formats {
     lxw_format *head, *figure, *ratio;
     lxw_format *loss[PP_LOSS_BANDS];
@@ -76,7 +76,8 @@ static lxw_format *loss_format(const struct formats *formats, double loss)
     return formats->loss[band];
 }
 
-/* Number of columns for each quantity, of which the last is the cumulative one. */
+/* Number of columns for each quantity. The last of PARTS columns is the cumulative
+ * state. */
 static int parts_of(const struct pp_window_schedule *schedule)
 {
     return schedule->has_cumulative ? PARTS : PARTS - 1;
@@ -138,7 +139,7 @@ static void put_schedule_row(lxw_worksheet *sheet, const struct formats *formats
                   pp_finding_verdict(row->verdict), NULL);
 }
 
-/* Writes the workbook to a file of that name. */
+/* Writes the workbook to a file. */
 static enum pp_status write_workbook(const struct pp_window_schedule *schedule,
                                      const char *path, const char *folder,
                                      struct pp_error *err)
@@ -147,8 +148,8 @@ static enum pp_status write_workbook(const struct pp_window_schedule *schedule,
     lxw_workbook *workbook = workbook_new_opt(path, &options);
     if (!workbook)
         return pp_fail_memory(err);
-    /* A fixed creation time (1 January 2000): without one libxlsxwriter would enter the
-     * current time, and files would differ from run to run. */
+    /* The creation time is fixed (1 January 2000). Otherwise libxlsxwriter would store
+     * the current time, and files would differ between runs. */
     char title[] = "Schedule of windows";
     lxw_doc_properties properties = {.title = title, .created = 946684800};
     struct formats formats;

@@ -7,8 +7,8 @@
 
 #include "studies/criteria/windows/window_schedule.h"
 
-/* Writes the same columns as in CSV, with losses from 20, 30 and 40 % coloured. The
- * bytes depend on the schedule only. folder: directory for temporary files.
+/* Writes the same columns as in CSV. Losses are coloured in bands that begin at 20, 30
+ * and 40 %. Equal schedules give equal bytes. folder: directory for temporary files.
  * PP_BAD_INPUT if the program was built without the library. */
 enum pp_status pp_schedule_xlsx(const struct pp_window_schedule *schedule,
                                 const char *folder, FILE *out, struct pp_error *err);

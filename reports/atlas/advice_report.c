@@ -1,5 +1,5 @@
-/* advice_report.c - writes sentences about the best methods and their bands, and about
- * the next best ones. */
+/* advice_report.c - writes sentences on the best methods and their bands, and on the
+ * next best methods. */
 #include "reports/atlas/advice_report.h"
 
 #include <math.h>
@@ -11,12 +11,12 @@
 
 enum { TEXT = 1600, REGIME = 400, NAMED_POINTS = 4 };
 
-/* Least deviation of a median ratio from 1 that is reported as a bias. */
+/* A median ratio is reported as a bias if it differs from 1 by at least this. */
 static const double bias_least = 0.05;
 
-/* Appends "Use exact+bre for the average, corrected by the median of its range: 2.2 %"
- * or "For 17 points (1.5,0.5: 3.1 %; ...) use exact+bre, corrected by the median of its
- * range". */
+/* Appends a recommendation: "Use exact+bre for the average, corrected by the median of
+ * its range: 2.2 %" or "For 17 points (1.5,0.5: 3.1 %; ...) use exact+bre, corrected by
+ * the median of its range". */
 static void append_place(char text[TEXT], const struct pp_advice_item *item,
                          const struct pp_report *report)
 {
@@ -127,7 +127,8 @@ static bool add_advice_points(struct json_object *object,
     return good;
 }
 
-/* Adds the corrected average as a number, or those of points as a list, in per cent. */
+/* Adds the corrected values in per cent: a number for the average, a list for
+ * points. */
 static bool add_corrected(struct json_object *object, const struct pp_advice_item *item)
 {
     if (!item->corrected)

@@ -14,8 +14,8 @@ void pp_advice_report(const struct pp_advice *advice, const struct pp_report *re
 
 /* Adds "advice": a list of { "of", "points", "use", "regime", "rooms", "ratio",
  * "formula", "assumption", "others" }, where "ratio" is [low, median, high] of the
- * simulated value divided by the method's; or "advice": null and the reason,
- * "no-advice". False: out of memory. */
+ * simulated value divided by the method's value. If there is no advice, adds "advice":
+ * null and the reason, "no-advice". Returns false if memory is exhausted. */
 bool pp_advice_report_json(struct json_object *object, const struct pp_advice *advice);
 
 #endif

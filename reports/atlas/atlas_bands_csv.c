@@ -1,4 +1,4 @@
-/* atlas_bands_csv.c - writes the bands of an atlas as lines, with four digits. */
+/* atlas_bands_csv.c - writes the bands of an atlas, one per line, to four digits. */
 #include "reports/atlas/atlas_bands_csv.h"
 
 #include <math.h>
@@ -64,7 +64,8 @@ static void put_conditions(const struct pp_band_regime *regime, FILE *out)
     fputc('\n', out);
 }
 
-/* Writes the span of a feature; nothing if the atlas does not have the feature. */
+/* Writes the span of a feature; writes nothing if the atlas does not contain the
+ * feature. */
 static void put_span(int feature, const struct pp_atlas_bands *bands, FILE *out)
 {
     const struct pp_atlas_span *span = &bands->spans[feature];

@@ -18,8 +18,8 @@ static void put_trial(const struct pp_band_trial *trial, FILE *out)
             regime->ratio.median, regime->ratio.high, words);
 }
 
-/* Numbers of regimes, of regimes outside their tolerance, and of columns, and the sum
- * of the columns' shares of figures inside their bands. */
+/* Numbers of regimes, of regimes outside their tolerance, and of columns. inside: sum
+ * over the columns of the fraction of figures inside their bands. */
 struct sum {
     int regimes, outside, columns;
     double inside;

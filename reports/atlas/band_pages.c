@@ -1,4 +1,4 @@
-/* band_pages.c - prints each column's regimes as rows of a table. */
+/* band_pages.c - prints the regimes of each column as rows of a table. */
 #include "reports/atlas/band_pages.h"
 
 #include <math.h>
@@ -40,7 +40,7 @@ static void put_introduction(FILE *out)
         100.0 * PP_BAND_OFFSET);
 }
 
-/* "0.85 to 1.02", or a dash. */
+/* Writes a band, such as "0.85 to 1.02", or a dash. */
 static void write_band(char cell[CELL], const struct pp_band_quantiles *ratio)
 {
     if (isfinite(ratio->low))
@@ -78,8 +78,8 @@ static bool same_band_entry(const struct pp_band_record *a,
            && strcmp(a->column, b->column) == 0;
 }
 
-/* Prints the bands of one component. skies: name of the skies of the rooms in the
- * table. */
+/* Prints the bands of one component. skies: description of the skies in the atlas of
+ * the table. */
 static void put_component(enum pp_component component,
                           const struct pp_band_table *table, const char *skies,
                           FILE *out)

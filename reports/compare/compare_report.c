@@ -1,5 +1,5 @@
-/* compare_report.c - prints values, causes with their shares, other explanations, the
- * remainder, and advice. */
+/* compare_report.c - prints the values, the causes with their effects, other
+ * explanations, the remainder, and advice. */
 #include "reports/compare/compare_report.h"
 
 #include <math.h>
@@ -18,8 +18,7 @@ static const struct pp_cause *cause_of(const struct pp_compare_result *result,
     return result->causes[set->causes[index]];
 }
 
-/* Appends a cause and its value, if it has one: "bounces=2", "ground=0.4",
- * "factor=1.12". */
+/* Appends a cause with its value, if any: "bounces=2", "ground=0.4", "factor=1.12". */
 static void append_word(char *text, size_t room, const struct pp_compare_result *result,
                         const struct pp_cause_set *set, int index)
 {
@@ -31,7 +30,7 @@ static void append_word(char *text, size_t room, const struct pp_compare_result 
         pp_text_append(text, room, "=%.3g", set->value);
 }
 
-/* "bounces=2,glass=normal"; "nothing". */
+/* Appends a list of causes, "bounces=2,glass=normal", or "nothing". */
 static void append_words(char *text, size_t room,
                          const struct pp_compare_result *result,
                          const struct pp_cause_set *set)
@@ -51,7 +50,7 @@ static const char *level(const struct pp_compared *compared, int cause)
                                                         : "perhaps";
 }
 
-/* Converts a difference of logarithms to per cent. */
+/* Converts a difference of natural logarithms to per cent. */
 static double per_cent(double logarithm)
 {
     return 100.0 * (exp(logarithm) - 1.0);
@@ -81,8 +80,8 @@ static void print_head(const struct pp_compare_result *result, int width, FILE *
     pp_print_wrapped(text, 2, 2, width, out);
 }
 
-/* Remaining difference, per cent; NAN, printed as a dash, if the explained value is
- * within its error of 0. */
+/* Remaining difference in per cent; NAN, which is printed as a dash, if the explained
+ * value is not greater than its error. */
 static double left_percent(double theirs, double explained, double error)
 {
     return explained > fmax(error, 1e-9) ? 100.0 * (theirs / explained - 1.0) : NAN;
@@ -153,7 +152,7 @@ static void print_instead(const struct pp_compare_result *result, int width, FIL
     }
 }
 
-/* Appends the unexplained remainder, and its pattern. */
+/* Appends the size of the unexplained remainder, and its variation between points. */
 static void append_left(char text[TEXT_BYTES], const struct pp_compared *compared)
 {
     const struct pp_likelihood *noise = &compared->search.sets[0].likelihood;
@@ -181,7 +180,7 @@ static void append_left(char text[TEXT_BYTES], const struct pp_compared *compare
                        " Some plausible combinations of causes were not simulated.");
 }
 
-/* Appends a sentence unless the other program's noise explains the remainder. */
+/* Appends a sentence, unless the noise of the other program explains the remainder. */
 static void append_over(char text[TEXT_BYTES], const struct pp_left_over *over)
 {
     if (pp_left_over_is_noise(over))
@@ -208,7 +207,7 @@ static void append_missing(char text[TEXT_BYTES])
                    ". Such mistakes can have the same effect as the causes above.");
 }
 
-/* Advice on the noise; NULL: there is little noise. */
+/* Advice on how to reduce the noise; NULL: there is little noise. */
 static const char *cure_of_noise(const struct pp_likelihood *noise)
 {
     return noise->sigma < PP_COMPARE_NOISY ? NULL

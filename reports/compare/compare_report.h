@@ -1,5 +1,5 @@
-/* compare_report.h - the comparison of another program's values with ours and the
- * causes of the differences, as text and as JSON of format pepperpot-compare-1. */
+/* compare_report.h - comparison of another program's values with those of this program,
+ * and causes of the differences, as text and as JSON, "pepperpot-compare-1". */
 #ifndef PP_REPORTS_COMPARE_COMPARE_REPORT_H
 #define PP_REPORTS_COMPARE_COMPARE_REPORT_H
 
@@ -7,24 +7,24 @@
 
 #include "studies/research/compare/compare.h"
 
-/* Result of compare. */
+/* Result of the command compare. */
 struct pp_compare_result {
     const struct pp_compare_subject *subject; /* not owned */
-    const char *other;   /* file with the other program's values; NULL: only ours, with
-                          * a variant */
-    const char *variant; /* switches of the variant; NULL: no variant */
+    const char *other;   /* file with values of the other program; NULL: only values of
+                          * this program for a variant */
+    const char *variant; /* causes that make the variant, as typed; NULL: no variant */
     int given;           /* number of points in the file */
     const double
-        *plain; /* our values without the variant, if there is a variant and no file;
-                 * not owned */
+        *plain; /* values of this program without the variant, if there is a variant and
+                 * no file; not owned */
     const struct pp_cause *const *causes;
     int cause_count;
-    struct pp_compared compared; /* without a file only our values, their errors and the
-                                  * count are set */
+    struct pp_compared compared; /* if there is no file, only the values of this
+                                  * program, their errors and the count are set */
 };
 
-/* Least noise of the remainder (standard deviation of the logarithm) for which advice
- * is given. */
+/* Advice is given if the noise of the remainder (standard deviation of the logarithm)
+ * is at least this. */
 #define PP_COMPARE_NOISY 0.015
 
 void pp_compare_report(const struct pp_compare_result *result, int width, FILE *out);

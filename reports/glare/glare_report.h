@@ -1,5 +1,5 @@
-/* glare_report.h - daylight glare probability of rooms, at one moment or over a year, as
- * text, JSON and CSV. JSON has the format "pepperpot-glare-1".
+/* glare_report.h - daylight glare probability of rooms, at one moment or over a year,
+ * as text, JSON ("pepperpot-glare-1") and CSV.
  */
 #ifndef PP_REPORTS_GLARE_GLARE_REPORT_H
 #define PP_REPORTS_GLARE_GLARE_REPORT_H
@@ -17,8 +17,8 @@ struct pp_glare_result {
 struct pp_glare_results {
     struct pp_glare_result *list;
     int count;
-    bool several;     /* print a list, even of a single room */
-    const char *when; /* as typed; NULL: none; not owned */
+    bool several;     /* print a list, even for a single room */
+    const char *when; /* moment as typed; NULL: none; not owned */
 };
 
 enum pp_status pp_glare_report_text(const struct pp_glare_results *results, int width,

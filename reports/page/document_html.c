@@ -19,7 +19,8 @@ static const char more_style[] =
     "figure svg{width:auto;max-width:100%;max-height:10.5cm}"
     "h2,h3,.g,.r td,tr:nth-child(-n+2){break-after:avoid}}\n";
 
-/* The attribute "class" for the tone of a cell in a column. */
+/* Value of the attribute "class" for a cell, by the kind of column and the tone; NULL:
+ * no attribute. */
 static const char *class_of(enum pp_document_column_kind kind, enum pp_tone tone)
 {
     const bool is_number = kind == PP_COLUMN_NUMBERS;
@@ -91,7 +92,7 @@ static void put_table(const struct pp_document_table *table, FILE *out)
 static void put_picture(const struct pp_document_block *block,
                         const struct pp_svg_picture *picture, FILE *out)
 {
-    /* Skips the XML declaration, which an HTML page does not contain. */
+    /* Omits the XML declaration, which is not allowed within an HTML page. */
     const char *svg = memmem(picture->bytes, picture->length, "<svg", 4);
     fputs("<figure>", out);
     if (svg)
@@ -116,7 +117,8 @@ static void put_paragraph(const struct pp_document_block *block, FILE *out)
     fputs(block->tone == PP_TONE_CODE ? "</code></p>\n" : "</p>\n", out);
 }
 
-/* *chapters: number of chapters so far; the anchor of each chapter has its number. */
+/* Writes a heading. *chapters: number of chapters so far, updated; the anchor of a
+ * chapter has its number. */
 static void put_heading(const struct pp_document_block *block, int *chapters, FILE *out)
 {
     if (block->level == 2) {
@@ -129,7 +131,7 @@ static void put_heading(const struct pp_document_block *block, int *chapters, FI
     fprintf(out, "</h%d>\n", block->level);
 }
 
-/* Links to the chapters. */
+/* Writes links to the chapters. */
 static void put_contents(const struct pp_document *document, FILE *out)
 {
     int chapter = 0;

@@ -1,4 +1,4 @@
-/* document_html.h - a document as one self-contained page of HTML. */
+/* document_html.h - a document as one self-contained HTML page. */
 #ifndef PP_REPORTS_PAGE_DOCUMENT_HTML_H
 #define PP_REPORTS_PAGE_DOCUMENT_HTML_H
 
@@ -6,14 +6,15 @@
 
 #include "model/results/document.h"
 
-/* A picture of a document, as SVG; bytes may begin with an XML declaration. */
+/* SVG file of a picture. The bytes may begin with an XML declaration. */
 struct pp_svg_picture {
     const char *bytes; /* not owned */
     size_t length;
 };
 
-/* Writes the page. In print each chapter but the first begins on a new sheet; pictures
- * are as wide as the page. pictures: indexed by their numbers. */
+/* Writes the page. In print, each chapter except the first begins on a new sheet, and
+ * pictures are as wide as the page. pictures: drawings in the order of their
+ * numbers. */
 void pp_document_html(const struct pp_document *document, const char *title,
                       const struct pp_svg_picture *pictures, FILE *out);
 

@@ -25,7 +25,7 @@ static bool has_factors(const struct pp_assessments *all)
     return false;
 }
 
-/* True if the file of any room defines physically rough materials. */
+/* True if the file of any room defines materials with physical roughness. */
 static bool has_rough_materials(const struct pp_assessments *all)
 {
     for (int i = 0; i < all->count; i++)
@@ -34,7 +34,7 @@ static bool has_rough_materials(const struct pp_assessments *all)
     return false;
 }
 
-/* Finds the least and greatest reflectance of the ground outside. */
+/* Finds the lowest and highest reflectance of the ground outside. */
 static void find_ground(double range[2], const struct pp_assessments *all)
 {
     range[0] = INFINITY;

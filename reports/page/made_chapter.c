@@ -11,7 +11,7 @@
 
 /* ---- the methods ---- */
 
-/* True if `column` is the method's own column, or the column of a pair with the method
+/* True if `column` belongs to the method, or to a pair that includes the method
  * ("exact+bre" for "exact"). */
 static bool is_part(const char *column, const char *method)
 {
@@ -22,7 +22,7 @@ static bool is_part(const char *column, const char *method)
     return false;
 }
 
-/* True if any room has a figure by the method. */
+/* True if any room has a value by the method. */
 static bool is_used(const struct pp_assessments *all, const char *method)
 {
     for (int i = 0; i < all->count; i++)
@@ -96,8 +96,8 @@ static void add_work(struct works *works, const char *place)
         works->list[works->count++] = (struct work){key, work};
 }
 
-/* Adds the works for the keys between square brackets; several keys are separated by ",
- * ". */
+/* Adds the publications whose keys are in square brackets. Keys in the same brackets
+ * are separated by ", ". */
 static void add_works(void *closure, const char *text)
 {
     for (const char *open = text; (open = strchr(open, '[')) != NULL; open++) {

@@ -40,7 +40,7 @@ void pp_room_chapter_pictures(struct pp_document *document,
             pp_document_picture(document, i, report->pictures[i].title);
 }
 
-/* ---- given facts ---- */
+/* ---- input data ---- */
 
 static void add_chapter_fact(void *document, const char *label, const char *text)
 {
@@ -99,7 +99,7 @@ static void put_average(struct pp_document *document, const struct pp_column *co
         pp_document_cell(document, PP_TONE_PLAIN, "–");
 }
 
-/* Writes the averages over the working plane, by each method that has one. */
+/* Writes the averages over the working plane, for each method that has one. */
 static void put_averages(struct pp_document *document, const struct pp_report *report)
 {
     bool sampled = any_sampled(report), bands = any_band(report);

@@ -6,8 +6,7 @@
 #include "methods/allowance.h"
 #include "reports/page/room_chapter.h"
 
-/* Area-weighted mean reflectance of the envelope's faces of that role; NAN: there are
- * none. */
+/* Area-weighted mean reflectance of the faces with this role; NAN: there are none. */
 static double reflectance_of(const struct pp_world *world, enum pp_role role)
 {
     double area = 0.0, sum = 0.0;
@@ -29,8 +28,8 @@ static double glass_m2(const struct pp_world *world)
     return area;
 }
 
-/* The simulated average, or else the one by the first hand method that has one; NAN:
- * none. */
+/* Simulated average daylight factor, or else the average by the first hand method that
+ * has one; NAN: none. */
 static double average_of(const struct pp_report *report)
 {
     double average = NAN;

@@ -1,4 +1,4 @@
-/* rooms_table.h - the rooms of a short report in one table: place, size, finishes,
+/* rooms_table.h - a table of the rooms in a short report: position, size, finishes and
  * windows. */
 #ifndef PP_REPORTS_PAGE_ROOMS_TABLE_H
 #define PP_REPORTS_PAGE_ROOMS_TABLE_H

@@ -9,12 +9,12 @@
 #include "reports/page/room_chapter.h"
 #include "studies/criteria/br209_count.h"
 
-/* The quantities in one table. */
+/* Quantities that share one table. */
 struct schedule_part {
     const struct pp_window_schedule *schedule;
     enum pp_schedule_quantity quantities[PP_SCHEDULE_CHANGES];
     int count;
-    bool compares; /* some window has an existing value */
+    bool compares; /* true if any window has an existing value */
 };
 
 /* Number of columns for each quantity: proposed; also existing and loss if there is a
@@ -126,7 +126,7 @@ static void put_part(struct pp_document *document, const struct schedule_part *p
     }
 }
 
-/* Adds the known quantities, in as many tables as they need. */
+/* Adds the quantities that have values, in as many tables as necessary. */
 static void put_parts(struct pp_document *document,
                       const struct pp_window_schedule *schedule, bool compares,
                       int most_figures)

@@ -25,8 +25,8 @@ static const enum pp_verdict verdicts[] = {PP_MET, PP_NOT_MET, PP_UNDECIDED,
 
 enum { VERDICTS = sizeof verdicts / sizeof *verdicts };
 
-/* Number of a room's findings with that verdict, without optional levels, as counted by
- * pepperpot assess. */
+/* Number of findings of a room with that verdict. As in pepperpot assess, optional
+ * levels are not counted. */
 static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verdict)
 {
     int count = 0;
@@ -38,8 +38,8 @@ static int count_verdicts(const struct pp_assessment *room, enum pp_verdict verd
     return count;
 }
 
-/* Adds the numbers of windows and rooms that meet BR 209, if any are assessed, and of
- * each verdict. */
+/* Adds the numbers of windows and rooms that meet BR 209, if any are assessed, and the
+ * numbers of verdicts. */
 static void say_sum(struct pp_document *document, const struct pp_assessments *all)
 {
     char words[160] = "", br209_words[PP_BR209_WORDS];
@@ -64,7 +64,7 @@ static void say_sum(struct pp_document *document, const struct pp_assessments *a
                               all->count == 1 ? "" : "s");
 }
 
-/* Writes a cell such as "1 of 2"; an empty cell if count is 0. */
+/* Writes a cell such as "1 of 2"; the cell is empty if count is 0. */
 static void put_share(struct pp_document *document, int met, int count)
 {
     if (count > 0)
@@ -135,14 +135,14 @@ static bool has_mirror_image(const struct pp_site_row *rows, int count)
 
 /* Columns of a table of windows, rooms or gardens. */
 struct site_columns {
-    const char *of;  /* title of the second column; NULL: no such column */
-    bool compares;   /* with the former state */
-    bool cumulative; /* with the cumulative state */
-    bool mirrored;   /* with the mirror image */
+    const char *of;  /* heading of the second column; NULL: no such column */
+    bool compares;   /* show the former state */
+    bool cumulative; /* show the cumulative state */
+    bool mirrored;   /* show the mirror image */
 };
 
-/* Adds a cell with the verdict of another finding in the row; empty if there is
- * none. */
+/* Adds a cell with the verdict of a further finding in the row. The cell is empty if
+ * there is no such finding. */
 static void put_other_verdict(struct pp_document *document,
                               const struct pp_finding *finding)
 {
@@ -211,8 +211,9 @@ static void put_rows_of(struct pp_document *document, const char *title,
         put_site_row(document, &rows[i], columns);
 }
 
-/* Writes a table of the existing rooms and one of the proposed ones, or only one if all
- * are of one kind. of: title of the second column; NULL: no such column. */
+/* Writes separate tables for existing and proposed rooms, or one table if all rooms are
+ * existing or all are proposed. of: heading of the second column; NULL: no such
+ * column. */
 static void put_rows(struct pp_document *document, const char *title, const char *of,
                      const char *unit, const struct pp_site_row *rows, int count)
 {
@@ -251,7 +252,7 @@ static void put_areas(struct pp_document *document, const char *name,
     }
 }
 
-/* Adds the rooms' areas and, for several rooms, their sum. */
+/* Adds the areas of the rooms and, if there are several rooms, the sum. */
 static void put_rights(struct pp_document *document, const struct pp_site_table *table)
 {
     const struct pp_lit_change unknown = pp_lit_area_change(NAN, NAN, NAN);
@@ -309,8 +310,8 @@ static void put_loss_row(struct pp_document *document, const char *words,
         pp_document_cell(document, PP_TONE_PLAIN, "%d", count->losses[i]);
 }
 
-/* Adds a table of the windows in each band of loss of their vertical sky component, by
- * floor and house, if any has a former value. */
+/* Adds a table of the number of windows in each band of loss of vertical sky component,
+ * by floor and house. Adds nothing if no window has a former value. */
 static enum pp_status put_losses(struct pp_document *document,
                                  const struct pp_assessments *all, struct pp_error *err)
 {
@@ -366,7 +367,7 @@ static enum pp_status put_tables(struct pp_document *document,
     return status;
 }
 
-/* Adds a table of the rooms' simulated years, if there are any. */
+/* Adds a table of the simulated years of the rooms, if there are any. */
 static enum pp_status put_years(struct pp_document *document,
                                 const struct pp_assessments *all, struct pp_error *err)
 {
@@ -384,7 +385,7 @@ static enum pp_status put_years(struct pp_document *document,
     return PP_OK;
 }
 
-/* ---- the whole ---- */
+/* ---- the whole report ---- */
 
 static void put_title(struct pp_document *document, const struct pp_site_report *report)
 {

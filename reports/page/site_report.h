@@ -1,4 +1,4 @@
-/* site_report.h - the content of the report on the rooms of a site, as a document. */
+/* site_report.h - the report on the rooms of a site, as a document. */
 #ifndef PP_REPORTS_PAGE_SITE_REPORT_H
 #define PP_REPORTS_PAGE_SITE_REPORT_H
 
@@ -6,37 +6,37 @@
 #include "model/room/project.h"
 #include "reports/assess/assess_text.h"
 
-/* A drawing; its number is its index in the list. */
+/* A picture. Its number is its index in the list. */
 struct pp_site_picture {
     int room;          /* index of the room in struct pp_assessments; PP_SITE_WHOLE: the
-               * picture shows the whole site */
-    const char *title; /* "Plan: daylight factors"; not owned */
+                        * picture shows the whole site */
+    const char *title; /* such as "Plan: daylight factors"; not owned */
 };
 
 enum { PP_SITE_WHOLE = -1 };
 
 struct pp_site_report {
-    const struct pp_assessments *all;       /* judged */
+    const struct pp_assessments *all;       /* finished assessments */
     const struct pp_project *project;       /* facts of the title block */
-    bool full;                              /* all sections for every room; false: a
-                                             * short form */
+    bool full;                              /* all sections for every room; false: short
+                                             * report */
     const char *title;                      /* title of the building or the room */
-    const char *made_by;                    /* the command line */
+    const char *made_by;                    /* command line that made the report */
     const char *version;                    /* version of the program */
     const struct pp_site_picture *pictures; /* in the order of the rooms */
     int picture_count;
 
-    /* Source of a key (or "KEY, page 3"), and the key as printed in the list of
-     * sources; NULL: no source. */
+    /* Finds a publication by key (or "KEY, page 3"). *key is set to the key that the
+     * list of sources prints. NULL: no such publication. */
     const char *(*work_of)(const char *place, const char **key);
 };
 
-/* Makes a document with the verdicts, drawings of the site, and drawings of windows and
- * rooms before and after a development. A chapter for each room follows: inputs and
- * assumptions, drawings, daylight factors by hand with their bands and simulated with
- * their standard errors, verdicts, and possible improvements. The last chapter lists
- * the command, the methods and the sources. The caller clears document even after a
- * failure. */
+/* Makes the document. The document begins with the verdicts, drawings of the site, and
+ * tables of windows and rooms before and after a development. A chapter for each room
+ * follows: input and assumptions, drawings, daylight factors by hand with their bands
+ * and simulated with standard errors, verdicts, and possible improvements. The last
+ * chapter lists the command, the methods and the sources. The caller clears *document
+ * even after a failure. */
 enum pp_status pp_site_report(struct pp_document *document,
                               const struct pp_site_report *report,
                               struct pp_error *err);

@@ -8,7 +8,8 @@
 
 #include "model/room/world.h"
 
-/* format: of the value; error_format: of its standard error. */
+/* Adds a row with a value and its standard error. format, error_format: printf formats
+ * of both. */
 static void put_value(struct pp_document *document, const char *name, double value,
                       double std_error, const char *format, const char *error_format,
                       const char *unit)
@@ -74,7 +75,7 @@ static void put_groups(struct pp_document *document, const struct pp_annual_shee
                   "%.0f", "h");
 }
 
-/* Electric light under ideal controls. */
+/* Adds the electric light with ideal controls. */
 static void put_year_lighting(struct pp_document *document,
                               const struct pp_annual_sheet *year)
 {
@@ -147,7 +148,7 @@ void pp_year_section(struct pp_document *document, const struct pp_annual_sheet 
 
 /* ---- all rooms of a short report ---- */
 
-/* "83.3 ± 0.42"; a dash for NAN. */
+/* Adds a cell such as "83.3 ± 0.42"; a dash for NAN. */
 static void put_figure(struct pp_document *document,
                        const struct pp_annual_value *figure, double factor,
                        int decimals)

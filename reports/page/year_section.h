@@ -1,4 +1,4 @@
-/* year_section.h - the simulated year of a room in a report: figures with standard
+/* year_section.h - the simulated year of a room in a report: results with standard
  * errors, and assumptions. */
 #ifndef PP_REPORTS_PAGE_YEAR_SECTION_H
 #define PP_REPORTS_PAGE_YEAR_SECTION_H
@@ -6,11 +6,11 @@
 #include "model/results/document.h"
 #include "model/results/sheets/annual_sheet.h"
 
-/* Adds the section; year: finished. */
+/* Adds the section. The simulation of the year must be finished. */
 void pp_year_section(struct pp_document *document, const struct pp_annual_sheet *year);
 
-/* Adds one table of the rooms for a short report; count: 1 or more. The assumptions are
- * those of the first year. */
+/* Adds one table of all rooms, for a short report. count: 1 or more. The assumptions
+ * printed are those of the first year. */
 void pp_year_section_rooms(struct pp_document *document,
                            const struct pp_annual_sheet *const *years, int count);
 

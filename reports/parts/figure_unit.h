@@ -4,11 +4,12 @@
 
 #include "studies/criteria/finding.h"
 
-/* Factor for printing a figure: factors and shares in per cent, angles in degrees. */
+/* Factor for printing a figure: daylight factors and other fractions in per cent,
+ * angles in degrees. */
 double pp_figure_scale(enum pp_figure kind);
 
 /* Unit in which a figure is printed: "%", "degrees", "m2"; "" for a dimensionless
- * number. The string is static. */
+ * number. Static string. */
 const char *pp_figure_unit(enum pp_figure kind);
 
 #endif

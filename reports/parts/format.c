@@ -1,4 +1,4 @@
-/* format.c - quotes fields of CSV, and checks bytes for valid UTF-8. */
+/* format.c - quotes CSV fields, and checks bytes for valid UTF-8. */
 #include "reports/parts/format.h"
 
 #include <math.h>
@@ -52,8 +52,8 @@ void pp_format_csv_number(double number, FILE *out)
         fprintf(out, "%.10g", number + 0.0);
 }
 
-/* Code of the first character, or -1 for a byte that does not start one; *length:
- * number of its bytes. */
+/* Code point of the first character, or -1 if the byte does not begin a character.
+ * *length is set to the number of bytes. */
 static int32_t decode(const char *text, int *length)
 {
     int32_t code = -1;
@@ -62,8 +62,8 @@ static int32_t decode(const char *text, int *length)
     return code;
 }
 
-/* True for a control character (C0, DEL or C1), a line or paragraph separator, and a
- * code that is not a character. */
+/* True for a control character (C0, DEL or C1), for a line or paragraph separator, and
+ * for a code point that is not a character. */
 static bool is_unfit(int32_t code)
 {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x2028
@@ -84,7 +84,7 @@ int pp_format_utf8_width(const char *text)
     int width = 0, length;
     for (; *text; text += length) {
         if (*text >= ' ' && *text <= '~') {
-            length = 1; /* ASCII, without decoding */
+            length = 1; /* ASCII needs no decoding */
             width++;
             continue;
         }

@@ -131,7 +131,8 @@ bool pp_json_warnings(struct json_object *object, const struct pp_mistakes *doub
     return good;
 }
 
-/* Joins the rooms' objects: the array of them, or the only one. NULL: out of memory. */
+/* Returns an array of the rooms' objects, or the object of the only room. NULL: out of
+ * memory. */
 static struct json_object *gather_room_objects(pp_json_room *room, const void *all,
                                                int count, bool several)
 {

@@ -1,4 +1,5 @@
-/* json_room.c - builds the object of a room's envelope, openings and surroundings. */
+/* json_room.c - makes the JSON object of a room's envelope, openings and
+ * surroundings. */
 #include "model/room/corrections.h"
 #include "reports/parts/json_room.h"
 
@@ -12,7 +13,7 @@ static const char *const roles[] = {
     [PP_REVEAL] = "reveal", [PP_COVER] = "cover",   [PP_FREE_SURFACE] = "surface",
     [PP_BLOCK] = "block",   [PP_FACADE] = "facade", [PP_SKYLINE] = "skyline"};
 
-/* Area of the openings in a face. */
+/* Total area of the openings in a face. */
 static double openings_m2(const struct pp_world *world, int face)
 {
     double area = 0.0;
@@ -22,7 +23,7 @@ static double openings_m2(const struct pp_world *world, int face)
     return area;
 }
 
-/* Object of a face of the envelope; its area excludes its openings. */
+/* Makes the object of a face of the envelope, with its area less openings. */
 static struct json_object *face_of(const struct pp_world *world, int index)
 {
     const struct pp_surface *face = &world->surfaces[index];
@@ -68,7 +69,7 @@ static bool add_device(struct json_object *object, const struct pp_opening *open
            || pp_json_number(object, "blind-transmittance", opening->blind->mean);
 }
 
-/* Adds a measured pane; NULL: none. */
+/* Adds the data of a measured pane; adds nothing for NULL. */
 static bool add_measured(struct json_object *object,
                          const struct pp_measured_pane *pane)
 {
@@ -132,8 +133,8 @@ static struct json_object *skyline_of(const struct pp_world *world, int index)
     return pp_json_whole(object, good);
 }
 
-/* Object of a facade. left, right, up and down: its extent beyond its wall, seen from
- * outside. */
+/* Makes the object of a facade. left, right, up and down: how far it extends beyond its
+ * wall, seen from outside. */
 static struct json_object *facade_of(const struct pp_world *world, int index)
 {
     const struct pp_facade *facade = &world->facades[index];
@@ -151,7 +152,7 @@ static struct json_object *facade_of(const struct pp_world *world, int index)
     return pp_json_whole(object, good);
 }
 
-/* Adds an array of `count` objects, each made by `make`. */
+/* Adds an array of `count` objects made by the function `make`. */
 static bool add_list(struct json_object *object, const char *key, int count,
                      struct json_object *(*make)(const struct pp_world *, int),
                      const struct pp_world *world)
@@ -163,9 +164,9 @@ static bool add_list(struct json_object *object, const char *key, int count,
     return good;
 }
 
-/* Adds the areas of the floor, of all inside surfaces, of the openings and of their
- * glass, the area-weighted mean reflectance of the surfaces without the openings, and
- * the room's height. */
+/* Adds the areas of the floor, of all internal surfaces, of the openings and of their
+ * glass. Also adds the area-weighted mean reflectance of the surfaces without openings,
+ * and the height of the room. */
 static bool add_sums(struct json_object *object, const struct pp_world *world)
 {
     double all_m2 = 0.0, reflecting_m2 = 0.0, opaque_m2 = 0.0;
@@ -191,7 +192,7 @@ static bool add_sums(struct json_object *object, const struct pp_world *world)
            && pp_json_number(object, "height", world->height_m);
 }
 
-/* Adds the outlines of the working plane as lists of corners, { "x", "y" }; the outer
+/* Adds the outlines of the working plane as lists of corners, { "x", "y" }. The outer
  * outline is counter-clockwise. */
 static bool add_plane(struct json_object *object, const struct pp_region *plane)
 {

@@ -4,7 +4,7 @@
 #include "reports/parts/json.h"
 #include "reports/parts/json_room.h"
 
-/* Adds a step, with per cent and degrees as units. */
+/* Adds a step. Values are in per cent and degrees where applicable. */
 static bool add_step(struct json_object *object, const struct pp_world *world,
                      const struct pp_calculation_step *step)
 {

@@ -1,5 +1,4 @@
-/* print.c - writes the sentences on a room's assumptions, and wraps words to a
- * width. */
+/* print.c - prints the assumptions for a room, and wraps text to a width. */
 #include "reports/parts/print.h"
 
 #include <math.h>
@@ -52,7 +51,7 @@ void pp_print_wrapped(const char *text, int column, int indent, int width, FILE 
     fputc('\n', out);
 }
 
-/* Callback that receives the facts, and its data. */
+/* Callback that receives the facts, and the callback's data. */
 struct listener {
     pp_print_fact *tell;
     void *closure;
@@ -129,7 +128,7 @@ static void tell_size(const struct pp_world *world, const struct listener *liste
          all_m2);
 }
 
-/* Appends "floor 0.20", or "floor 0.20 to 0.35" if the faces differ. */
+/* Appends a reflectance, "floor 0.20", or "floor 0.20 to 0.35" if the faces differ. */
 static void append_reflectance(const struct pp_world *world, enum pp_role role,
                                const char *name, char text[TEXT_BYTES])
 {
@@ -146,7 +145,8 @@ static void append_reflectance(const struct pp_world *world, enum pp_role role,
         pp_text_append(text, TEXT_BYTES, " to %.3g", high);
 }
 
-/* Each physically rough material, and the light that its roughness loses. */
+/* Passes on each material with physical roughness, and the light lost by its
+ * roughness. */
 static void tell_rough_materials(const struct pp_world *world,
                                  const struct listener *listener)
 {
@@ -174,7 +174,7 @@ static void tell_reflectances(const struct pp_world *world,
     tell(listener, "reflectances", "%s", text);
 }
 
-/* Adds a measured pane, and the glass that hand methods use for it. */
+/* Appends a measured pane, and the glass that hand methods use in its place. */
 static void tell_measured(char *text, const struct pp_measured_pane *pane)
 {
     static const char *const kinds[] = {
@@ -188,7 +188,7 @@ static void tell_measured(char *text, const struct pp_measured_pane *pane)
                    100.0 * pane->straight_diffuse / pane->diffuse, kinds[pane->kind]);
 }
 
-/* Describes the assumptions of an opening, without its place along the wall. */
+/* Describes the assumptions for an opening, without its position along the wall. */
 static void describe_opening(const struct pp_world *world,
                              const struct pp_opening *opening, char text[TEXT_BYTES])
 {
@@ -239,7 +239,7 @@ static void describe_opening(const struct pp_world *world,
     pp_window_device_say(&opening->device, text, TEXT_BYTES, " deg");
 }
 
-/* Passes on the openings; those with the same description are grouped. */
+/* Passes on the openings. Openings with the same description are grouped. */
 static void tell_openings(const struct pp_world *world, const struct listener *listener)
 {
     for (int i = 0; i < world->opening_count; i++) {
@@ -342,7 +342,7 @@ struct lines {
     int width;
 };
 
-/* "  label        the fact, wrapped" */
+/* Prints a fact: " label the fact, wrapped". */
 static void print_fact(void *closure, const char *label, const char *text)
 {
     const struct lines *lines = closure;

@@ -1,5 +1,5 @@
-/* print_band.c - prints a band as two numbers with a dash between, and as a JSON list
- * of two. */
+/* print_band.c - prints a band as two numbers with a dash between them, and as a JSON
+ * list of two numbers. */
 #include "reports/parts/print_band.h"
 
 #include <stdio.h>
@@ -8,9 +8,9 @@
 #include "model/base/text.h"
 #include "reports/parts/print.h"
 
-/* Bands whose upper end is below this, half a unit of the last decimal of a daylight
- * factor, are not printed. Such values are practically zero, and their bands would
- * mislead: 0.0021 % had a band of 0.00207 to 0.00208 %. */
+/* Bands whose upper end is below this are not printed. The limit is half a unit of the
+ * last decimal of a printed daylight factor. Such values are practically zero, and
+ * their bands would mislead: 0.0021 % had a band of 0.00207 to 0.00208 %. */
 static const double LEAST_END = 5e-5;
 
 static bool is_shown(struct pp_band_ends band)
@@ -18,7 +18,8 @@ static bool is_shown(struct pp_band_ends band)
     return pp_band_is_known(band) && band.high >= LEAST_END;
 }
 
-/* Decimals that show both ends with the accuracy of bands, two or three digits. */
+/* Number of decimals for both ends of a band, such that two or three digits are shown,
+ * the accuracy of bands. */
 static int decimals_of(double high)
 {
     return high < 1e-4 ? 4 : high < 0.09995 ? 2 : 1;
@@ -43,7 +44,7 @@ struct pp_band_ends pp_print_band_at(const struct pp_column *column, int index,
     return is_shown(band) ? band : pp_band_none();
 }
 
-/* Rounds to four digits, more than the accuracy of bands. */
+/* Rounds to four significant digits, which exceeds the accuracy of bands. */
 static double four_digits(double value)
 {
     char text[32];

@@ -1,5 +1,5 @@
-/* print_notes.c - collects the reasons for missing values, each once, with its
- * columns. */
+/* print_notes.c - collects the reasons for missing values. Each reason is listed once,
+ * with its columns. */
 #include "reports/parts/print_notes.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ bool pp_print_notes_is_zero(const struct pp_report *report, enum pp_component co
     return any;
 }
 
-/* Reason why there is no value in that row, or NULL. */
+/* Reason why a row has no value; NULL: it has a value, or there is no reason. */
 static const char *why_at(const struct pp_report *report,
                           const struct pp_column *column, int row)
 {
@@ -46,7 +46,7 @@ static const char *why_at(const struct pp_report *report,
     return reading && !isfinite(reading->value) ? reading->why : NULL;
 }
 
-/* The reasons in a report, each once, in the order of its columns; not owned. */
+/* The different reasons in a report, in the order of its columns; not owned. */
 struct reasons {
     const char **list;
     int count;
@@ -75,7 +75,7 @@ static bool collect_reasons(struct reasons *reasons, const struct pp_report *rep
     return true;
 }
 
-/* Rows before `end` in which a column gives that reason. */
+/* Number of rows before `end` in which a column has no value for that reason. */
 static int count_rows(const struct pp_report *report, const struct pp_column *column,
                       const char *why, int end)
 {
@@ -87,7 +87,7 @@ static int count_rows(const struct pp_report *report, const struct pp_column *co
     return count;
 }
 
-/* True if the name is in a list separated by commas; components of a method share its
+/* True if the name is in a comma-separated list. Components of a method have the same
  * reasons. */
 static bool is_listed(const char *names, const char *name)
 {
@@ -98,8 +98,8 @@ static bool is_listed(const char *names, const char *name)
     return false;
 }
 
-/* True if the reason begins with the name of one of the columns ("bre: ..."). Reasons
- * of pairs do, because they come from one of the two methods. */
+/* True if the reason begins with the name of one of the columns, as in "bre: ...".
+ * Reasons of pairs begin so, because they come from one of the two methods. */
 static bool names_itself(const char *names, const char *why)
 {
     char first[64];
@@ -140,8 +140,9 @@ static void print_note(const struct pp_report *report, const char *why, int widt
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
-/* Prints "- average-df: the allowance for decorations (0.9) is not applied ...", with
- * the methods that give the daylight factor in one step; nothing if there are none. */
+/* Prints "- average-df: the allowance for decorations (0.9) is not applied ...". The
+ * note lists the methods that calculate the daylight factor in one step; it is omitted
+ * if there are none. */
 static void note_decorations(const struct pp_report *report, int width, FILE *out)
 {
     char text[512] = "";
@@ -162,8 +163,8 @@ static void note_decorations(const struct pp_report *report, int width, FILE *ou
     pp_print_wrapped(text, 4, 4, width, out);
 }
 
-/* True if a method gives the daylight factor in one step and so ignores the allowance
- * for decorations, which is not 1. */
+/* True if the room has an allowance for decorations (not 1) and a method ignores it,
+ * because the method calculates the daylight factor in one step. */
 static bool leaves_decorations(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++) {
@@ -174,7 +175,7 @@ static bool leaves_decorations(const struct pp_report *report)
     return false;
 }
 
-/* True if any hand method has a daylight factor for any row. */
+/* True if any hand method has a daylight factor in any row. */
 static bool says_something(const struct pp_report *report)
 {
     for (int i = 0; i < report->column_count; i++) {
@@ -191,8 +192,8 @@ static bool says_something(const struct pp_report *report)
     return false;
 }
 
-/* If no selected hand method gives a daylight factor, suggests a pair of methods for
- * any sky and any opening. */
+/* Suggests a pair of methods that is valid for any sky and any opening, if no selected
+ * hand method gives a daylight factor. */
 static void print_hint(const struct pp_report *report, int width, FILE *out)
 {
     bool any_df = false;

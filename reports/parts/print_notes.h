@@ -7,19 +7,19 @@
 
 #include "model/results/report.h"
 
-/* Reading for row `row` of a table: at a point or, in the last row, the average. NULL
- * if the column has no values at points. */
+/* Reading in row `row` of a table: at a point or, in the last row, for the average.
+ * NULL if the column has no values at points. */
 const struct pp_reading *pp_print_notes_reading(const struct pp_report *report,
                                                 const struct pp_column *column,
                                                 int row);
 
-/* True if all values of a component are 0, as for externally reflected light without
- * surroundings: a note then replaces its columns. */
+/* True if all values of a component are 0, like externally reflected light if there are
+ * no surroundings. A note then replaces the columns of the component. */
 bool pp_print_notes_is_zero(const struct pp_report *report,
                             enum pp_component component);
 
-/* Prints one note for each reason, with the columns that give it. False: out of
- * memory. */
+/* Prints one note for each reason, with the columns that lack values for this reason.
+ * Returns false if memory is exhausted. */
 bool pp_print_notes(const struct pp_report *report, int width, FILE *out);
 
 #endif

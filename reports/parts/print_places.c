@@ -1,5 +1,5 @@
-/* print_places.c - finds the coordinates that differ between points, and names
- * them. */
+/* print_places.c - finds the coordinates that differ between points, and prints their
+ * names. */
 #include "reports/parts/print_places.h"
 
 #include <math.h>
@@ -8,7 +8,8 @@
 #include "reports/parts/print.h"
 #include "model/base/text.h"
 
-/* The inside face of the wall that contains all windows, or NULL. */
+/* The inside face of the wall that contains all windows; NULL: there is no such
+ * wall. */
 static const struct pp_surface *window_wall(const struct pp_world *world)
 {
     const struct pp_surface *wall = NULL;
@@ -60,7 +61,7 @@ static double from_wall(const struct pp_surface *wall, const struct pp_receiver 
                       wall->outline.normal);
 }
 
-/* Index of the coordinate that is the distance from the window wall, or -1. */
+/* Index of the coordinate that equals the distance from the window wall; -1: none. */
 static int axis_from_wall(const struct pp_report *report, const struct pp_surface *wall)
 {
     for (int axis = 0; axis < 2; axis++) {
@@ -75,8 +76,8 @@ static int axis_from_wall(const struct pp_report *report, const struct pp_surfac
     return -1;
 }
 
-/* True if the coordinate gets a column: it differs between points or, if all points
- * have the same position, it is x or y. */
+/* True if the coordinate gets a column, because it differs between points. x and y also
+ * get columns if all points have the same position. */
 static bool is_shown(const struct pp_report *report, int axis)
 {
     bool one_place = axis < 2 && is_constant(report, 0) && is_constant(report, 1)
@@ -97,7 +98,7 @@ static bool add_coordinate(struct pp_table *table, const struct pp_report *repor
     return true;
 }
 
-/* Appends "; points at x = 1.50, z = 0.85" or similar to a sentence. */
+/* Appends the constant coordinates, such as "; points at x = 1.50, z = 0.85". */
 static void say_constants(const struct pp_report *report, char *text, size_t room)
 {
     static const char *const names[] = {"x", "y", "z"};

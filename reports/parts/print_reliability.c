@@ -1,4 +1,4 @@
-/* print_reliability.c - prints the sentences on reliability as notes, and its parts as
+/* print_reliability.c - prints sentences on reliability as notes, and their data as
  * JSON. */
 #include "reports/parts/print_reliability.h"
 

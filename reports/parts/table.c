@@ -1,4 +1,5 @@
-/* table.c - measures columns, breaks headings, and prints panels that fit the width. */
+/* table.c - measures columns, breaks headings into lines, and prints panels that fit
+ * the width. */
 #include "reports/parts/table.h"
 
 #include <stdlib.h>
@@ -9,9 +10,9 @@
 
 enum {
     INDENT = 2,
-    GAP = 2,       /* between columns */
-    GROUP_GAP = 3, /* between groups */
-    HEADING = 6,   /* width to which headings are broken, unless cells are wider */
+    GAP = 2,       /* blanks between columns */
+    GROUP_GAP = 3, /* blanks between groups of columns */
+    HEADING = 6,   /* headings are broken to this width, unless cells are wider */
     HEADING_LINES = 6,
 };
 
@@ -45,8 +46,8 @@ struct pp_table_column *pp_table_add(struct pp_table *table, const char *group,
     return column;
 }
 
-/* Length of a heading up to where it may be broken: before "+" or a blank, after
- * "-". */
+/* Length of the first part of a heading, up to where it may be broken: before "+" or a
+ * blank, or after "-". */
 static int fragment(const char *text)
 {
     int length = 1;
@@ -56,8 +57,8 @@ static int fragment(const char *text)
     return length;
 }
 
-/* Breaks a heading into lines no wider than `width` if possible; returns their number.
- * Each line is a part of heading, not terminated by a zero. */
+/* Breaks a heading into lines, each at most `width` wide if possible. Returns the
+ * number of lines. lines: pointers into the heading, not null-terminated. */
 static int break_heading(const char *heading, int width,
                          const char *lines[HEADING_LINES], int lengths[HEADING_LINES])
 {
@@ -78,7 +79,7 @@ static int break_heading(const char *heading, int width,
     return count;
 }
 
-/* Width of one line of a heading on the terminal, in columns. */
+/* Width of one line of a heading, in columns of the terminal. */
 static int piece_width(const char *piece, int length)
 {
     char text[sizeof((struct pp_table_column *)0)->heading];
@@ -103,7 +104,7 @@ static bool same_group(const struct pp_table_column *a, const struct pp_table_co
     return a->group == b->group;
 }
 
-/* Index after the group that contains column `first`. */
+/* Index of the first column after the group that contains column `first`. */
 static int group_end(const struct pp_table *table, int first)
 {
     int end = first + 1;
@@ -113,7 +114,7 @@ static int group_end(const struct pp_table *table, int first)
     return end;
 }
 
-/* Widens the first column of a group that is narrower than its short title, so that
+/* Widens the first column of each group that is narrower than its short title, so that
  * titles do not touch. */
 static void widen_groups(struct pp_table *table)
 {
@@ -145,7 +146,8 @@ static void measure_columns(struct pp_table *table)
     widen_groups(table);
 }
 
-/* The gap before column i in a panel whose first column after the keys is `first`. */
+/* Number of blanks before column i in a panel. first: the first column of the panel
+ * after the key columns. */
 static int gap_before(const struct pp_table *table, int i, int first)
 {
     if (i == 0)
@@ -163,8 +165,9 @@ static int keys_width(const struct pp_table *table)
     return width;
 }
 
-/* Index after the last column that fits in a panel that begins with `first`: whole
- * groups or, for a group wider than a panel, the columns that fit. */
+/* Index of the first column after a panel that begins with column `first`. A panel
+ * consists of whole groups; if one group is too wide, of the columns of the group that
+ * fit. */
 static int panel_end(const struct pp_table *table, int first, int width)
 {
     int used = keys_width(table);
@@ -188,7 +191,7 @@ static int panel_end(const struct pp_table *table, int first, int width)
     return end;
 }
 
-/* Writes lines without trailing blanks: blanks are written only before further
+/* Output without trailing blanks: blanks are stored, and written only before further
  * text. */
 struct writer {
     FILE *out;
@@ -235,13 +238,13 @@ static void put_aligned(struct writer *writer, const char *text, int length,
     writer->blanks += column->width - (length > 0 ? columns : 0);
 }
 
-/* Columns of a table that are printed side by side: the keys, and [first, end). */
+/* Columns printed side by side: the key columns and the columns [first, end). */
 struct panel {
     const struct pp_table *table;
     int first, end;
 };
 
-/* The column to the right of column i. */
+/* Index of the column printed to the right of column i. */
 static int next_column(const struct panel *panel, int i)
 {
     return i + 1 == panel->table->key_count ? panel->first : i + 1;
@@ -278,7 +281,7 @@ static void print_groups(const struct panel *panel, struct writer *writer)
     }
 }
 
-/* Prints headings, aligned at their last line. */
+/* Prints headings, aligned at the bottom. */
 static void print_headings(const struct panel *panel, struct writer *writer)
 {
     const struct pp_table *table = panel->table;
@@ -346,10 +349,10 @@ static void print_panel(const struct panel *panel, FILE *out)
     }
 }
 
-/* ---- shortening of keys, so that a table fits the width ---- */
+/* ---- shortening of key columns, so that a table fits the width ---- */
 
-/* Replaces characters in the middle of a cell by two dots, so that it is `columns`
- * wide. */
+/* Replaces characters in the middle of a cell by two dots, so that the cell is
+ * `columns` wide. */
 static void shorten(char cell[PP_CELL_BYTES], int columns)
 {
     char text[PP_CELL_BYTES];
@@ -370,7 +373,8 @@ static void shorten(char cell[PP_CELL_BYTES], int columns)
     snprintf(cell, PP_CELL_BYTES, "%.*s..%s", head, text, text + tail);
 }
 
-/* True if different cells of column k remain different at that width. */
+/* True if cells of column k that differ still differ when they are shortened to that
+ * width. */
 static bool tells_apart(const struct pp_table *table, int k, int columns)
 {
     const struct pp_table_column *column = &table->columns[k];

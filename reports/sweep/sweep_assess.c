@@ -1,4 +1,5 @@
-/* sweep_assess.c - criteria of a sweep: one row per finding, one column per run. */
+/* sweep_assess.c - table of findings in a sweep: one row per finding, one column per
+ * run. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,11 +11,11 @@
 
 enum { KEYS = 4 };
 
-/* A finding that occurs in some run, identified by room, criterion and name. */
+/* A finding that occurs in at least one run, identified by room, criterion and name. */
 struct finding_row {
     const char *room, *criterion;
     const struct pp_finding *finding;
-    int place; /* index of the room in its run */
+    int place; /* index of the room within its run */
 };
 
 static bool is_same_row(const struct finding_row *a, const struct finding_row *b)
@@ -69,8 +70,8 @@ static void gather_finding(void *data, const struct finding_row *row)
         rows->list[rows->count++] = *row;
 }
 
-/* Writes "1.07", preceded by a sign if the target is not met or the verdict
- * undecided. */
+/* Writes a figure, such as "1.07". A sign before it shows that the target is not met or
+ * the verdict is undecided. */
 static void write_finding(void *data, const struct finding_row *row)
 {
     struct finding_rows *rows = data;
@@ -86,7 +87,7 @@ static void write_finding(void *data, const struct finding_row *row)
         snprintf(cell, PP_CELL_BYTES, "-");
 }
 
-/* Writes the target, or the unit of a figure without a target. */
+/* Writes the target, or the unit if the figure has no target. */
 static void write_target(char cell[PP_CELL_BYTES], const struct pp_finding *finding,
                          bool utf8)
 {
@@ -118,8 +119,8 @@ static bool add_assess_keys(struct pp_table *table, const struct finding_rows *r
     return true;
 }
 
-/* The swept values of each run, as titles of column groups. A group may extend over
- * several panels. */
+/* Swept values of each run, which are the titles of column groups. A group may extend
+ * over several panels. */
 struct run_heads {
     char (*texts)[PP_CELL_BYTES];
 };

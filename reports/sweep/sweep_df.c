@@ -1,11 +1,12 @@
-/* sweep_df.c - daylight factors of a sweep: one row per room and point, one column per
- * method. */
+/* sweep_df.c - table of daylight factors in a sweep: one row per room and point of a
+ * run, one column per method. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "reports/sweep/sweep_text.h"
 
-/* Row of a table: a room of a run, and its point (receiver_count: the average). */
+/* Row of the table: a room of a run, and the index of its point (receiver_count: the
+ * average). */
 struct df_row {
     const struct pp_result *result;
     int point;
@@ -82,8 +83,8 @@ static bool add_place_column(struct pp_table *table, const struct df_rows *rows)
     return true;
 }
 
-/* The method's column among those from index `first` on; it is added if it does not
- * exist. NULL: out of memory. */
+/* Finds the method's column among the columns from index `first`, or adds it. NULL: out
+ * of memory. */
 static struct pp_table_column *method_column(struct pp_table *table, int first,
                                              const char *name)
 {

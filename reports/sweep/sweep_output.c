@@ -9,7 +9,7 @@
 #include "reports/parts/format.h"
 #include "reports/parts/json.h"
 
-/* Prints one run to memory; the caller frees *text. */
+/* Prints one run to memory. The caller frees *text. */
 static enum pp_status print_run(char **text, pp_sweep_output_run *print,
                                 const void *data, int run, struct pp_error *err)
 {
@@ -27,7 +27,7 @@ static enum pp_status print_run(char **text, pp_sweep_output_run *print,
 
 /* ---- CSV ---- */
 
-/* Position after the record's line end; a line end in quotes belongs to a field. */
+/* Position after the end of a record. A line end within quotes belongs to a field. */
 static const char *behind_record(const char *at)
 {
     bool quoted = false;
@@ -76,7 +76,7 @@ enum pp_status pp_sweep_output_csv(const struct pp_sweep *sweep,
 
 /* ---- JSON ---- */
 
-/* Adds the value as a number if it is one. */
+/* Adds the value, as a number if it is one, else as text. */
 static bool add_value(struct json_object *set, const char *address, const char *value)
 {
     double number;

@@ -1,4 +1,4 @@
-/* sweep_size.c - sizes of a sweep: one row per room. */
+/* sweep_size.c - table of sizes in a sweep: one row per run and room. */
 #include <math.h>
 #include <stdlib.h>
 

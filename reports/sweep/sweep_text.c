@@ -1,4 +1,4 @@
-/* sweep_text.c - see sweep_text.h: the columns common to all tables of sweeps. */
+/* sweep_text.c - see sweep_text.h. Here: the columns that all tables of sweeps have. */
 #include "reports/sweep/sweep_text.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/* validate_dots.c - writes SVG directly: one row per part, one dot per case. */
+/* validate_dots.c - writes the SVG of the dot charts: three rows, with one dot per case
+ * in each row. */
 #include "reports/validate/validate_dots.h"
 
 #include <math.h>
@@ -22,8 +23,8 @@ enum { ROWS = 3 };
 
 static const char *const rows[ROWS] = {"difference", "assumption", "formula"};
 
-/* Least expected value (fraction of the open-sky illuminance) for which a relative
- * difference is meaningful. */
+/* Least expected value for which a relative difference is meaningful, as a fraction of
+ * the illuminance under the open sky. */
 static const double LEAST = 1e-4;
 
 static double dots_of_case(const struct pp_known_case *one, int row)
@@ -56,8 +57,8 @@ static double median_of(double *values, int count)
     return (values[(count - 1) / 2] + values[count / 2]) / 2.0;
 }
 
-/* Writes a dot. Consecutive cases are spread over seven heights, so that dots of equal
- * values remain distinct. */
+/* Writes a dot. Dots of consecutive cases are at seven different heights, so that equal
+ * values can be distinguished. */
 static void put_dot(double share, int number, int middle, FILE *out)
 {
     double y = middle + 2.0 * (number * 3 % 7 - 3);

@@ -1,4 +1,5 @@
-/* validate_known.c - a suite's cases in the order in which they were added. */
+/* validate_known.c - prints the cases of a suite in the order in which they were
+ * added. */
 #include "reports/validate/validate_known.h"
 
 #include <math.h>
@@ -12,8 +13,8 @@
 
 enum { NAME_WIDTH = 40 };
 
-/* Prints a case: its name and figures in columns, or the name on its own line above if
- * it is too long. */
+/* Prints a case: its name and figures in columns, or the name on a separate line if it
+ * is too long. */
 static void print_case(const struct pp_known_case *one, FILE *out)
 {
     bool fits = strlen(one->what) <= NAME_WIDTH;
@@ -27,8 +28,8 @@ static void print_case(const struct pp_known_case *one, FILE *out)
 
 enum { PLACE_WIDTH = 20 };
 
-/* Prints a method's difference in a room: per cent, with the allowed differences, and the
- * parts. */
+/* Prints the difference between a method and the simulation in a room, in per cent,
+ * with the permitted differences and the parts of the difference. */
 static void print_parts(const struct pp_known_case *one, FILE *out)
 {
     bool judged = pp_known_case_is_judged(one);
@@ -58,7 +59,7 @@ static void print_head(const struct pp_known_result *result, bool parts, FILE *o
                 "differ", "limit");
 }
 
-/* Prints the room, if it differs from the previous one. */
+/* Prints the name of the room if it differs from the previous room. */
 static void print_known_room(const struct pp_known_case *one, const char **file,
                              const char **room, FILE *out)
 {
@@ -120,7 +121,7 @@ void pp_validate_known_text(const struct pp_known_result *result, int width, FIL
 
 /* ---- JSON ---- */
 
-/* Adds the extra members of cases of a user's rooms. */
+/* Adds further members for cases in a user's rooms. */
 static bool add_of_room(struct json_object *object, const struct pp_known_case *one)
 {
     bool good = pp_json_text(object, "file", one->file)
@@ -174,7 +175,7 @@ enum pp_status pp_validate_known_json(const struct pp_known_result *result, FILE
 
 /* ---- CSV ---- */
 
-/* Writes the extra columns of cases of a user's rooms. */
+/* Writes further columns for cases in a user's rooms. */
 static void put_csv_of_room(const struct pp_known_case *one, FILE *out)
 {
     const double numbers[] = {pp_known_case_is_judged(one) ? one->least : NAN,

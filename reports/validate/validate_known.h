@@ -1,4 +1,4 @@
-/* validate_known.h - comparison of results with known values, as text, JSON and CSV. */
+/* validate_known.h - comparison of results with known values as text, JSON and CSV. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_KNOWN_H
 #define PP_REPORTS_VALIDATE_VALIDATE_KNOWN_H
 
@@ -13,9 +13,9 @@ struct pp_known_result {
     struct pp_known_cases cases;
 };
 
-/* Prints each case with the result, the expected value, their difference, its limit and
- * the verdict, by group, and the number of correct ones. The last sentence is wrapped
- * at `width`; lines before it have up to 80 columns. */
+/* Prints the cases by group: result, expected value, their difference, its limit, and
+ * the verdict. Then prints how many cases are correct. The last sentence is wrapped at
+ * `width`; other lines have at most 80 columns. */
 void pp_validate_known_text(const struct pp_known_result *result, int width, FILE *out);
 enum pp_status pp_validate_known_json(const struct pp_known_result *result, FILE *out,
                                       struct pp_error *err);

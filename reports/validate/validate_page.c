@@ -1,5 +1,5 @@
-/* validate_page.c - the verdict, a table of the groups with their histograms, and all
- * cases, initially folded. */
+/* validate_page.c - writes the verdict, a table of the groups with histograms, and all
+ * cases, which are hidden at first. */
 #include "reports/validate/validate_page.h"
 
 #include <math.h>
@@ -9,8 +9,9 @@
 #include "reports/page/html.h"
 #include "reports/validate/validate_dots.h"
 
-/* Bins of difference over limit (pp_known_case_share), from -1.5 to 1.5; values beyond
- * are in the first and last bins. */
+/* Number of histogram bins for the difference divided by its limit
+ * (pp_known_case_share), from -1.5 to 1.5. Values outside are in the first and last
+ * bins. */
 enum { BINS = 31 };
 
 static const double BIN_MOST = 1.5;
@@ -18,16 +19,16 @@ static const double BIN_MOST = 1.5;
 /* Dimensions of a histogram, in pixels. */
 enum { BIN_WIDTH = 6, BAR_HEIGHT = 40, AXIS_HEIGHT = 14 };
 
-/* The cases of one group, which need not be adjacent. */
+/* A group of cases; they need not be adjacent in the list. */
 struct group {
     const char *name;
     int count, wrong, unjudged;
-    double worst;   /* |difference| over limit */
-    double squares; /* sum of squares of differences */
+    double worst;   /* greatest |difference| / limit */
+    double squares; /* sum of the squared differences */
     int bins[BINS];
 };
 
-/* Style in addition to that of all pages (html.h). */
+/* Style rules in addition to those of all pages (html.h). */
 static const char more_style[] =
     ".verdict.bad{border-color:var(--bad)}\n"
     "td:first-child,th:first-child{text-align:left;white-space:normal}\n"
@@ -71,8 +72,8 @@ static void count_case(struct group *group, const struct pp_known_case *one)
     }
 }
 
-/* Finds the groups, up to GROUPS_MOST, which is more than any suite or the methods
- * need; returns their number. */
+/* Collects the groups and returns their number. GROUPS_MOST exceeds the number of
+ * groups in any suite. */
 enum { GROUPS_MOST = 256 };
 
 static int gather_case_groups(struct group groups[GROUPS_MOST],
@@ -154,7 +155,7 @@ static void put_groups(const struct group *groups, int count, FILE *out)
     fputs("</tbody></table></div>\n", out);
 }
 
-/* Writes the errors of methods, in their two parts. */
+/* Writes the dot charts of the errors of methods and their two parts. */
 static void put_parts(const struct group *groups, int count,
                       const struct pp_known_cases *cases, FILE *out)
 {
@@ -223,7 +224,7 @@ static void put_cases(const struct pp_known_cases *cases, const char *group,
     fputs("</tbody></table></div>\n", out);
 }
 
-/* Writes the reasons why cases have no verdict, each once. */
+/* Writes the reasons why cases have no verdict. Each reason is written once. */
 static void put_reasons(const struct pp_known_cases *cases,
                         const struct pp_suite_score *score, FILE *out)
 {

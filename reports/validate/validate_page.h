@@ -1,5 +1,6 @@
-/* validate_page.h - results of a suite as one self-contained page of HTML: no network,
- * no script; light or dark, for paper and narrow screens. */
+/* validate_page.h - results of a suite as one self-contained HTML page, without network
+ * access or scripts. The page is light or dark, and suitable for print and narrow
+ * screens. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_PAGE_H
 #define PP_REPORTS_VALIDATE_VALIDATE_PAGE_H
 
@@ -7,8 +8,8 @@
 
 #include "reports/validate/validate_known.h"
 
-/* Writes a page in UTF-8: for each group a histogram of differences over their limits,
- * for each case a row. */
+/* Writes the page in UTF-8. Each group has a histogram of differences divided by their
+ * limits. Each case has a row. */
 void pp_validate_page(const struct pp_known_result *result, FILE *out);
 
 #endif

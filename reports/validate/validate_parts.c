@@ -1,4 +1,5 @@
-/* validate_parts.c - the two parts of each difference as tables and fields. */
+/* validate_parts.c - prints the two parts of each difference as tables, JSON members
+ * and CSV fields. */
 #include "reports/validate/validate_parts.h"
 
 #include <math.h>
@@ -17,7 +18,7 @@ const char pp_validate_parts_note[] =
 
 /* ---- text ---- */
 
-/* Prints the heads of two groups of columns. */
+/* Prints the headings of two groups of columns. */
 static void print_heads(const char *title, const char *average, const char *bias,
                         int noise_width, FILE *out)
 {
@@ -117,8 +118,8 @@ void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE 
 
 /* ---- JSON and CSV ---- */
 
-/* Adds the known parts under keys that start with `begin`, "average-" or "":
- * "average-assumption", for example. */
+/* Adds the known parts. begin: start of the keys, "average-" or "", as in
+ * "average-assumption". */
 static bool add_parts(struct json_object *object, const char *begin,
                       const struct pp_error_parts *parts)
 {
@@ -139,7 +140,8 @@ static bool add_parts(struct json_object *object, const char *begin,
     return good;
 }
 
-/* Parts without standard errors, which are not calculated over several rooms. */
+/* Returns parts without standard errors, which are not calculated over several
+ * rooms. */
 static struct pp_error_parts without_errors(double assumption, double formula)
 {
     return (struct pp_error_parts){assumption, NAN, formula, NAN};

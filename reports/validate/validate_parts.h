@@ -1,6 +1,6 @@
-/* validate_parts.h - the parts of the differences found by `validate` that are due to
- * assumption and formula (studies/research/validation/own_world.h), within its text,
- * JSON and CSV. */
+/* validate_parts.h - the two parts of the differences found by `validate`, due to
+ * assumption and formula (studies/research/validation/own_world.h). The functions add
+ * them to text, JSON and CSV. */
 #ifndef PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
 #define PP_REPORTS_VALIDATE_VALIDATE_PARTS_H
 
@@ -10,23 +10,26 @@
 #include "studies/research/validation/comparison.h"
 
 /* Prints tables of the components that a method calculates for an idealised room or
- * sky, with the shares of the average's difference and of the bias. Prints nothing and
- * returns false if there are none. */
+ * sky, with the two parts of the difference in the average and of the bias. Prints
+ * nothing and returns false if there are no such components. */
 bool pp_validate_parts_print(const struct pp_comparison *list, int count, FILE *out);
 
-/* Prints the same tables over all rooms. */
+/* Prints the same tables for the comparison over all rooms. */
 void pp_validate_parts_print_all(const struct pp_overall *list, int count, FILE *out);
 
-/* Note that explains the tables, for the end of a text that has any. */
+/* Note that explains the tables, to be printed at the end of a text that contains
+ * them. */
 extern const char pp_validate_parts_note[];
 
-/* Adds the known parts to the object of a comparison; false: out of memory. */
+/* Add the known parts to the object of a comparison. Return false if memory is
+ * exhausted. */
 bool pp_validate_parts_json(struct json_object *object,
                             const struct pp_comparison *one);
 bool pp_validate_parts_json_all(struct json_object *object,
                                 const struct pp_overall *one);
 
-/* Names of the fields at the end of a line, and the fields, each after a comma. */
+/* Names of the last fields on a line, and function that writes the fields. Each is
+ * preceded by a comma. */
 extern const char pp_validate_parts_csv_names[];
 void pp_validate_parts_csv(const struct pp_comparison *one, FILE *out);
 

@@ -14,8 +14,8 @@
 
 enum { NAME_WIDTH = 20 };
 
-/* Writes the position of a point: "1.50, 8.50", with the height if it is not the height
- * of the working plane. */
+/* Writes the position of a point, "1.50, 8.50", and its height if the point is not on
+ * the working plane. */
 static void write_place(char text[64], const struct pp_report *report, int point)
 {
     struct pp_vec3 at = report->receivers[point].position;
@@ -44,8 +44,8 @@ static void print_comparison(const struct pp_comparison *one,
     fputc('\n', out);
 }
 
-/* True if a component is zero by all methods and the simulation, as without
- * obstructions outside. */
+/* True if a component is zero by all methods and by simulation, for example because
+ * there are no obstructions outside. */
 static bool is_nothing(const struct pp_comparison *list, int count,
                        enum pp_component component)
 {
@@ -82,8 +82,8 @@ static void print_component(const struct pp_comparison *list, int count,
     }
 }
 
-/* Prints each reason for missing values once, as "- bre: why"; the method's name is not
- * repeated if the reason begins with it. */
+/* Prints each reason for missing values once, as "- bre: why". The method's name is not
+ * repeated if the reason begins with the name. */
 static void print_refusals(const struct pp_comparison *list, int count, int width,
                            FILE *out)
 {
@@ -106,7 +106,7 @@ static void print_refusals(const struct pp_comparison *list, int count, int widt
     }
 }
 
-/* Prints one room. Returns whether it printed parts of the differences. */
+/* Prints one room. Returns true if it printed parts of the differences. */
 static bool print_compared_room(const struct pp_result *result,
                                 const struct pp_comparison *list, int count, int width,
                                 FILE *out)

@@ -7,10 +7,10 @@
 #include "studies/research/validation/comparison.h"
 #include "reports/df_result.h"
 
-/* Rooms, each with its comparisons, and the comparison over all of them. */
+/* Rooms with their comparisons, and the comparison over all rooms. */
 struct pp_validation {
     const struct pp_results *results;
-    struct pp_comparison **rooms; /* one list for each result */
+    struct pp_comparison **rooms; /* one list of comparisons for each result */
     int *counts;
     struct pp_overall *overall;
     int overall_count;

@@ -7,7 +7,7 @@
 
 #include "reports/parts/json.h"
 
-/* Appends one length: "1.2346", without trailing zeros. */
+/* Appends one length, such as "1.2346", without trailing zeros. */
 static bool append_length(struct json_object *list, double length)
 {
     char digits[40];

@@ -1,10 +1,10 @@
-/* plan_json.c - builds the JSON object of a plan. */
+/* plan_json.c - makes the JSON object of a plan. */
 #include "reports/vectors/plan_json.h"
 
 #include "reports/parts/json.h"
 #include "reports/vectors/json_curves.h"
 
-/* Adds { "value": 0.6, "x": 1.5, "y": 8.5 }. */
+/* Adds the value and position of an extreme: { "value": 0.6, "x": 1.5, "y": 8.5 }. */
 static bool add_extreme(struct json_object *object, const char *key, double factor,
                         const double xy[2])
 {

@@ -1,4 +1,5 @@
-/* plan_json.h - a plan's contours and no-sky line as JSON, for programs that draw them. */
+/* plan_json.h - contours and no-sky line of a plan as JSON, for programs that draw
+ * them. */
 #ifndef PP_REPORTS_VECTORS_PLAN_JSON_H
 #define PP_REPORTS_VECTORS_PLAN_JSON_H
 
@@ -6,7 +7,7 @@
 
 #include "studies/plan_study.h"
 
-/* Prints one object, "pepperpot-plan-1". Lengths in metres, levels in per cent. */
+/* Prints one object, "pepperpot-plan-1". Lengths are in metres, levels in per cent. */
 enum pp_status pp_plan_json(const struct pp_plan_study *study, FILE *out,
                             struct pp_error *err);
 

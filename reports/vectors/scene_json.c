@@ -1,4 +1,4 @@
-/* scene_json.c - builds the JSON object of a room's geometry. */
+/* scene_json.c - makes the JSON object of a room's geometry. */
 #include "reports/vectors/scene_json.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@ static const char *const roles[PP_ROLE_COUNT] = {
     [PP_BLOCK] = "block",   [PP_FACADE] = "facade", [PP_SKYLINE] = "skyline",
 };
 
-/* Adds an object on one line to a list; NULL: out of memory. */
+/* Adds a new object, printed on one line, to a list. NULL: out of memory. */
 static struct json_object *scene_item(struct json_object *list)
 {
     struct json_object *item = json_object_new_object();

@@ -6,10 +6,10 @@
 
 #include "model/room/world.h"
 
-/* Prints one object, "pepperpot-scene-1": surfaces, openings, blocks, skylines and
- * gardens, each with its line in the file, the working plane, and the points.
- * Coordinates x, y, z are in the room's axes, metres to 0.1 mm, as flat lists; angles
- * in degrees. */
+/* Prints one object, "pepperpot-scene-1". The object contains surfaces, openings,
+ * blocks, skylines and gardens, each with its line in the file, the working plane, and
+ * the points. Coordinates x, y, z are flat lists in the room's axes, in metres, rounded
+ * to 0.1 mm. Angles are in degrees. */
 enum pp_status pp_scene_json(const struct pp_world *world,
                              const struct pp_receiver *points, int point_count,
                              FILE *out, struct pp_error *err);

@@ -1,5 +1,5 @@
-/* answer_about.h - the endpoints "about" and "room": version, lists and initial room of
- * the server. Inside serve/ only. */
+/* answer_about.h - the endpoints "about" and "room", which give the version, the lists,
+ * and the initial room of the server. For use inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_ANSWER_ABOUT_H
 #define PP_SERVE_ANSWERS_ANSWER_ABOUT_H
 

@@ -7,7 +7,8 @@
 #include "serve/answers/asked_room.h"
 #include "serve/work/program_words.h"
 
-/* Answers with the child's output, of which it takes ownership, or with the error. */
+/* Answers with the output of the child process, or with its error. Takes ownership of
+ * the output. */
 static void answer_child(struct pp_task *task, struct pp_child_result *result,
                          const char *type)
 {
@@ -56,7 +57,8 @@ bool pp_answer_program_import(struct pp_task *task)
                             ? json_object_get_string(text)
                             : NULL;
     const char *first = bytes ? bytes + strspn(bytes, " \t\r\n\xEF\xBB\xBF") : "";
-    /* Only gbXML is accepted: other scene formats may refer to files on the server. */
+    /* Only gbXML is accepted, because other scene formats may refer to files on the
+     * server. */
     if (*first != '<' || !strstr(first, "<gbXML")) {
         pp_task_fail(task, MHD_HTTP_UNPROCESSABLE_CONTENT,
                      "expected { \"gbxml\": TEXT } with a gbXML file");

@@ -1,5 +1,5 @@
-/* answer_program.h - the endpoints served by a command of the program: chart, assess,
- * size, availability, report, import. Inside serve/ only. */
+/* answer_program.h - the endpoints that run a command of the program: chart, assess,
+ * size, availability, report, import. For use inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_ANSWER_PROGRAM_H
 #define PP_SERVE_ANSWERS_ANSWER_PROGRAM_H
 

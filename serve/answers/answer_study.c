@@ -69,8 +69,8 @@ bool pp_answer_study_df(struct pp_task *task)
 
 /* ---- plan ---- */
 
-/* Answers with { "scene": ..., "plan": ... }, made from two JSON texts. If plan is
- * NULL, the answer has "plan": null and the reason in "why". */
+/* Answers with { "scene": ..., "plan": ... }, made from two JSON texts. plan NULL: the
+ * answer has "plan": null, and "why" gives the reason. */
 static void answer_plan(struct pp_task *task, const char *scene, const char *plan,
                         const struct pp_error *err)
 {
@@ -124,8 +124,8 @@ bool pp_answer_study_plan(struct pp_task *task)
 
 /* ---- check ---- */
 
-/* Answers with the list of mistakes in the room file; mistakes are a result here, not
- * an HTTP error. The list is empty for a valid file. */
+/* Answers with the list of errors in the room file. The list is a result here, not an
+ * HTTP error, and is empty for a valid file. */
 bool pp_answer_study_check(struct pp_task *task)
 {
     static const char *const names[] = {NULL};
@@ -156,7 +156,8 @@ bool pp_answer_study_check(struct pp_task *task)
         pp_study_destroy(asked.study);
         asked.study = NULL;
         if (status == PP_BAD_INPUT)
-            status = PP_OK; /* recorded as mistakes; other rooms may have more */
+            status = PP_OK; /* the errors are in the list; other rooms may have further
+                             * errors */
     }
     if (status == PP_SYSTEM || !rooms || !object) {
         json_object_put(rooms);

@@ -1,5 +1,5 @@
-/* answer_study.h - the endpoints served by the library directly: df, plan, check.
- * Inside serve/ only. */
+/* answer_study.h - the endpoints that call the library directly: df, plan, check. For
+ * use inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_ANSWER_STUDY_H
 #define PP_SERVE_ANSWERS_ANSWER_STUDY_H
 

@@ -7,13 +7,13 @@
 
 #include "serve/answers/mistake_place.h"
 
-/* Limits of one request; larger rooms need the command line. */
+/* Limits for a request. Larger rooms require the command line. */
 enum {
     POINTS_MOST = 5000,
     OPENINGS_MOST = 200,
     OBJECTS_MOST = 500,
 };
-static const double work_most = 3e6; /* points x openings x objects outside */
+static const double work_most = 3e6; /* points × openings × objects outside */
 
 static const char member_text[] = "expected { \"room\": TEXT, \"options\": { ... } }";
 
@@ -142,7 +142,7 @@ struct json_object *pp_asked_room_mistakes(const struct pp_asked_room *asked)
     return list;
 }
 
-/* Answers with the errors of the room. */
+/* Answers with the errors in the room file. */
 static void fail_mistakes(struct pp_task *task, const struct pp_asked_room *asked,
                           const struct pp_error *err)
 {
@@ -160,8 +160,8 @@ static void fail_mistakes(struct pp_task *task, const struct pp_asked_room *aske
     pp_task_answer_json(task, MHD_HTTP_UNPROCESSABLE_CONTENT, object);
 }
 
-/* Creates the study of the room with that name (NULL: the first room). PP_BAD_INPUT if
- * there is none. */
+/* Creates the study of the room with that name; NULL: the first room. PP_BAD_INPUT if
+ * there is no such room. */
 static enum pp_status choose_room(struct pp_asked_room *asked, const char *name,
                                   const char *sky, struct pp_error *err)
 {
@@ -182,7 +182,7 @@ static enum pp_status choose_room(struct pp_asked_room *asked, const char *name,
     return PP_BAD_INPUT;
 }
 
-/* Replaces the room's points by [[x, y], [x, y, z], ...]. */
+/* Replaces the room's points by a list such as [[x, y], [x, y, z], ...]. */
 static bool set_points(struct pp_asked_room *asked, struct pp_task *task,
                        struct json_object *points)
 {

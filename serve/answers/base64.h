@@ -1,11 +1,11 @@
-/* base64.h - bytes as base64 text. Inside serve/ only. */
+/* base64.h - encodes bytes as base64 text. For use inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_BASE64_H
 #define PP_SERVE_ANSWERS_BASE64_H
 
 #include <stddef.h>
 
-/* Encodes bytes by RFC 4648, section 4. Returns a NUL-terminated string that the caller
- * frees; NULL: out of memory. */
+/* Encodes bytes according to RFC 4648, section 4. Returns a null-terminated string,
+ * which the caller frees. NULL: out of memory. */
 char *pp_base64_of(const char *bytes, size_t length);
 
 #endif

@@ -23,7 +23,7 @@ static int line_at(const char *text, const char *at)
     return line;
 }
 
-/* Column of a position: 1 + number of characters before it in its line. */
+/* Column of a position: 1 + the number of characters before it on its line. */
 static int column_at(const char *text, const char *at)
 {
     int column = 1;
@@ -51,8 +51,8 @@ static struct text_span line_span(const char *text, const char *end, int line)
     return span;
 }
 
-/* Next tag from `at` on, including "<" and ">"; comments are skipped. The span is empty
- * at the end of the text. */
+/* Next tag at or after `at`, including "<" and ">". Comments are skipped. The span is
+ * empty at the end of the text. */
 static struct text_span tag_behind(const char *at, const char *end)
 {
     while (at < end) {
@@ -85,7 +85,7 @@ static bool tag_is_named(struct text_span tag, const char *name, size_t length)
            && (is_blank(tag.from[length + 1]) || strchr("/>", tag.from[length + 1]));
 }
 
-/* Attribute of a tag, including name and value; the span is empty if the tag lacks
+/* Attribute of a tag, with name and value. The span is empty if the tag does not have
  * it. */
 static struct text_span attribute_in(struct text_span tag, const char *name,
                                      size_t length)
@@ -108,8 +108,8 @@ static struct text_span attribute_in(struct text_span tag, const char *name,
     return (struct text_span){tag.to, tag.to};
 }
 
-/* Text between `before` and the next quotation mark in the sentence; empty if there is
- * none. */
+/* Text in the sentence between `before` and the next quotation mark. The span is empty
+ * if there is none. */
 static struct text_span quoted_behind(const char *sentence, const char *before)
 {
     const char *found = strstr(sentence, before);

@@ -1,7 +1,8 @@
 /* stream_render.c - see stream_render.h.
  *
- * Each pass runs pepperpot render: at 1/8 of the size with 1 path per pixel, at 1/2
- * with 4, at full size with 4 and then 16. Each event "picture" has a PNG in base64.
+ * Each pass runs pepperpot render. The first pass has 1/8 of the size and 1 path per
+ * pixel, the second 1/2 of the size and 4 paths. Two passes at full size have 4 and 16
+ * paths per pixel. Each event "picture" contains a PNG in base64.
  */
 #include "serve/answers/stream_render.h"
 
@@ -22,8 +23,9 @@ struct render {
     int pass, width, height;
 };
 
-/* Reads the option size ("640x480"; the default), within limits, and removes it,
- * samples and format from the options. If false, the error answer is set. */
+/* Reads the option "size" ("640x480"; default if missing), within limits. Removes size,
+ * samples and format from the options. If the size is invalid, returns false and sets
+ * the error answer. */
 static bool take_size(struct render *render, struct pp_task *task)
 {
     struct json_object *size, *options = NULL;

@@ -1,5 +1,5 @@
-/* stream_render.h - the endpoint render: a stream of pictures, coarse ones first.
- * Inside serve/ only. */
+/* stream_render.h - the endpoint "render", a stream of pictures of increasing quality.
+ * For use inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_STREAM_RENDER_H
 #define PP_SERVE_ANSWERS_STREAM_RENDER_H
 

@@ -1,7 +1,7 @@
 /* stream_trace.c - see stream_trace.h.
  *
- * Events: "estimate" after each slice of work, with the present values, and "result" at
- * the end, with the JSON output of df.
+ * An event "estimate" with the present values follows each slice of work. The last
+ * event, "result", contains the JSON output of df.
  */
 #include "serve/answers/stream_trace.h"
 
@@ -11,8 +11,9 @@
 
 #include "serve/answers/asked_room.h"
 
-/* Duration of a slice of work (s), after which an estimate is sent and the connection
- * is checked. The first slice is shorter, for an early first estimate. */
+/* Duration of a slice of work (s). After each slice an estimate is sent and the
+ * connection is checked. The first slice is shorter, so that the first estimate is
+ * early. */
 static const double first_slice_s = 0.01, slice_s = 0.04;
 
 struct trace {
@@ -27,8 +28,8 @@ static void free_trace(void *state)
     free(trace);
 }
 
-/* Writes a factor in per cent with 6 digits, which is far more accurate than its
- * standard error. */
+/* Writes a daylight factor in per cent with 6 digits, far more than its standard error
+ * requires. */
 static void put_per_cent(FILE *out, double factor)
 {
     if (isfinite(factor))

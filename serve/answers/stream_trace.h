@@ -1,5 +1,5 @@
-/* stream_trace.h - the endpoint trace: simulated daylight factors as a stream. Inside
- * serve/ only. */
+/* stream_trace.h - the endpoint "trace", a stream of simulated daylight factors. For
+ * use inside serve/ only. */
 #ifndef PP_SERVE_ANSWERS_STREAM_TRACE_H
 #define PP_SERVE_ANSWERS_STREAM_TRACE_H
 

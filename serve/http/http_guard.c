@@ -12,8 +12,8 @@
 
 enum { HOST_BYTES = 256 };
 
-/* Extracts the host without its port: "[::1]:80" gives "::1". False if the text is not
- * a valid host. */
+/* Extracts the host without the port: "[::1]:80" gives "::1". Returns false if the text
+ * is not a valid host. */
 static bool bare_host(char bare[HOST_BYTES], const char *host)
 {
     size_t length;
@@ -67,7 +67,7 @@ bool pp_http_guard_same(const char *wanted, const char *given)
     return differences == 0;
 }
 
-/* True if the origin's host and port equal the Host header. */
+/* True if host and port of the origin are equal to the Host header. */
 static bool is_own_origin(const char *origin, const char *host)
 {
     const char *scheme_end = strstr(origin, "://");

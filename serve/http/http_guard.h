@@ -1,4 +1,5 @@
-/* http_guard.h - accepts or refuses requests by their headers. Inside serve/ only. */
+/* http_guard.h - accepts or rejects requests according to their headers. For use inside
+ * serve/ only. */
 #ifndef PP_SERVE_HTTP_HTTP_GUARD_H
 #define PP_SERVE_HTTP_HTTP_GUARD_H
 
@@ -6,25 +7,25 @@
 
 #include "serve/serve.h"
 
-/* Headers of a request; NULL: missing. */
+/* Headers of a request; NULL: the header is missing. */
 struct pp_http_headers {
     const char *method;
     const char *host, *origin, *content_type, *authorization, *fetch_site;
 };
 
-/* True if the Host header is allowed: 127.0.0.1, localhost, [::1], the server's address
- * or a name in `hosts`. If the server is not limited to loopback, any numeric address
- * is allowed too, since a DNS rebinding attack needs a name. The port is ignored, since
- * a proxy may use another one. */
+/* True if the Host header is permitted: 127.0.0.1, localhost, [::1], the server's
+ * address, or a name in `hosts`. If the server is not limited to loopback, any numeric
+ * address is also permitted, since a DNS rebinding attack requires a name. The port is
+ * ignored, because a proxy may use another port. */
 bool pp_http_guard_host(const struct pp_serve_options *options, const char *host);
 
-/* True if the texts are equal, or wanted is NULL. Constant time: its duration does not
- * depend on the position of a difference. */
+/* True if the texts are equal, or `wanted` is NULL. The duration does not depend on the
+ * position of a difference. */
 bool pp_http_guard_same(const char *wanted, const char *given);
 
-/* Returns 0 if the request is accepted, else the HTTP status of the refusal and its
- * reason in *why. is_page: the path is a file of the web page, which is public. token:
- * the token that the path requires; NULL: none. */
+/* Returns 0 if the request is accepted. Otherwise returns the HTTP status of the error
+ * and sets *why to the reason. is_page: the path is a file of the web page, which is
+ * public; token: token that the path requires; NULL: none. */
 unsigned pp_http_guard_check(const struct pp_serve_options *options,
                              const struct pp_http_headers *headers,
                              const char *body_type, bool is_page, const char *token,

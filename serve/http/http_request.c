@@ -22,7 +22,8 @@ struct http_request {
 
 /* ---- answers ---- */
 
-/* The page may load scripts and images, and connect, only from this server. */
+/* The page may load scripts and images only from this server, and connect only to
+ * it. */
 static const char content_policy[] =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: "
     "blob:; "
@@ -49,8 +50,8 @@ static enum MHD_Result send_response(struct MHD_Connection *connection, unsigned
     return queued;
 }
 
-/* Answers with { "error": "..." }; the sentence must need no JSON escapes. allowed: the
- * Allow header of a 405, or NULL. */
+/* Answers with { "error": "..." }. The sentence must not need JSON escapes. allowed:
+ * value of the header Allow for status 405; NULL: no such header. */
 static enum MHD_Result refuse(struct MHD_Connection *connection, unsigned status,
                               const char *sentence, const char *allowed)
 {
@@ -63,7 +64,7 @@ static enum MHD_Result refuse(struct MHD_Connection *connection, unsigned status
     return send_response(connection, status, "application/json", response);
 }
 
-/* Copies the available part of a stream to the response. */
+/* Copies the available bytes of a stream to the response. */
 static ssize_t read_stream(void *data, uint64_t position, char *buffer, size_t most)
 {
     struct pp_task *task = data;
@@ -183,8 +184,8 @@ static enum MHD_Result begin_request(struct pp_server *server,
 
 /* ---- end of a request ---- */
 
-/* Identifies the client for fair scheduling: a hash of its page, or of its address if
- * no page is named. */
+/* Identifies the client for fair scheduling: a hash of the page's name, or of the
+ * address if no page is named. */
 static uint64_t client_of(struct MHD_Connection *connection)
 {
     uint64_t hash = 1469598103934665603u; /* FNV-1a */
@@ -205,8 +206,8 @@ static uint64_t client_of(struct MHD_Connection *connection)
     return hash;
 }
 
-/* Parses the body as a JSON object; a body of another media type becomes { "bytes":
- * "..." }. NULL if it is not a JSON object, or memory runs out. */
+/* Parses the body as a JSON object. A body of another media type becomes { "bytes":
+ * "..." }. NULL: not a JSON object, or out of memory. */
 static struct json_object *body_object(const struct http_request *request)
 {
     enum { DEPTH_MOST = 8 };

@@ -1,5 +1,5 @@
 /* http_request.h - callbacks of libmicrohttpd, from the first header of a request to
- * the last byte of its answer. Inside serve/ only. */
+ * the last byte of its answer. For use inside serve/ only. */
 #ifndef PP_SERVE_HTTP_HTTP_REQUEST_H
 #define PP_SERVE_HTTP_HTTP_REQUEST_H
 

@@ -1,4 +1,4 @@
-/* page_files.c - looks up the files of page/; page2c.awk generates their list. */
+/* page_files.c - finds files of page/ in a list that page2c.awk generates. */
 #include "serve/http/page_files.h"
 
 #include <string.h>

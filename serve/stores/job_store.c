@@ -21,7 +21,7 @@ static void job_path(char path[PATH_BYTES], const struct pp_task *task,
     snprintf(path, PATH_BYTES, "%s/%s%s", task->server->options->jobs, name, ending);
 }
 
-/* Writes a file completely or not at all. */
+/* Writes a file in one step. On failure no incomplete file is left. */
 static bool write_whole(const struct pp_task *task, const char *name,
                         const char *ending, const char *bytes, size_t length)
 {
@@ -81,7 +81,8 @@ static char *new_name(void)
     if (name && getrandom(random, sizeof random, 0) == (ssize_t)sizeof random) {
         for (size_t i = 0; i < sizeof random; i++)
             snprintf(name + 2 * i, 3, "%02x", random[i]);
-        name[NAME_DIGITS] = '\0'; /* longest variable part of a path (struct pp_task) */
+        name[NAME_DIGITS] = '\0'; /* names must fit the variable part of a path (struct
+                                   * pp_task) */
         return name;
     }
     free(name);
@@ -159,7 +160,7 @@ static char *read_job_file(const char *path, size_t *length)
     return bytes;
 }
 
-/* Media type named in the state file, as a static string. */
+/* Media type named in the state file. Static string. */
 static const char *result_type(struct json_object *state)
 {
     static const char *const types[] = {

@@ -1,9 +1,9 @@
-/* job_store.h - commands whose results are fetched later, from the folder of --jobs.
- * Inside serve/ only.
+/* job_store.h - jobs: commands whose results are fetched later. Jobs are stored in the
+ * folder of --jobs. For use inside serve/ only.
  *
- * The name of a job is 124 random bits, known only to the client that began it.
- * NAME.json is its state, NAME.result its result; both remain after the server has
- * stopped.
+ * The name of a job consists of 124 random bits, known only to the client that began
+ * the job. NAME.json contains the state of the job, NAME.result its result. Both files
+ * remain after the server has stopped.
  */
 #ifndef PP_SERVE_STORES_JOB_STORE_H
 #define PP_SERVE_STORES_JOB_STORE_H
@@ -14,7 +14,7 @@
  * "job": NAME }. */
 pp_task_run pp_job_store_put;
 
-/* Answers with the state of the job or, once it is done, with its result. */
+/* Answers with the state of the job, or with its result once the job is finished. */
 pp_task_run pp_job_store_get;
 
 #endif

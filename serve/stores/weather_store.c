@@ -51,7 +51,7 @@ void pp_weather_store_destroy(struct pp_weather_store *store)
     free(store);
 }
 
-/* Finds a file by its hash. Needs the lock. */
+/* Finds a file by its hash. The caller must hold the lock. */
 static struct weather_file *find_file(struct pp_weather_store *store, const char *hash)
 {
     for (int i = 0; i < PP_WEATHER_STORE_MOST; i++)
@@ -70,8 +70,8 @@ const char *pp_weather_store_path(struct pp_weather_store *store, const char *ha
     return file ? file->path : NULL;
 }
 
-/* Writes the file in place of the least recently used one, unless it is stored already.
- * Needs the lock. */
+/* Stores the file in place of the least recently used one, unless it is already stored.
+ * The caller must hold the lock. */
 static bool keep_file(struct pp_weather_store *store, const char *hash,
                       const char *bytes, size_t length)
 {

@@ -16,9 +16,9 @@
 extern char **environ;
 
 static const size_t output_most = (size_t)48 << 20, errors_most = (size_t)64 << 10;
-static const rlim_t memory_most = (rlim_t)4 << 30; /* limit on the child's address
-                                                    * space, which includes its threads'
-                                                    * stacks and the fonts */
+static const rlim_t memory_most = (rlim_t)4 << 30; /* limit on the address space of the
+                                                    * child, including thread stacks and
+                                                    * fonts */
 
 struct pipes {
     int in[2], out[2], err[2];
@@ -62,13 +62,14 @@ static bool spawn_child(pid_t *child, const struct pp_task *task,
     posix_spawn_file_actions_adddup2(&actions, pipes->in[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, pipes->out[1], STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, pipes->err[1], STDERR_FILENO);
-    /* A working directory that contains no files of the user. */
+    /* The working directory must not contain any files of the user. */
     posix_spawn_file_actions_addchdir_np(&actions, "/proc/self/fdinfo");
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &standard);
-    posix_spawnattr_setpgroup(&attributes, 0); /* own process group: the terminal's
-                                                * Ctrl-C must not reach it */
+    posix_spawnattr_setpgroup(&attributes, 0); /* separate process group, so that Ctrl-C
+                                                * in the terminal does not reach the
+                                                * child */
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF
                                               | POSIX_SPAWN_SETPGROUP);
     int failed = posix_spawn(child, task->server->options->program, &actions,
@@ -88,9 +89,9 @@ static bool spawn_child(pid_t *child, const struct pp_task *task,
     return true;
 }
 
-/* Appends one block of output to *bytes. Closes the pipe at the end of the file or
- * after a read error. False if the output exceeds `most` bytes, or if memory runs
- * out. */
+/* Appends one block of output to *bytes. Closes the pipe at the end of the output or
+ * after a read error. Returns false if the output exceeds `most` bytes, or memory is
+ * exhausted. */
 static bool take_output(int *pipe, char **bytes, size_t *length, size_t most)
 {
     enum { BLOCK = 64 << 10 };
@@ -114,7 +115,7 @@ static double child_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* Writes the input and reads both outputs until both are at their end. */
+/* Writes the input, and reads standard output and standard error to their ends. */
 static enum pp_child_end pump(struct pp_child_result *result, struct pp_task *task,
                               struct pipes *pipes, const char *input, size_t left)
 {
@@ -145,7 +146,7 @@ static enum pp_child_end pump(struct pp_child_result *result, struct pp_task *ta
                 input += written;
                 left -= (size_t)written;
             } else if (errno != EAGAIN && errno != EINTR) {
-                close_end(&pipes->in[1]); /* the child stopped reading */
+                close_end(&pipes->in[1]); /* the child has closed its input */
             }
         }
     }
@@ -180,7 +181,7 @@ const char *pp_child_sentence(struct pp_child_result *result)
 {
     if (result->end == PP_CHILD_LIMIT)
         return "the command took too long, or its result was too large";
-    /* The message begins "pepperpot: " or "pepperpot COMMAND: ". */
+    /* A message begins with "pepperpot: " or "pepperpot COMMAND: ". */
     char *sentence = result->errors ? strstr(result->errors, "pepperpot") : NULL;
     sentence = sentence ? strstr(sentence, ": ") : NULL;
     if (!sentence)

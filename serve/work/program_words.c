@@ -8,8 +8,9 @@
 #include "serve/answers/asked_room.h"
 #include "serve/stores/weather_store.h"
 
-/* For each command: the options that a request may set, separated by blanks, and its
- * formats, the default first. No option in this list may name a file. */
+/* Commands that a request may run, with the options that it may set, separated by
+ * blanks, and the output formats, default first. No option in this list may name a
+ * file. */
 static const struct {
     const char *command, *options, *formats;
 } commands[] = {
@@ -103,13 +104,14 @@ static bool is_listed(const char *list, const char *word)
     return false;
 }
 
-/* Text of an entry of a list; JSON's null is a null pointer in json-c. */
+/* Text of a list entry. json-c represents JSON's null by a null pointer. */
 static const char *text_of_entry(struct json_object *entry)
 {
     return entry ? json_object_get_string(entry) : "null";
 }
 
-/* Writes a list of points or numbers as on the command line: "1.5,2 1.5,3". */
+/* Writes a list of points or numbers in the form used on the command line: "1.5,2
+ * 1.5,3". */
 static void write_list(FILE *out, struct json_object *list, const char *between)
 {
     for (size_t i = 0; i < json_object_array_length(list); i++) {
@@ -131,7 +133,8 @@ static void add_repeated(struct pp_program_words *words, const char *name,
                                     text_of_entry(json_object_array_get_idx(list, i)));
 }
 
-/* Adds an option as an argument. If false, the error answer is set. */
+/* Adds an option as an argument. If the value is not valid, returns false and sets the
+ * error answer. */
 static bool add_option(struct pp_program_words *words, struct pp_task *task,
                        const char *name, struct json_object *value)
 {
@@ -166,7 +169,7 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
         return true;
     }
     case json_type_array: {
-        /* An option that is repeated; its values have commas of their own. */
+        /* --lighting is repeated instead, since its values contain commas. */
         if (strcmp(name, "lighting") == 0) {
             add_repeated(words, name, value);
             return true;
@@ -189,7 +192,8 @@ static bool add_option(struct pp_program_words *words, struct pp_task *task,
     }
 }
 
-/* Sets the format and its media type. If false, the error answer is set. */
+/* Sets the output format and its media type. If the format is not available, returns
+ * false and sets the error answer. */
 static bool add_format(struct pp_program_words *words, struct pp_task *task,
                        const char *formats, const char *format)
 {

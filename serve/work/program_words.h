@@ -1,5 +1,5 @@
-/* program_words.h - converts the options of a request to command-line arguments. Inside
- * serve/ only. */
+/* program_words.h - converts the options of a request to command-line arguments. For
+ * use inside serve/ only. */
 #ifndef PP_SERVE_WORK_PROGRAM_WORDS_H
 #define PP_SERVE_WORK_PROGRAM_WORDS_H
 
@@ -13,12 +13,12 @@ struct pp_program_words {
     const char *type; /* media type of the output */
 };
 
-/* Makes the arguments of the task's command, for a room on standard input. Only options
- * of that command that name no files are accepted. If false, the error answer is set.
- * The caller clears *words in any case. */
+/* Makes the arguments of the task's command, with the room on standard input. Only
+ * options of the command that do not name files are accepted. Otherwise returns false
+ * and sets the error answer. The caller clears *words, also after a failure. */
 bool pp_program_words_make(struct pp_program_words *words, struct pp_task *task);
 
-/* Adds an argument that must outlive *words. */
+/* Adds an argument, which is not copied and must exist as long as *words. */
 void pp_program_words_add(struct pp_program_words *words, const char *word);
 
 /* Adds a copy of "--name=value". */

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Limit on the unsent bytes of a stream. */
+/* Maximum number of unsent bytes of a stream. */
 enum { WAITING_MOST = 8 << 20 };
 
 static const char json_media_type[] = "application/json";
@@ -69,7 +69,7 @@ void pp_task_cancel(struct pp_task *task)
     pthread_mutex_unlock(&task->lock);
 }
 
-/* The caller holds the task's lock. */
+/* Resumes the connection if it is suspended. The caller must hold the task's lock. */
 static void wake_connection(struct pp_task *task)
 {
     if (!task->is_suspended)
@@ -141,7 +141,8 @@ void pp_task_fail_with(struct pp_task *task, const struct pp_error *err)
                  "%s", err->message);
 }
 
-/* Appends to the unsent bytes. Needs the lock. False: out of memory. */
+/* Appends to the unsent bytes. The caller must hold the lock. Returns false if memory
+ * is exhausted. */
 static bool append_bytes(struct pp_task *task, const char *bytes, size_t length)
 {
     if (task->taken > 0) {
@@ -158,7 +159,8 @@ static bool append_bytes(struct pp_task *task, const char *bytes, size_t length)
     return true;
 }
 
-/* Text of an event: "event: NAME", "data: " and each line, and an empty line. */
+/* Text of an event: "event: NAME", each line of the data after "data: ", and an empty
+ * line. */
 static char *event_text(const char *name, const char *data, size_t *length)
 {
     char *text = NULL;

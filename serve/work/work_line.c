@@ -7,15 +7,15 @@
 struct pp_work_line {
     pthread_mutex_t lock;
     pthread_cond_t wake;
-    struct pp_task *waiting; /* in order of arrival */
+    struct pp_task *waiting; /* list in order of arrival */
     int waiting_count, working;
-    uint64_t turn; /* turn of the task begun last */
+    uint64_t turn; /* turn of the task that began last */
     bool ending;
     pthread_t *workers;
     int worker_count;
 };
 
-/* Appends a task to the queue and sets its turn. Needs the lock. */
+/* Appends a task to the queue and sets its turn. The caller must hold the lock. */
 static void join_line(struct pp_work_line *line, struct pp_task *task)
 {
     uint64_t turn = line->turn;
@@ -29,8 +29,8 @@ static void join_line(struct pp_work_line *line, struct pp_task *task)
     line->waiting_count++;
 }
 
-/* Removes and returns the task with the lowest turn; of several, the one that was added
- * first. Needs the lock. */
+/* Removes and returns the task with the lowest turn. If there are several, the one that
+ * was added first. The caller must hold the lock. */
 static struct pp_task *leave_line(struct pp_work_line *line)
 {
     struct pp_task **best = &line->waiting;
@@ -102,8 +102,7 @@ enum pp_work_line_verdict pp_work_line_submit(struct pp_work_line *line,
     else if (own >= PP_WORK_LINE_CLIENT_MOST)
         verdict = PP_WORK_LINE_CLIENT_FULL;
     if (verdict == PP_WORK_LINE_TAKEN) {
-        task->owners++; /* safe without the task's lock: no other thread has the task
-                         * yet */
+        task->owners++; /* no lock needed: no other thread knows the task yet */
         join_line(line, task);
         pthread_cond_signal(&line->wake);
     }

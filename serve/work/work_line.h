@@ -1,10 +1,11 @@
-/* work_line.h - a queue of tasks for worker threads, fair between clients. Inside
- * serve/ only.
+/* work_line.h - a queue of tasks for worker threads, fair to all clients. For use
+ * inside serve/ only.
  *
- * Start-time fair queueing: the turn of a task is 1 + the last turn of the same client
- * in the queue, or of the task begun last. The task with the lowest turn is next. A
- * client with many tasks therefore does not delay a client with few. An unfinished task
- * returns to the queue after each slice.
+ * The queue uses start-time fair queueing. A new task gets a number, its turn: 1 more
+ * than the highest turn of the same client in the queue, or than the turn of the task
+ * that began last. The task with the lowest turn runs next. A client with many tasks
+ * therefore does not delay a client with few tasks. An unfinished task returns to the
+ * queue after each slice.
  */
 #ifndef PP_SERVE_WORK_WORK_LINE_H
 #define PP_SERVE_WORK_WORK_LINE_H
@@ -15,7 +16,7 @@ struct pp_work_line;
 
 enum { PP_WORK_LINE_MOST = 512, PP_WORK_LINE_CLIENT_MOST = 256 };
 
-/* Starts the workers; NULL if memory runs out or no thread can be started. */
+/* Starts the workers. NULL if memory is exhausted or no thread can be started. */
 struct pp_work_line *pp_work_line_create(int workers);
 
 enum pp_work_line_verdict {
@@ -24,16 +25,17 @@ enum pp_work_line_verdict {
     PP_WORK_LINE_CLIENT_FULL
 };
 
-/* Adds the task to the queue, which becomes an owner; or rejects it unchanged. */
+/* Adds the task to the queue, which becomes one of its owners, or rejects the task and
+ * leaves it unchanged. */
 enum pp_work_line_verdict pp_work_line_submit(struct pp_work_line *line,
                                               struct pp_task *task);
 
 /* Number of tasks in the queue or running. */
 int pp_work_line_count(struct pp_work_line *line);
 
-/* Stops the workers after their present slice and finishes all tasks; NULL is allowed.
- * False if a slice takes longer than `seconds` (whole seconds); the queue is then not
- * freed. */
+/* Stops the workers after their present slice and finishes all tasks. line NULL: does
+ * nothing. Returns false if a slice takes longer than `seconds` (whole seconds); the
+ * queue is then not freed. */
 bool pp_work_line_destroy(struct pp_work_line *line, double seconds);
 
 #endif
