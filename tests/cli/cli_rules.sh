@@ -76,9 +76,11 @@ check "a room of another use is not judged" shows "no row of these rules applies
 check "a report has the rules" quietly report --for no-tek17 --by-hand -q -o report.html overcast.xml
 check "with their title" grep -q "TEK17 section 13-7" report.html
 
-check "an unknown name lists those that exist" refuses 2 "expected uk-planning" \
+check "an unknown name lists the profiles" refuses 2 "expected a profile (uk-planning, " \
     assess --for nothing-like-it overcast.xml
-check "rules among them, to the last" grep -q "breeam-4b-other" err
+check "and says how to list the rules" grep -q "assess --rules" err
+run assess --rules
+check "rules without verdicts are marked" grep -q "Bbl with NEN 2057, NEN 2057 (listed only" out
 check "a near one is suggested" refuses 2 "did you mean no-tek17?" assess --for no-tek7 overcast.xml
 check "what is not established is refused" refuses 2 "not established" \
     assess --for at-oib-3 overcast.xml
