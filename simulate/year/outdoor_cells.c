@@ -29,11 +29,16 @@ static int main_direction(struct pp_vec3 n)
     return 4 + (n.y < 0.0);
 }
 
-static uint64_t key_of(const struct pp_outdoor_cells *cells,
-                       const struct pp_lit_point *at)
+/* 0 up to two sizes of the room from its centre; 1 up to four, and so on. */
+static int level_of(const struct pp_outdoor_cells *cells, const struct pp_lit_point *at)
 {
     double far = pp_vec_length(at->point) / cells->reach_m;
-    int level = far > 1.0 ? ilogb(far) : 0;
+    return far > 1.0 ? ilogb(far) : 0;
+}
+
+static uint64_t key_of(const struct pp_outdoor_cells *cells,
+                       const struct pp_lit_point *at, int level)
+{
     double size = ldexp(cells->reach_m / 3.0, level);
     uint64_t key = (uint64_t)(main_direction(at->normal) + 8 * level);
     const double xyz[3] = {at->point.x, at->point.y, at->point.z};
@@ -54,10 +59,11 @@ static int slot_of(const struct pp_outdoor_cells *cells, uint64_t key)
 int pp_outdoor_cells_find(struct pp_outdoor_cells *cells, const struct pp_lit_point *at,
                           double weight)
 {
-    enum { SHARED = 6 };
-    uint64_t key = key_of(cells, at);
+    enum { SHARED = 6, FAR_LEVEL = 5 };
+    int level = level_of(cells, at);
+    uint64_t key = key_of(cells, at, level);
     int slot = slot_of(cells, key), index = cells->cells[slot];
-    if (index < 0 && cells->count < cells->most - SHARED) {
+    if (index < 0 && level < FAR_LEVEL && cells->count < cells->most - SHARED) {
         cells->keys[slot] = key;
         index = cells->cells[slot] = cells->count++;
     } else if (index < 0) {

@@ -33,7 +33,7 @@
 #include "model/light/sky_patches.h"
 #include "simulate/year/year_cells.h"
 
-enum { PP_YEAR_BATCHES = 16, PP_YEAR_OUTDOOR_CELLS = 192, PP_YEAR_PANE_POINTS = 4 };
+enum { PP_YEAR_BATCHES = 16, PP_YEAR_OUTDOOR_CELLS = 512, PP_YEAR_PANE_POINTS = 4 };
 
 /* The task, common to all randomisations. */
 struct pp_year_task {
