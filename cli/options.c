@@ -336,16 +336,16 @@ enum pp_status pp_options_read_seed(const char *text, void *place, struct pp_err
     return PP_OK;
 }
 
-/* Reads a number followed by one of the units in `endings`, and nothing else. *which is
+/* Reads a number followed by one of the units in `units`, and nothing else. *which is
  * set to the index of the unit. */
-static bool read_with_unit(const char *text, const char *const endings[],
-                           double *number, int *which)
+static bool read_with_unit(const char *text, const char *const units[], double *number,
+                           int *which)
 {
     char digits[64];
     size_t length = strlen(text);
-    for (int i = 0; endings[i]; i++) {
-        size_t end = strlen(endings[i]);
-        if (length < end || strcmp(text + length - end, endings[i]) != 0
+    for (int i = 0; units[i]; i++) {
+        size_t end = strlen(units[i]);
+        if (length < end || strcmp(text + length - end, units[i]) != 0
             || length - end >= sizeof digits)
             continue;
         memcpy(digits, text, length - end);
@@ -360,10 +360,10 @@ static bool read_with_unit(const char *text, const char *const endings[],
 enum pp_status pp_options_read_per_cent(const char *text, void *place,
                                         struct pp_error *err)
 {
-    static const char *const endings[] = {"%", "", NULL};
+    static const char *const units[] = {"%", "", NULL};
     double per_cent;
     int which;
-    if (!read_with_unit(text, endings, &per_cent, &which) || !(per_cent > 0.0)
+    if (!read_with_unit(text, units, &per_cent, &which) || !(per_cent > 0.0)
         || per_cent > 100.0)
         return pp_fail(err, PP_BAD_INPUT,
                        "a percentage above 0 and up to 100, such as 1%%");
@@ -373,10 +373,10 @@ enum pp_status pp_options_read_per_cent(const char *text, void *place,
 
 enum pp_status pp_options_read_lux(const char *text, void *place, struct pp_error *err)
 {
-    static const char *const endings[] = {" lx", "lx", "", NULL};
+    static const char *const units[] = {" lx", "lx", "", NULL};
     double lux;
     int which;
-    if (!read_with_unit(text, endings, &lux, &which) || !(lux >= 1.0 && lux <= 2e5))
+    if (!read_with_unit(text, units, &lux, &which) || !(lux >= 1.0 && lux <= 2e5))
         return pp_fail(err, PP_BAD_INPUT,
                        "an illuminance from 1 to 200000 lx, such as 5000");
     *(double *)place = lux;
@@ -404,10 +404,10 @@ int pp_options_numbers(const char *text, char between, double *list, int most)
 enum pp_status pp_options_read_metres(const char *text, void *place,
                                       struct pp_error *err)
 {
-    static const char *const endings[] = {" m", "m", "", NULL};
+    static const char *const units[] = {" m", "m", "", NULL};
     double metres;
     int which;
-    if (!read_with_unit(text, endings, &metres, &which)
+    if (!read_with_unit(text, units, &metres, &which)
         || !(metres >= 0.1 && metres <= 10.0))
         return pp_fail(err, PP_BAD_INPUT, "a height from 0.1 to 10 m, such as 1.6");
     *(double *)place = metres;
@@ -417,11 +417,11 @@ enum pp_status pp_options_read_metres(const char *text, void *place,
 enum pp_status pp_options_read_seconds(const char *text, void *place,
                                        struct pp_error *err)
 {
-    static const char *const endings[] = {"ms", "s", "m", "h", "", NULL};
+    static const char *const units[] = {"ms", "s", "m", "h", "", NULL};
     static const double seconds[] = {1e-3, 1.0, 60.0, 3600.0, 1.0};
     double number;
     int which;
-    if (!read_with_unit(text, endings, &number, &which) || !(number > 0.0)
+    if (!read_with_unit(text, units, &number, &which) || !(number > 0.0)
         || number * seconds[which] > 1e9)
         return pp_fail(err, PP_BAD_INPUT,
                        "a time above 0, such as 10s, 500ms, 2m or 1h");

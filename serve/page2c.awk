@@ -9,14 +9,14 @@ FNR == 1 {
     path = FILENAME
     if (!sub(/^.*\/page\//, "/", path))
         path = "/" path
-    ending = path
-    sub(/.*\./, "", ending)
-    type = ending == "html" ? "text/html; charset=utf-8" : \
-        ending == "css" ? "text/css; charset=utf-8" : \
-        ending == "js" ? "text/javascript; charset=utf-8" : \
-        ending == "svg" ? "image/svg+xml" : \
-        ending == "json" ? "application/json" : \
-        ending == "xml" ? "application/xml" : "text/plain; charset=utf-8"
+    extension = path
+    sub(/.*\./, "", extension)
+    type = extension == "html" ? "text/html; charset=utf-8" : \
+        extension == "css" ? "text/css; charset=utf-8" : \
+        extension == "js" ? "text/javascript; charset=utf-8" : \
+        extension == "svg" ? "image/svg+xml" : \
+        extension == "json" ? "application/json" : \
+        extension == "xml" ? "application/xml" : "text/plain; charset=utf-8"
     print "PAGE_FILE(\"" path "\", \"" type "\","
 }
 {

@@ -166,9 +166,11 @@ static void doubt_outside(struct pp_mistakes *doubts, const struct pp_world *wor
                             name, block->height_m);
         if (alone && world->opening_count > 0 && world->garden_count == 0
             && !faces_an_opening(world, block) && !touches_room(world, block))
-            pp_mistakes_add(doubts, block->line,
-                            "the block \"%s\" is behind every window and hides no sky",
-                            name);
+            pp_mistakes_add(
+                doubts, block->line,
+                "no part of the block \"%s\" is in front of a window, so it hides "
+                "no sky",
+                name);
     }
     for (int i = 0; i < world->mesh_count; i++) {
         double height_m =

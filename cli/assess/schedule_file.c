@@ -25,12 +25,13 @@ enum schedule_format {
 
 static enum schedule_format format_of(const char *path)
 {
-    static const char *const endings[SCHEDULE_FORMATS] = {".csv", ".xlsx", ".html",
-                                                          ".pdf"};
+    static const char *const extensions[SCHEDULE_FORMATS] = {".csv", ".xlsx", ".html",
+                                                             ".pdf"};
     int format = 0;
     for (; format < SCHEDULE_FORMATS; format++) {
-        size_t length = strlen(path), ending = strlen(endings[format]);
-        if (length > ending && strcasecmp(path + length - ending, endings[format]) == 0)
+        size_t length = strlen(path), extension = strlen(extensions[format]);
+        if (length > extension
+            && strcasecmp(path + length - extension, extensions[format]) == 0)
             break;
     }
     return (enum schedule_format)format;

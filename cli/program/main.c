@@ -92,8 +92,8 @@ static enum pp_exit run_help(int argc, char **argv)
 
 static bool names_room_file(const char *word)
 {
-    const char *ending = strrchr(word, '.');
-    return word[0] != '-' && ending && strcasecmp(ending, ".xml") == 0;
+    const char *extension = strrchr(word, '.');
+    return word[0] != '-' && extension && strcasecmp(extension, ".xml") == 0;
 }
 
 static enum pp_exit run_program(int argc, char **argv, const struct pp_ranks *ranks)

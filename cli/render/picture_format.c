@@ -7,7 +7,7 @@
 #include "model/base/text.h"
 
 static const struct {
-    const char *ending;
+    const char *extension;
     enum pp_chart_format format;
 } shown[] = {{"png", PP_CHART_PNG}, {"pdf", PP_CHART_PDF}, {"svg", PP_CHART_SVG}};
 
@@ -21,26 +21,26 @@ static int number_count(void)
     return count;
 }
 
-static struct pp_picture_format format_at(int index, const char **ending)
+static struct pp_picture_format format_at(int index, const char **extension)
 {
     int numbers = number_count();
     struct pp_picture_format format = {0};
     if (index < numbers) {
         format.numbers = pp_number_format_at(index);
-        *ending = format.numbers->ending;
+        *extension = format.numbers->extension;
     } else {
         format.shown = shown[index - numbers].format;
-        *ending = shown[index - numbers].ending;
+        *extension = shown[index - numbers].extension;
     }
     return format;
 }
 
 bool pp_picture_format_named(struct pp_picture_format *format, const char *name)
 {
-    const char *ending;
+    const char *extension;
     for (int i = 0; i < number_count() + SHOWN_COUNT; i++) {
-        *format = format_at(i, &ending);
-        if (strcmp(name, ending) == 0)
+        *format = format_at(i, &extension);
+        if (strcmp(name, extension) == 0)
             return true;
     }
     return false;
@@ -54,7 +54,7 @@ bool pp_picture_format_of(struct pp_picture_format *format, const char *path)
         return false;
     format->numbers = pp_number_format_find(point + 1);
     for (int i = 0; i < SHOWN_COUNT && !format->numbers; i++)
-        if (strcasecmp(point + 1, shown[i].ending) == 0) {
+        if (strcasecmp(point + 1, shown[i].extension) == 0) {
             format->shown = shown[i].format;
             return true;
         }
@@ -67,13 +67,13 @@ const char *pp_picture_format_list(char *text, size_t size, const char *before,
     int count = number_count() + (numbers_only ? 0 : SHOWN_COUNT);
     text[0] = '\0';
     for (int i = 0; i < count; i++) {
-        const char *ending;
-        format_at(i, &ending);
+        const char *extension;
+        format_at(i, &extension);
         pp_text_append(text, size, "%s%s%s",
                        i == 0          ? ""
                        : i + 1 < count ? ", "
                                        : " or ",
-                       before, ending);
+                       before, extension);
     }
     return text;
 }

@@ -10,7 +10,7 @@
 #include "model/pictures/raster.h"
 
 /* Size of a text that lists the formats (bytes). */
-enum { ENDINGS_SIZE = 128 };
+enum { EXTENSIONS_SIZE = 128 };
 
 struct pp_render_choice pp_render_choice_default(void)
 {
@@ -26,7 +26,7 @@ enum pp_status pp_render_choice_format(struct pp_picture_format *format,
                                        const struct pp_render_choice *choice,
                                        const char *path, struct pp_error *err)
 {
-    char endings[ENDINGS_SIZE];
+    char extensions[EXTENSIONS_SIZE];
     path = path ? path : "-";
     if (choice->format ? pp_picture_format_named(format, choice->format)
                        : pp_picture_format_of(format, path))
@@ -34,7 +34,8 @@ enum pp_status pp_render_choice_format(struct pp_picture_format *format,
     return pp_fail(err, PP_BAD_INPUT,
                    "the file type of \"%.200s\" is not clear from its name; expected a "
                    "name that ends in %s, or --format",
-                   path, pp_picture_format_list(endings, sizeof endings, ".", false));
+                   path,
+                   pp_picture_format_list(extensions, sizeof extensions, ".", false));
 }
 
 bool pp_render_choice_on_sheet(const struct pp_render_choice *choice,
@@ -111,12 +112,12 @@ static enum pp_status check_size(const struct pp_render_choice *choice, bool sho
     if (!shown
         || (size->width <= PP_RASTER_SIDE_MOST && size->height <= PP_RASTER_SIDE_MOST))
         return PP_OK;
-    char endings[ENDINGS_SIZE];
+    char extensions[EXTENSIONS_SIZE];
     return pp_fail(err, PP_BAD_INPUT,
                    "a picture of %d x %d pixels can be stored, as %s, but not "
                    "displayed; expected at most %d each way",
                    size->width, size->height,
-                   pp_picture_format_list(endings, sizeof endings, ".", true),
+                   pp_picture_format_list(extensions, sizeof extensions, ".", true),
                    PP_RASTER_SIDE_MOST);
 }
 
@@ -155,15 +156,16 @@ static enum pp_status check_errors(const struct pp_render_choice *choice,
                                    struct pp_error *err)
 {
     struct pp_picture_format format;
-    char endings[ENDINGS_SIZE];
+    char extensions[EXTENSIONS_SIZE];
     if (!choice->errors)
         return PP_OK;
     if (!pp_picture_format_of(&format, choice->errors) || !format.numbers)
-        return pp_fail(err, PP_BAD_INPUT,
-                       "--errors is \"%.200s\", but standard errors are stored as "
-                       "numbers; expected a file that ends in %s",
-                       choice->errors,
-                       pp_picture_format_list(endings, sizeof endings, ".", true));
+        return pp_fail(
+            err, PP_BAD_INPUT,
+            "--errors is \"%.200s\", but standard errors are stored as "
+            "numbers; expected a file that ends in %s",
+            choice->errors,
+            pp_picture_format_list(extensions, sizeof extensions, ".", true));
     if (choice->samples < PP_RENDER_RANDOMISATIONS_LEAST)
         return pp_fail(err, PP_BAD_INPUT,
                        "--errors compares the paths of a pixel, but there are only %d; "
@@ -176,7 +178,7 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
                                       const struct pp_room_options *options,
                                       int file_count, struct pp_error *err)
 {
-    char endings[ENDINGS_SIZE];
+    char extensions[EXTENSIONS_SIZE];
     if (choice->from_picture && file_count > 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--from-picture displays a picture instead of a room; expected "
@@ -190,8 +192,9 @@ enum pp_status pp_render_choice_check(struct pp_render_choice *choice,
         return pp_fail(err, PP_BAD_INPUT,
                        "expected one room file, or - for standard input");
     if (!options->output && !choice->format)
-        return pp_fail(err, PP_BAD_INPUT, "expected -o %s",
-                       pp_picture_format_list(endings, sizeof endings, "FILE.", false));
+        return pp_fail(
+            err, PP_BAD_INPUT, "expected -o %s",
+            pp_picture_format_list(extensions, sizeof extensions, "FILE.", false));
     struct pp_picture_format format;
     enum pp_status status =
         pp_render_choice_format(&format, choice, options->output, err);

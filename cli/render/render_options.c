@@ -327,7 +327,7 @@ const struct pp_option pp_render_shown_options[] = {
     {"from-picture", 0, "FILE.hdr", "Display this picture instead of a room.",
      pp_options_read_input, PLACE(from_picture)},
     {"format", 'f', "FORMAT",
-     "hdr, pfm, png, pdf or svg (default: from the ending of -o FILE).",
+     "hdr, pfm, png, pdf or svg (default: from the extension of -o FILE).",
      read_picture_format, PLACE(format)},
     {"paper", 0, "SIZE", "Paper size of a sheet: a5, a4 (default), a3 or a2.",
      read_paper, PLACE(paper)},

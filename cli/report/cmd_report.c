@@ -43,7 +43,7 @@ static enum pp_status read_format(const char *text, void *place, struct pp_error
 
 static const struct pp_option format_option[] = {
     {"format", 'f', "FORMAT",
-     "html or pdf (default: from the ending of -o FILE, else html).", read_format,
+     "html or pdf (default: from the extension of -o FILE, else html).", read_format,
      PLACE(report_format)},
     {0},
 };
@@ -67,7 +67,7 @@ static const struct pp_option full_option[] = {
 };
 
 /* Extension of the file name, from its last dot; NULL: none. */
-static const char *ending_of(const char *path)
+static const char *extension_of(const char *path)
 {
     const char *slash = path ? strrchr(path, '/') : NULL;
     const char *name = slash ? slash + 1 : path;
@@ -78,9 +78,9 @@ static const char *ending_of(const char *path)
  * extension of its name. */
 static bool is_pdf(const struct pp_assess_words *words)
 {
-    const char *ending = ending_of(words->room.output);
+    const char *extension = extension_of(words->room.output);
     return words->report_format ? strcmp(words->report_format, "pdf") == 0
-                                : ending && strcasecmp(ending, ".pdf") == 0;
+                                : extension && strcasecmp(extension, ".pdf") == 0;
 }
 
 /* ---- the command line that reproduces the report ---- */
@@ -290,13 +290,13 @@ static enum pp_status check_report_options(void *values, char **files, int file_
                                            struct pp_error *err)
 {
     const struct pp_assess_words *words = values;
-    const char *ending = ending_of(words->room.output);
-    if (ending && !words->report_format && !is_pdf(words)
-        && strcasecmp(ending, ".html") != 0 && strcasecmp(ending, ".htm") != 0)
+    const char *extension = extension_of(words->room.output);
+    if (extension && !words->report_format && !is_pdf(words)
+        && strcasecmp(extension, ".html") != 0 && strcasecmp(extension, ".htm") != 0)
         return pp_fail(err, PP_BAD_INPUT,
                        "--output: expected a name that ends in .html or .pdf instead "
                        "of \"%.20s\", or --format html or pdf",
-                       ending);
+                       extension);
     return pp_assess_words_check(values, files, file_count, err);
 }
 

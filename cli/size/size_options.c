@@ -53,7 +53,7 @@ const struct pp_option pp_size_task_options[] = {
      "the simulation (default exact+bre, or exact+split-flux if bre does not apply).",
      pp_options_read_text, PLACE(request.by)},
     {"change", 'c', "WHAT",
-     "Quantity to vary: width (default), height, head, sill, or the number of windows.",
+     "Quantity to vary: width (default), height, head, sill, or number (of windows).",
      read_change, PLACE(request.change)},
     {"wall", 0, "NAME", "Change the windows in this wall only.", pp_options_read_text,
      PLACE(request.wall)},

@@ -318,13 +318,13 @@ static enum pp_status close_holes(struct pp_gbxml_shell *shell, const char **why
                                      sizeof *shell->faces, err);
         if (loop.count < 3 || status != PP_OK) {
             free(loop.corners);
-            *why = "does not close";
+            *why = "is not closed";
             break;
         }
         shell->faces[shell->face_count++] = loop;
         shell->lacking++;
         if (!is_plane(shell, shell->face_count - 1))
-            *why = "does not close, and the gap is not planar";
+            *why = "is not closed, and the gap is not planar";
     }
     free(loose.list);
     return status;

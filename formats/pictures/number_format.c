@@ -8,8 +8,8 @@
 #include "model/pictures/picture_pfm.h"
 
 const struct pp_number_format pp_number_format_hdr = {
-    .ending = "hdr",
-    .other_ending = "pic",
+    .extension = "hdr",
+    .other_extension = "pic",
     .summary = "Radiance format, accurate to 1 % of the brightest channel, with notes "
                "in the header",
     .write = pp_picture_hdr_write,
@@ -44,7 +44,7 @@ static enum pp_status write_whole(FILE *out, const struct pp_picture *picture,
 }
 
 const struct pp_number_format pp_number_format_pfm = {
-    .ending = "pfm",
+    .extension = "pfm",
     .summary = "portable float map, accurate to the last digit of a float",
     .write = write_whole,
 };
@@ -60,12 +60,12 @@ const struct pp_number_format *pp_number_format_at(int index)
     return formats[index];
 }
 
-const struct pp_number_format *pp_number_format_find(const char *ending)
+const struct pp_number_format *pp_number_format_find(const char *extension)
 {
     for (int i = 0; formats[i]; i++)
-        if (strcasecmp(formats[i]->ending, ending) == 0
-            || (formats[i]->other_ending
-                && strcasecmp(formats[i]->other_ending, ending) == 0))
+        if (strcasecmp(formats[i]->extension, extension) == 0
+            || (formats[i]->other_extension
+                && strcasecmp(formats[i]->other_extension, extension) == 0))
             return formats[i];
     return NULL;
 }

@@ -14,9 +14,9 @@
 #include "model/pictures/picture.h"
 
 struct pp_number_format {
-    const char *ending;       /* extension of the file name, without the dot: "hdr" */
-    const char *other_ending; /* alternative extension; NULL: none */
-    const char *summary;      /* one line, without a full stop */
+    const char *extension;       /* without the dot: "hdr" */
+    const char *other_extension; /* alternative extension; NULL: none */
+    const char *summary;         /* one line, without a full stop */
 
     /* Writes the picture. Formats without a place for notes ignore them (notes NULL: no
      * notes). PP_SYSTEM if the stream has failed. */
@@ -28,7 +28,7 @@ struct pp_number_format {
 const struct pp_number_format *pp_number_format_at(int index);
 
 /* The format with that extension, in either case ("hdr", "PIC"); NULL if none. */
-const struct pp_number_format *pp_number_format_find(const char *ending);
+const struct pp_number_format *pp_number_format_find(const char *extension);
 
 extern const struct pp_number_format pp_number_format_hdr;
 extern const struct pp_number_format pp_number_format_pfm;

@@ -1,4 +1,4 @@
-/* mesh_file.h - reads a file of triangles, OBJ or DXF by the ending of its name. */
+/* mesh_file.h - reads a file of triangles: OBJ or DXF, by the extension of its name. */
 #ifndef PP_MODEL_MESH_MESH_FILE_H
 #define PP_MODEL_MESH_MESH_FILE_H
 

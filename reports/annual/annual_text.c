@@ -107,10 +107,11 @@ static void print_plane(const struct text_page *page)
     print_levels(page);
     print_leed(page);
     if (sheet->near_half > 0) {
-        snprintf(text, sizeof text,
-                 "%d point%s within two standard errors of half of the hours; use more "
-                 "--samples to decide",
-                 sheet->near_half, sheet->near_half == 1 ? " is" : "s are");
+        snprintf(
+            text, sizeof text,
+            "at %d point%s the share of hours with 300 lx, without blinds, is within "
+            "two standard errors of 50 %%; increase --samples to decide",
+            sheet->near_half, sheet->near_half == 1 ? "" : "s");
         print_annual_fact(page, "undecided", text);
     }
 }

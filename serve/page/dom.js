@@ -60,6 +60,6 @@ export function download(name, type, content) {
 }
 
 // A name that can be that of a file.
-export function fileName(name, ending) {
-    return `${(name || 'room').replace(/[^\p{L}\p{N}_-]+/gu, '-').replace(/^-+|-+$/g, '') || 'room'}.${ending}`;
+export function fileName(name, extension) {
+    return `${(name || 'room').replace(/[^\p{L}\p{N}_-]+/gu, '-').replace(/^-+|-+$/g, '') || 'room'}.${extension}`;
 }

@@ -39,13 +39,13 @@ function addObj(text) {
 }
 
 export async function openFile(file) {
-    const ending = file.name.toLowerCase().split('.').pop();
-    if (ending === 'epw') {
+    const extension = file.name.toLowerCase().split('.').pop();
+    if (extension === 'epw') {
         useWeather(await engine.weather(await file.arrayBuffer()));
         return `The weather file ${file.name} is now used.`;
     }
     const text = await file.text();
-    if (ending === 'obj') {
+    if (extension === 'obj') {
         addObj(text);
         return `The faces of ${file.name} were added as surfaces.`;
     }

@@ -16,17 +16,17 @@ static const char *const job_commands[] = {"df",     "assess", "size",  "availab
                                            "report", "chart",  "annual"};
 
 static void job_path(char path[PATH_BYTES], const struct pp_task *task,
-                     const char *name, const char *ending)
+                     const char *name, const char *extension)
 {
-    snprintf(path, PATH_BYTES, "%s/%s%s", task->server->options->jobs, name, ending);
+    snprintf(path, PATH_BYTES, "%s/%s%s", task->server->options->jobs, name, extension);
 }
 
 /* Writes a file in one step. On failure no incomplete file is left. */
 static bool write_whole(const struct pp_task *task, const char *name,
-                        const char *ending, const char *bytes, size_t length)
+                        const char *extension, const char *bytes, size_t length)
 {
     char path[PATH_BYTES], partial[PATH_BYTES];
-    job_path(path, task, name, ending);
+    job_path(path, task, name, extension);
     job_path(partial, task, name, ".partial");
     FILE *out = fopen(partial, "we");
     bool good = out && fwrite(bytes, 1, length, out) == length;

@@ -30,8 +30,8 @@ static enum pp_status check_faces(const struct pp_world *world,
 {
     if (world->face_count != before->face_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the room there has %d faces, but this room has %d; expected "
-                       "the same room with different surroundings",
+                       "the room compared has %d faces, but this room has %d; "
+                       "expected the same room with different surroundings",
                        before->face_count, world->face_count);
     for (int i = 0; i < world->face_count; i++) {
         bool found = false;
@@ -40,19 +40,20 @@ static enum pp_status check_faces(const struct pp_world *world,
                 same_outline(&world->surfaces[i].outline, &before->surfaces[k].outline);
         const char *name = world->surfaces[i].name;
         if (!found)
-            return pp_fail(
-                err, PP_BAD_INPUT,
-                "the room there has a different shape: the %.60s has no counterpart; "
-                "expected the same room with different surroundings",
-                name                                    ? name
-                : world->surfaces[i].role == PP_FLOOR   ? "floor"
-                : world->surfaces[i].role == PP_CEILING ? "ceiling"
-                                                        : "wall");
+            return pp_fail(err, PP_BAD_INPUT,
+                           "the room compared has a different shape: the %.60s has no "
+                           "counterpart; "
+                           "expected the same room with different surroundings",
+                           name                                    ? name
+                           : world->surfaces[i].role == PP_FLOOR   ? "floor"
+                           : world->surfaces[i].role == PP_CEILING ? "ceiling"
+                                                                   : "wall");
     }
     if (fabs(world->working_plane_m - before->working_plane_m) > same_m)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the working plane there is at %g m instead of %g m; expected "
-                       "the same room with different surroundings",
+                       "the working plane of the room compared is at %g m, that of "
+                       "this room at %g m; expected the same room with different "
+                       "surroundings",
                        before->working_plane_m, world->working_plane_m);
     return PP_OK;
 }
@@ -62,10 +63,10 @@ static enum pp_status pair_openings(int *pairs, const struct pp_world *world,
 {
     if (world->opening_count != before->opening_count)
         return pp_fail(err, PP_BAD_INPUT,
-                       "the room there has %d opening%s, but in this room there %s %d; "
+                       "the room compared has %d opening%s, but this room has %d; "
                        "expected the same room with different surroundings",
                        before->opening_count, before->opening_count == 1 ? "" : "s",
-                       world->opening_count == 1 ? "is" : "are", world->opening_count);
+                       world->opening_count);
     for (int i = 0; i < world->opening_count; i++) {
         pairs[i] = -1;
         for (int k = 0; k < before->opening_count && pairs[i] < 0; k++)
@@ -75,7 +76,8 @@ static enum pp_status pair_openings(int *pairs, const struct pp_world *world,
         if (pairs[i] < 0)
             return pp_fail(
                 err, PP_BAD_INPUT,
-                "the room there has no opening in the place of the opening on line %d; "
+                "the room compared has no opening in the place of the opening on line "
+                "%d; "
                 "expected the same room with different surroundings",
                 world->openings[i].line);
     }

@@ -95,13 +95,13 @@ check "a picture is no report" refuses 2 "expected a name that ends in .html or 
     report "$deep" -o "$scratch/r.svg"
 check "nor is what some other program writes" refuses 2 'instead of ".docx"' \
     report "$deep" -o "$scratch/r.docx"
-check "a name without an ending is a page" sh -c "
+check "a name without an extension is a page" sh -c "
     '$pepperpot' report --by-hand -c vsc '$deep' -o '$scratch/r' && grep -q '^<h1>' '$scratch/r'"
 
 check "but --format says what it is" sh -c "
     '$pepperpot' report --by-hand -c vsc '$deep' --format pdf -o '$scratch/r.report' &&
         head -c 5 '$scratch/r.report' | grep -q '^%PDF-'"
-check "whatever the ending" sh -c "
+check "--format decides, whatever the extension of the file" sh -c "
     '$pepperpot' report --by-hand -c vsc '$deep' --format html -o '$scratch/html.pdf' &&
         grep -q '^<h1>' '$scratch/html.pdf' && grep -q 'format html' '$scratch/html.pdf'"
 check "a PDF on standard output" sh -c "

@@ -60,20 +60,22 @@ static void set_cells(const struct tree_reader *r, const struct tree_node *node,
     }
 }
 
-/* Reads the numbers of a brace, up to its end. */
+/* Reads the numbers up to the closing brace. */
 static bool read_numbers(struct tree_reader *r, const struct tree_node *node)
 {
     r->numbers.count = 0;
     if (!pp_number_list_read(&r->numbers, &r->at, 1 << (r->rank * GRID_LEVELS_MOST)))
-        return fails(r, "a brace contains text that is not a number, or too many "
-                        "numbers");
+        return fails(r, "braces contain text that is not a number, or too many "
+                        "values");
     int level = 0;
     while (level < GRID_LEVELS_MOST && r->numbers.count > 1 << (r->rank * level))
         level++;
     if (r->numbers.count != 1 << (r->rank * level))
         return fails(r, r->rank == 4
-                            ? "a brace does not contain 1, 16, 256, ... numbers"
-                            : "a brace does not contain 1, 8, 64, ... numbers");
+                            ? ("the number of values between braces is not a power of "
+                               "16; expected 1, 16, 256, ...")
+                            : ("the number of values between braces is not a power of "
+                               "8; expected 1, 8, 64, ..."));
     if (node->level + level > r->levels)
         r->levels = node->level + level;
     if (r->side == 0)

@@ -50,8 +50,8 @@ static const char *wrong_glass(const struct pp_opening *opening,
         return "diffusing glass; expected clear glass";
     if (device->position == PP_DEVICE_BETWEEN && opening->glass.panes < 2)
         return opening->glass.panes == 1
-                   ? "one pane; expected two or more, as it is between the panes"
-                   : "no glass; expected two or more panes, as it is between them";
+                   ? "one pane; a blind between panes needs two or more"
+                   : "no glass; a blind between panes needs two or more panes";
     return NULL;
 }
 

@@ -44,7 +44,7 @@ static void another_room_is_not_the_room_before(void **state)
     static const struct {
         const char *before, *why;
     } cases[] = {
-        {ROOM, "has 1 opening, but in this room there are 2"},
+        {ROOM, "has 1 opening, but this room has 2"},
         {TWO("0.4", "2.3"), "no opening in the place of the opening on line 1"},
         {"<plan width=\"4.1\" depth=\"6.4\" height=\"2.9\"/>", "a different shape"},
         {"<plan height=\"2.9\"><vertex x=\"0\" y=\"0\"/><vertex x=\"4.1\" y=\"0\"/>"
